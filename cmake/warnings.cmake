@@ -1,0 +1,7 @@
+# Warnings for our own targets. Linked PRIVATE through $<BUILD_INTERFACE:...>, so users never see them.
+add_library(fairway_warnings INTERFACE)
+target_compile_options(fairway_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion
+  -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wformat=2
+  -Wswitch-enum -Wextra-semi
+  $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast>)

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace fairway {
+
+/// Position [m] and heading [rad] in the world frame, unless the name says otherwise.
+struct Pose2 {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double heading = 0.0;
+};
+
+/// Linear speed along the heading [m/s] and angular speed, counter-clockwise positive [rad/s].
+struct Twist2 {
+  double linear = 0.0;
+  double angular = 0.0;
+};
+
+[[nodiscard]] inline bool is_finite(const Eigen::Vector2d& point) noexcept {
+  return std::isfinite(point.x()) && std::isfinite(point.y());
+}
+
+[[nodiscard]] inline bool is_finite(const Pose2& pose) noexcept {
+  return is_finite(pose.position) && std::isfinite(pose.heading);
+}
+
+[[nodiscard]] inline bool is_finite(const Twist2& twist) noexcept {
+  return std::isfinite(twist.linear) && std::isfinite(twist.angular);
+}
+
+/// Unit vector in direction `heading`.
+[[nodiscard]] inline Eigen::Vector2d direction(double heading) noexcept {
+  return {std::cos(heading), std::sin(heading)};
+}
+
+/// `vector` turned counter-clockwise by `angle`.
+[[nodiscard]] inline Eigen::Vector2d rotated(const Eigen::Vector2d& vector, double angle) noexcept {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
+}
+
+/// Point given in the frame of `frame`, expressed in the frame that `frame` is given in.
+[[nodiscard]] inline Eigen::Vector2d transform(const Pose2& frame,
+                                               const Eigen::Vector2d& local) noexcept {
+  return frame.position + rotated(local, frame.heading);
+}
+
+/// Inverse of `transform`.
+[[nodiscard]] inline Eigen::Vector2d inverse_transform(const Pose2& frame,
+                                                       const Eigen::Vector2d& point) noexcept {
+  return rotated(point - frame.position, -frame.heading);
+}
+
+}  // namespace fairway

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fairway/map/occupancy_grid.hpp"
+
+namespace fairway {
+
+/// How cells that nobody has seen are treated.
+enum class UnknownCells : std::uint8_t { Occupied, Free };
+
+/// The obstacles of a grid, one bit per cell, 64 cells per word: the form that geometry is tested
+/// on.
+class BitGrid {
+ public:
+  BitGrid() = default;  ///< no cells at all: everything is blocked
+
+  /// Packs a grid; what is not free is blocked, unknown cells as `unknown` says.
+  explicit BitGrid(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied);
+
+  /// All cells free (or all blocked).
+  BitGrid(const GridFrame& frame, bool blocked);
+
+  [[nodiscard]] const GridFrame& frame() const noexcept { return frame_; }
+
+  /// Whether a cell is an obstacle; true outside the grid.
+  [[nodiscard]] bool blocked(CellIndex cell) const noexcept {
+    if (!frame_.contains(cell)) return true;
+    return (row(cell.y)[static_cast<std::size_t>(cell.x) / 64] >> (cell.x % 64) & 1U) != 0;
+  }
+
+  /// @pre the cell lies in the grid.
+  void set(CellIndex cell, bool blocked) noexcept;
+
+  /// Column of the first blocked cell of row `y` in columns `first` to `last`, inclusive; -1 when
+  /// there is none. @pre 0 <= first, last < width, 0 <= y < height; an empty range has none.
+  [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept;
+
+  /// The words of one row; bit i of word w is column 64 w + i. Bits past the width are 0.
+  [[nodiscard]] std::span<const std::uint64_t> row(int y) const noexcept {
+    return {words_.data() + static_cast<std::size_t>(y) * words_per_row_, words_per_row_};
+  }
+
+ private:
+  GridFrame frame_;
+  std::size_t words_per_row_ = 0;
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "fairway/geometry/pose2.hpp"
+
+namespace fairway {
+
+/// Column `x` and row `y` of a cell; (0, 0) is the lower-left cell of the map.
+struct CellIndex {
+  int x = 0;
+  int y = 0;
+
+  friend bool operator==(const CellIndex&, const CellIndex&) = default;
+};
+
+/// Where the cells of a grid lie in the world.
+///
+/// Grid coordinates count cells from the lower-left corner of cell (0, 0), so cell (i, j) is the
+/// closed square [i, i+1] x [j, j+1]. `origin` is the world pose of that corner, yaw included, as
+/// in map_server's `origin`.
+struct GridFrame {
+  int width = 0;            ///< number of columns
+  int height = 0;           ///< number of rows
+  double resolution = 1.0;  ///< side of a cell [m]
+  Pose2 origin;             ///< world pose of the grid's lower-left corner
+
+  [[nodiscard]] bool contains(CellIndex cell) const noexcept {
+    return cell.x >= 0 && cell.x < width && cell.y >= 0 && cell.y < height;
+  }
+
+  /// World point [m] -> grid coordinates [cells].
+  [[nodiscard]] Eigen::Vector2d to_grid(const Eigen::Vector2d& point) const noexcept {
+    return inverse_transform(origin, point) / resolution;
+  }
+
+  /// Grid coordinates [cells] -> world point [m].
+  [[nodiscard]] Eigen::Vector2d to_world(const Eigen::Vector2d& grid_point) const noexcept {
+    return transform(origin, grid_point * resolution);
+  }
+
+  /// The cell that holds `point`; may lie outside the grid. A point on an edge between two cells
+  /// belongs to the upper or right one. Points further than 1e9 cells away, or non-finite, give a
+  /// cell outside the grid.
+  [[nodiscard]] CellIndex cell_at(const Eigen::Vector2d& point) const noexcept {
+    const Eigen::Vector2d g = to_grid(point);
+    const auto index = [](double v) {
+      return std::abs(v) < 1e9 ? static_cast<int>(std::floor(v)) : -1;
+    };
+    return {.x = index(g.x()), .y = index(g.y())};
+  }
+
+  /// Centre of a cell in the world [m].
+  [[nodiscard]] Eigen::Vector2d center(CellIndex cell) const noexcept {
+    return to_world({cell.x + 0.5, cell.y + 0.5});
+  }
+};
+
+}  // namespace fairway

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fairway {
+
+/// Geometry without time: straight lines between waypoints, from start to goal, world frame [m].
+struct Path {
+  std::vector<Eigen::Vector2d> waypoints;
+
+  /// Sum of the straight lines [m].
+  [[nodiscard]] double length() const noexcept {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < waypoints.size(); ++i)
+      sum += (waypoints[i] - waypoints[i - 1]).norm();
+    return sum;
+  }
+};
+
+/// How a path search ended.
+enum class PathStatus : std::uint8_t {
+  Found,            ///< there is a path
+  StartOutsideMap,  ///< the start is not on the map, or not finite
+  GoalOutsideMap,   ///< the goal is not on the map, or not finite
+  StartBlocked,     ///< the robot does not fit at the start
+  GoalBlocked,      ///< the robot does not fit at the goal
+  NoConnection,     ///< it fits at both, but there is no way between them
+};
+
+[[nodiscard]] constexpr const char* to_text(PathStatus status) noexcept {
+  switch (status) {
+    case PathStatus::Found:
+      return "found";
+    case PathStatus::StartOutsideMap:
+      return "the start is outside the map";
+    case PathStatus::GoalOutsideMap:
+      return "the goal is outside the map";
+    case PathStatus::StartBlocked:
+      return "the robot does not fit at the start";
+    case PathStatus::GoalBlocked:
+      return "the robot does not fit at the goal";
+    case PathStatus::NoConnection:
+      return "there is no way from start to goal that is wide enough";
+  }
+  return "unknown";
+}
+
+}  // namespace fairway
