@@ -44,6 +44,11 @@ class BitGrid {
     return {words_.data() + static_cast<std::size_t>(y) * words_per_row_, words_per_row_};
   }
 
+  /// The same to write to, many cells at a time. Bits past the width must stay 0.
+  [[nodiscard]] std::span<std::uint64_t> mutable_row(int y) noexcept {
+    return {words_.data() + static_cast<std::size_t>(y) * words_per_row_, words_per_row_};
+  }
+
  private:
   GridFrame frame_;
   std::size_t words_per_row_ = 0;

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/map/distance_field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fairway/base/contract.hpp"
+#include "fairway/map/free_space.hpp"
+
+// Two passes (Meijster, Roerdink, Hesselink 2000): steps along every column, then along every row
+// the lower envelope of the parabolas that the columns' distances span.
+//
+// Unit: half cells, so that all is integer. From a cell's centre to a closed square k columns away
+// it is 2k - 1 across (k > 0), that is, to the square's near edge. So for cell x and a column
+// *edge* e (the line between columns e - 1 and e) the squared distance through that edge is
+//     (2x + 1 - 2e)^2 + height(e),
+// with height(e) = (2 min(steps) - 1)^2 over the edge's two columns: parabolas over edges.
+
+namespace fairway {
+
+namespace {
+
+constexpr std::size_t kLanes = 8;
+
+// For 8 cells' bits: all ones in the lanes of free cells.
+constexpr auto kFreeLanes = [] {
+  std::array<std::array<std::uint16_t, kLanes>, 256> masks{};
+  for (std::size_t bits = 0; bits < 256; ++bits) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      masks[bits][lane] = (bits >> lane & 1U) != 0 ? 0 : 0xFFFF;
+    }
+  }
+  return masks;
+}();
+
+// One step on from the row `previous`: 0 where blocked, one more than there elsewhere; kBounded:
+// and no more than `steps` holds already.
+template <bool kBounded>
+void step_columns(std::span<const std::uint64_t> words,
+                  const std::uint16_t* previous,
+                  std::uint16_t* steps) {
+  for (const std::uint64_t word : words) {
+    for (std::size_t byte = 0; byte < 8; ++byte) {
+      const auto& free_lanes = kFreeLanes[word >> (8 * byte) & 0xFFU];
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const auto next = static_cast<std::uint16_t>((previous[lane] + 1) & free_lanes[lane]);
+        steps[lane] = kBounded ? std::min(steps[lane], next) : next;
+      }
+      previous += kLanes;
+      steps += kLanes;
+    }
+  }
+}
+
+// Steps to the nearest blocked cell of the column or the outside, for the columns of some words.
+// `steps` points to row 0; the row before it and the row after the last are all 0: the outside.
+void measure_columns(const BitGrid& obstacles,
+                     std::size_t first_word,
+                     std::size_t word_count,
+                     std::uint16_t* steps,
+                     std::size_t stride) {
+  const int height = obstacles.frame().height;
+  std::uint16_t* row = steps;
+  for (int y = 0; y < height; ++y, row += stride)
+    step_columns<false>(obstacles.row(y).subspan(first_word, word_count), row - stride, row);
+  for (int y = height - 1; y >= 0; --y) {
+    row -= stride;
+    step_columns<true>(obstacles.row(y).subspan(first_word, word_count), row + stride, row);
+  }
+}
+
+}  // namespace
+
+DistanceField::DistanceField(const BitGrid& obstacles) { update(obstacles); }
+
+void DistanceField::update(const BitGrid& obstacles) {
+  frame_ = obstacles.frame();
+  const auto width = static_cast<std::size_t>(frame_.width);
+  const auto height = static_cast<std::size_t>(frame_.height);
+  cells_.resize(width * height);
+  if (cells_.empty()) return;
+  stride_ = obstacles.row(0).size() * 64;
+  column_steps_.resize(stride_ * (height + 2));
+  std::fill_n(column_steps_.begin(), stride_, std::uint16_t{0});
+  std::fill_n(column_steps_.end() - static_cast<std::ptrdiff_t>(stride_), stride_,
+              std::uint16_t{0});
+  envelope_.resize(width + 2);
+  starts_.resize(width);
+  squares_.resize(width);
+  for (std::size_t n = std::max<std::size_t>(1, eighths_.size()); n < width + 2; ++n) {
+    eighths_.resize(n + 1);
+    eighths_[n] = 0.125 / static_cast<double>(n);
+  }
+  measure_columns(obstacles, 0, stride_ / 64, column_steps_.data() + stride_, stride_);
+  for (int y = 0; y < frame_.height; ++y)
+    update_row(y, 0, frame_.width - 1);
+}
+
+void DistanceField::update(const BitGrid& obstacles, const CellWindow& changed) {
+  FAIRWAY_EXPECTS(obstacles.frame().width == frame_.width &&
+                  obstacles.frame().height == frame_.height);
+  const int first = std::max(0, changed.first.x);
+  const int last = std::min(frame_.width - 1, changed.last.x);
+  if (first > last || std::max(0, changed.first.y) > std::min(frame_.height - 1, changed.last.y))
+    return;
+  const auto first_word = static_cast<std::size_t>(first) / 64;
+  const std::size_t words = static_cast<std::size_t>(last) / 64 - first_word + 1;
+  const std::size_t lanes = words * 64;
+  window_steps_.assign(lanes * (static_cast<std::size_t>(frame_.height) + 2), 0);
+  measure_columns(obstacles, first_word, words, window_steps_.data() + lanes, lanes);
+  for (int y = 0; y < frame_.height; ++y) {
+    const std::uint16_t* now = window_steps_.data() + (static_cast<std::size_t>(y) + 1) * lanes;
+    std::uint16_t* before =
+        column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_ + first_word * 64;
+    if (std::equal(now, now + lanes, before)) continue;
+    std::copy(now, now + lanes, before);
+    update_row(y, first, last);
+  }
+}
+
+void DistanceField::update_row(int y, int first, int last) {
+  const std::uint16_t* steps = column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
+  float* distances =
+      cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
+  // A blocked cell shields: what lies beyond it is never nearer. So a change reaches as far as the
+  // runs of free cells that touch it, and every run is a task of its own.
+  while (first > 0 && steps[first - 1] != 0)
+    --first;
+  last = std::min(last + 1, frame_.width - 1);
+  for (int x = first; x <= last;) {
+    if (steps[x] == 0) {
+      distances[x++] = 0.0F;
+      continue;
+    }
+    int end = x;
+    while (end < frame_.width && steps[end] != 0)
+      ++end;
+    update_run(steps, x, end, distances);
+    x = end;
+  }
+}
+
+void DistanceField::update_run(const std::uint16_t* steps, int first, int end, float* distances) {
+  Parabola* envelope = envelope_.data();
+  // The blocked cells (or the outside) at both ends are at height 0 at the run's own edges.
+  Parabola last{.edge = first, .start = first, .height = 0};
+  int count = 0;  // of those before `last`
+  for (int edge = first + 1; edge <= end; ++edge) {
+    const std::int64_t nearest = 2 * std::min(steps[edge - 1], steps[edge]) - 1;
+    const std::int64_t height = edge == end ? 0 : nearest * nearest;
+    // Drop what the new parabola beats from its start on:
+    // (2 start + 1 - 2 edge)^2 + height <= (2 start + 1 - 2 last.edge)^2 + last.height.
+    while (count > 0 && height - last.height <= 4 * static_cast<std::int64_t>(edge - last.edge) *
+                                                    (2 * last.start + 1 - edge - last.edge)) {
+      last = envelope[--count];
+    }
+    // To the right of this the new one is lower. Where rounding moves it across a whole number,
+    // both are equal there.
+    const double crossing =
+        0.5 * (edge + last.edge - 1) + static_cast<double>(height - last.height) *
+                                           eighths_[static_cast<std::size_t>(edge - last.edge)];
+    if (crossing >= end - 1) continue;
+    envelope[count++] = last;
+    last = {.edge = edge, .start = static_cast<int>(crossing) + 1, .height = height};
+  }
+  envelope[count++] = last;
+  std::fill(starts_.begin() + first, starts_.begin() + end, std::uint8_t{0});
+  for (int i = 1; i < count; ++i)
+    starts_[static_cast<std::size_t>(envelope[i].start)] = 1;
+  const Parabola* p = envelope;
+  for (int x = first; x < end; ++x) {
+    p += starts_[static_cast<std::size_t>(x)];  // starts are distinct
+    const int straight = 2 * steps[x] - 1;
+    const int across = 2 * (x - p->edge) + 1;
+    const int slanted = across * across + static_cast<int>(p->height);
+    squares_[static_cast<std::size_t>(x)] =
+        static_cast<float>(std::min(straight * straight, slanted));
+  }
+  const auto scale = static_cast<float>(0.5 * frame_.resolution);
+  for (int x = first; x < end; ++x)
+    distances[x] = scale * std::sqrt(squares_[static_cast<std::size_t>(x)]);
+}
+
+BitGrid inflate(const DistanceField& distances, double radius) {
+  FAIRWAY_EXPECTS(radius >= 0.0);
+  BitGrid grown(distances.frame(), false);
+  const auto limit = static_cast<float>(radius + kFreeSpaceSkin);
+  const GridFrame& frame = distances.frame();
+  const float* row = distances.cells().data();
+  for (int y = 0; y < frame.height; ++y, row += frame.width) {
+    const std::span<std::uint64_t> words = grown.mutable_row(y);
+    for (int x = 0; x < frame.width; x += 64) {
+      const int count = std::min(64, frame.width - x);
+      std::uint64_t word = 0;
+      for (int i = 0; i < count; ++i)
+        word |= static_cast<std::uint64_t>(row[x + i] <= limit) << i;
+      words[static_cast<std::size_t>(x) / 64] = word;
+    }
+  }
+  return grown;
+}
+
+}  // namespace fairway

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/map/distance_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "fairway/map/free_space.hpp"
+#include "support/distance_oracle.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr double kRounding = 1.5e-7;  // relative; what the header promises
+
+void expect_exact(const BitGrid& obstacles, const DistanceField& field) {
+  const GridFrame& frame = obstacles.frame();
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      const double expected = test::distance_to_blocked(obstacles, {x, y});
+      ASSERT_NEAR(field.at({x, y}), expected, kRounding * expected) << x << ", " << y;
+    }
+  }
+}
+
+TEST(DistanceField, AgreesWithTheDistanceToEveryCell) {
+  test::Random random(11);
+  for (int trial = 0; trial < 60; ++trial) {
+    const BitGrid obstacles(test::random_world(random, trial < 50 ? 40 : 110));
+    expect_exact(obstacles, DistanceField(obstacles));
+  }
+}
+
+TEST(DistanceField, IsExactForEveryDensity) {
+  test::Random random(12);
+  for (const double density : {0.0, 0.001, 0.01, 0.1, 0.5, 0.9, 1.0}) {
+    for (const int width : {1, 2, 63, 64, 65}) {
+      BitGrid obstacles({.width = width, .height = 37, .resolution = 0.1, .origin = {}}, false);
+      for (int y = 0; y < 37; ++y) {
+        for (int x = 0; x < width; ++x)
+          obstacles.set({x, y}, random.chance(density));
+      }
+      expect_exact(obstacles, DistanceField(obstacles));
+    }
+  }
+}
+
+TEST(DistanceField, MeasuresToTheNearEdgeOfACell) {
+  BitGrid obstacles({.width = 20, .height = 20, .resolution = 0.5, .origin = {}}, false);
+  obstacles.set({10, 10}, true);
+  const DistanceField field(obstacles);
+  EXPECT_EQ(field.at({10, 10}), 0.0);
+  EXPECT_FLOAT_EQ(static_cast<float>(field.at({11, 10})), 0.25F);
+  EXPECT_FLOAT_EQ(static_cast<float>(field.at({10, 13})), 1.25F);
+  EXPECT_FLOAT_EQ(static_cast<float>(field.at({11, 11})), 0.25F * std::sqrt(2.0F));
+  EXPECT_FLOAT_EQ(static_cast<float>(field.at({0, 5})), 0.25F) << "the outside is blocked";
+  EXPECT_EQ(field.at({-1, 5}), 0.0);
+  EXPECT_EQ(field.at({20, 5}), 0.0);
+}
+
+TEST(DistanceField, TheLargestGridDoesNotOverflow) {
+  const BitGrid tall({.width = 2, .height = 32768, .resolution = 1.0, .origin = {}}, false);
+  EXPECT_EQ(DistanceField(tall).at({0, 16000}), 0.5);
+  const BitGrid column({.width = 32768, .height = 1, .resolution = 1.0, .origin = {}}, false);
+  EXPECT_EQ(DistanceField(column).at({16000, 0}), 0.5);
+  const BitGrid broad({.width = 3000, .height = 2999, .resolution = 1.0, .origin = {}}, false);
+  EXPECT_EQ(DistanceField(broad).at({1500, 1499}), 1499.5);
+}
+
+TEST(DistanceField, NoCellsGiveNoDistances) {
+  const DistanceField none{BitGrid()};
+  EXPECT_TRUE(none.cells().empty());
+  EXPECT_EQ(none.at({0, 0}), 0.0);
+}
+
+TEST(DistanceField, AWindowUpdateGivesTheBitsOfAFullOne) {
+  test::Random random(13);
+  for (int trial = 0; trial < 60; ++trial) {
+    BitGrid obstacles(test::random_world(random, 150));
+    const GridFrame& frame = obstacles.frame();
+    DistanceField field(obstacles);
+    for (int change = 0; change < 5; ++change) {
+      const CellIndex first{random.integer(-5, frame.width - 1),
+                            random.integer(-5, frame.height - 1)};
+      const CellIndex last{first.x + random.integer(0, 30), first.y + random.integer(0, 30)};
+      const double density = random.uniform(-0.3, 0.5);  // often none: obstacles vanish
+      for (int y = std::max(0, first.y); y <= std::min(last.y, frame.height - 1); ++y) {
+        for (int x = std::max(0, first.x); x <= std::min(last.x, frame.width - 1); ++x)
+          obstacles.set({x, y}, random.chance(density));
+      }
+      field.update(obstacles, {.first = first, .last = last});
+      ASSERT_TRUE(std::ranges::equal(field.cells(), DistanceField(obstacles).cells()));
+    }
+  }
+}
+
+TEST(DistanceField, AnEmptyWindowChangesNothing) {
+  BitGrid obstacles({.width = 20, .height = 20, .resolution = 0.5, .origin = {}}, false);
+  DistanceField field(obstacles);
+  const std::vector<float> before(field.cells().begin(), field.cells().end());
+  field.update(obstacles, {.first = {5, 5}, .last = {4, 9}});
+  field.update(obstacles, {.first = {25, 5}, .last = {30, 9}});
+  EXPECT_TRUE(std::ranges::equal(field.cells(), before));
+}
+
+TEST(Inflate, LeavesFreeExactlyTheCellsWhereADiscIsFree) {
+  test::Random random(14);
+  for (int trial = 0; trial < 20; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 90));
+    const GridFrame& frame = obstacles.frame();
+    const double radius = random.chance(0.2) ? 0.0 : random.uniform(0.0, 0.5);
+    const BitGrid grown = inflate(DistanceField(obstacles), radius);
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
+        const Eigen::Vector2d p = frame.center({x, y});
+        ASSERT_EQ(grown.blocked({x, y}), !is_free(obstacles, p, p, radius)) << radius;
+      }
+    }
+  }
+}
+
+TEST(Inflate, ADistanceOfExactlyTheRadiusIsBlocked) {
+  BitGrid obstacles({.width = 20, .height = 20, .resolution = 0.5, .origin = {}}, false);
+  obstacles.set({10, 10}, true);
+  const BitGrid grown = inflate(DistanceField(obstacles), 0.75);
+  EXPECT_TRUE(grown.blocked({12, 10}));
+  EXPECT_FALSE(grown.blocked({13, 10}));
+}
+
+}  // namespace
+}  // namespace fairway
