@@ -89,4 +89,33 @@ std::optional<CellIndex> find_blocked_cell(const BitGrid& obstacles,
   return std::nullopt;
 }
 
+double distance_to_blocked(const BitGrid& obstacles,
+                           const Eigen::Vector2d& point,
+                           double limit) noexcept {
+  const GridFrame& frame = obstacles.frame();
+  const Vector2d g = frame.to_grid(point);
+  const Vector2d size(frame.width, frame.height);
+  // Written so that a point that is not finite lands here too.
+  if (!((g.array() > 0.0).all() && (g.array() < size.array()).all())) return 0.0;
+  double best = std::min({limit / frame.resolution, g.minCoeff(), (size - g).minCoeff()});
+  const auto outside = [](double v, int cell) { return std::max({cell - v, v - cell - 1, 0.0}); };
+  const auto nearest_in_row = [&](int y) {
+    const double dy = outside(g.y(), y);
+    if (dy >= best) return;
+    const double reach = std::sqrt(best * best - dy * dy);
+    const int last = std::min(frame.width - 1, static_cast<int>(g.x() + reach));
+    int x = std::max(0, static_cast<int>(g.x() - reach) - 1);
+    while ((x = obstacles.first_blocked(y, x, last)) >= 0) {
+      best = std::min(best, std::hypot(outside(g.x(), x), dy));
+      ++x;
+    }
+  };
+  const int row = static_cast<int>(g.y());
+  for (int away = 0; away - 1 < best; ++away) {
+    if (row - away >= 0) nearest_in_row(row - away);
+    if (away > 0 && row + away < frame.height) nearest_in_row(row + away);
+  }
+  return best * frame.resolution;
+}
+
 }  // namespace fairway

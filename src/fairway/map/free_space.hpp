@@ -44,4 +44,10 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
   return is_free(obstacles, segment_rectangle(a, b), clearance);
 }
 
+/// Distance from `point` to the nearest blocked cell or the outside of the grid, exact, but at most
+/// `limit` [m]. 0 on a blocked cell, outside the grid, or for a point that is not finite.
+[[nodiscard]] double distance_to_blocked(const BitGrid& obstacles,
+                                         const Eigen::Vector2d& point,
+                                         double limit) noexcept;
+
 }  // namespace fairway

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/planner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "fairway/corridor/corridor_builder.hpp"
+
+namespace fairway {
+
+namespace {
+
+// Shares of the wished margin and overlap that are tried in turn.
+constexpr std::array kMarginShares = {1.0, 0.5, 0.2, 0.05};
+constexpr std::array kOverlapShares = {1.0, 0.25, 0.05};
+
+bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConnection; }
+
+}  // namespace
+
+Plan Planner::plan(const PreparedMap& map,
+                   const Eigen::Vector2d& start,
+                   const Goal& goal,
+                   const Settings& settings) {
+  Plan plan;
+  plan.goal = goal;
+  // In the workspace the paper keeps Delta_s between path and walls; that already is the room
+  // needed.
+  const bool in_workspace = settings.corridor.space == CorridorSpace::Workspace;
+  const double radius = in_workspace
+                            ? std::max(settings.robot.radius, settings.corridor.inward_offset)
+                            : settings.robot.radius;
+  for (const double margin_share : kMarginShares) {
+    PathSettings path_settings = settings.path;
+    path_settings.margin = settings.path.margin * margin_share;
+    PathResult found = path_planner_.find(map.obstacles, map.distances, start, goal.position,
+                                          radius, path_settings);
+    plan.path_status = found.status;
+    plan.margin = path_settings.margin;
+    if (found.status != PathStatus::Found) {
+      if (depends_on_margin(found.status) && settings.path.margin > 0.0) continue;
+      return plan;
+    }
+    plan.path = std::move(found.path);
+    for (const double overlap_share : kOverlapShares) {
+      CorridorSettings corridor_settings = settings.corridor;
+      corridor_settings.min_overlap_area *= overlap_share;
+      // Half of the margin stays in the rectangles' sides, half is play for the robot around the
+      // path.
+      CorridorResult built =
+          build_corridor(map.obstacles, plan.path,
+                         settings.robot.radius + 0.5 * path_settings.margin, corridor_settings);
+      plan.corridor_status = built.status;
+      plan.corridor = std::move(built.corridor);
+      plan.stuck_at = built.stuck_at;
+      if (built.status == CorridorStatus::Built) return plan;
+    }
+    if (settings.path.margin <= 0.0) break;
+  }
+  return plan;
+}
+
+}  // namespace fairway
