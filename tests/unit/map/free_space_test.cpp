@@ -92,7 +92,8 @@ TEST(FreeSpace, DistanceToBlockedAgreesWithEveryCell) {
     const BitGrid obstacles(test::random_world(random, 60));
     const GridFrame& frame = obstacles.frame();
     for (int i = 0; i < 30; ++i) {
-      const Vector2d p = frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
+      const Vector2d p =
+          frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
       const double room = test::clearance(obstacles, segment_rectangle(p, p));
       const double limit = random.uniform(0.0, 2.0);
       EXPECT_NEAR(distance_to_blocked(obstacles, p, limit), std::min(room, limit), 1e-9);
