@@ -69,8 +69,6 @@ struct IpoptSolver::Session {
 IpoptSolver::IpoptSolver(const IpoptSettings& settings)
     : session_(std::make_unique<Session>(settings)) {}
 IpoptSolver::~IpoptSolver() = default;
-IpoptSolver::IpoptSolver(IpoptSolver&&) noexcept = default;
-IpoptSolver& IpoptSolver::operator=(IpoptSolver&&) noexcept = default;
 
 const MpcSolution& IpoptSolver::solve(const ControlProblem& problem,
                                       const InitialGuess& guess) noexcept {
