@@ -37,9 +37,9 @@ class Episode final : public EpisodeControl {
   EpisodeResult run() {
     for (int cycle = 0;; ++cycle) {
       const bool time_left = cycle * settings_.mpc.dt < scenario_.time_limit;
+      show_world();
       for (std::size_t i = 0; i < navigators_.size(); ++i)
         control(i);
-      show_world();
       const bool all_done = std::all_of(done_.begin(), done_.end(), [](bool done) { return done; });
       if (!hooks_.play && (all_done || !time_left)) break;
       if (hooks_.on_cycle && !hooks_.on_cycle(world_.time())) break;
@@ -194,7 +194,8 @@ class Episode final : public EpisodeControl {
     hooks_.observer->on_world({.time = world_.time(),
                                .obstacles = &world_.obstacles(),
                                .bodies = bodies_,
-                               .robots = world_.robots()});
+                               .robots = world_.robots(),
+                               .encounters = world_.encounters()});
   }
 
   void finish() {

@@ -6,6 +6,7 @@
 #include "fairway/simulation/limit_mark.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
+#include "fairway/simulation/world.hpp"
 
 namespace fairway {
 
@@ -21,12 +22,13 @@ struct NavigationCycle {
   LimitMark mark;          ///< where the limiting row lies
 };
 
-/// The true world at the start of a cycle. What it points to lives through the call only.
+/// The true world at the start of a time step. What it points to lives through the call only.
 struct WorldView {
   double time = 0.0;  ///< [s]
   const BitGrid* obstacles = nullptr;
   std::span<const MovingObstacle> bodies;
   std::span<const UnicycleRobot> robots;
+  std::span<const Encounter> encounters;  ///< of each robot, so far
 };
 
 /// Someone who watches a run and is told everything that the navigators get and give: who keeps all
@@ -50,10 +52,10 @@ class EpisodeObserver {
   /// A navigator follows a plan from now on.
   virtual void on_plan(double time, std::size_t robot, const Plan& plan) = 0;
 
-  virtual void on_cycle(const NavigationCycle& cycle) = 0;
-
-  /// After the cycles of all robots at one time.
+  /// A time step begins: before the cycles of all robots that are under way.
   virtual void on_world(const WorldView& world) = 0;
+
+  virtual void on_cycle(const NavigationCycle& cycle) = 0;
 };
 
 }  // namespace fairway

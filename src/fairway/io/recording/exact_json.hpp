@@ -11,8 +11,8 @@
 
 // The inputs of a run as JSON, to the bit: a number is written with as many digits as it takes to
 // get the same double back, and one that is not finite as "NaN", "Infinity" or "-Infinity".
-// What reads throws nlohmann::json::exception or std::invalid_argument where something is missing or
-// has the wrong type; `read_recording` turns these into an Error.
+// What reads throws nlohmann::json::exception or std::invalid_argument where something is missing
+// or has the wrong type; `read_recording` turns these into an Error.
 namespace fairway::io::exact {
 
 using Json = nlohmann::json;

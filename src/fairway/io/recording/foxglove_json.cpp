@@ -14,9 +14,7 @@ constexpr int kLineStrip = 0;
 constexpr int kLineList = 2;
 
 // JSON has no NaN or infinity; what is not finite is drawn at 0.
-double rounded(double value) {
-  return std::isfinite(value) ? std::round(value * 1e4) / 1e4 : 0.0;
-}
+double rounded(double value) { return std::isfinite(value) ? std::round(value * 1e4) / 1e4 : 0.0; }
 
 Json vector(double x, double y, double z) {
   return {{"x", rounded(x)}, {"y", rounded(y)}, {"z", rounded(z)}};
@@ -27,8 +25,7 @@ Json point(const Eigen::Vector2d& p) { return vector(p.x(), p.y(), 0.0); }
 Json pose_json(const Pose2& pose, double z = 0.0) {
   const double half = std::isfinite(pose.heading) ? 0.5 * pose.heading : 0.0;
   return {{"position", vector(pose.position.x(), pose.position.y(), z)},
-          {"orientation",
-           {{"x", 0.0}, {"y", 0.0}, {"z", std::sin(half)}, {"w", std::cos(half)}}}};
+          {"orientation", {{"x", 0.0}, {"y", 0.0}, {"z", std::sin(half)}, {"w", std::cos(half)}}}};
 }
 
 Json color(const Tint& tint) {
@@ -96,9 +93,7 @@ Json& Scene::entity(const std::string& id) {
   return json_["entities"].back();
 }
 
-void Scene::line(const std::string& id,
-                 std::span<const Eigen::Vector2d> points,
-                 const Tint& tint) {
+void Scene::line(const std::string& id, std::span<const Eigen::Vector2d> points, const Tint& tint) {
   Json list = Json::array();
   for (const Eigen::Vector2d& p : points)
     list.push_back(point(p));
@@ -143,7 +138,8 @@ void Scene::arrow(const std::string& id, const Pose2& pose, double length, const
 
 void Scene::remove(const std::string& id) {
   constexpr int kMatchingId = 0;
-  json_["deletions"].push_back({{"timestamp", time_json(time_)}, {"type", kMatchingId}, {"id", id}});
+  json_["deletions"].push_back(
+      {{"timestamp", time_json(time_)}, {"type", kMatchingId}, {"id", id}});
 }
 
 }  // namespace fairway::io::foxglove

@@ -11,8 +11,9 @@
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/map/grid_frame.hpp"
 
-// Messages that Foxglove and Lichtblick draw as they are: the well-known schemas foxglove.*, as JSON.
-// Coordinates are rounded to 0.1 mm: these are for looking, the exact numbers are in fairway.*.
+// Messages that Foxglove and Lichtblick draw as they are: the well-known schemas foxglove.*, as
+// JSON. Coordinates are rounded to 0.1 mm: these are for looking, the exact numbers are in
+// fairway.*.
 namespace fairway::io::foxglove {
 
 using Json = nlohmann::json;

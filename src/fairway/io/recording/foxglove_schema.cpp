@@ -126,9 +126,8 @@ Json entity_schema() {
 Json scene_schema() {
   const Json deletion_type =
       choice("foxglove.SceneEntityDeletionType", {{"MATCHING_ID", 0}, {"ALL", 1}});
-  const Json deletion =
-      object("foxglove.SceneEntityDeletion",
-             {{"timestamp", instant()}, {"type", deletion_type}, {"id", text()}});
+  const Json deletion = object("foxglove.SceneEntityDeletion",
+                               {{"timestamp", instant()}, {"type", deletion_type}, {"id", text()}});
   return object("foxglove.SceneUpdate",
                 {{"deletions", list(deletion)}, {"entities", list(entity_schema())}});
 }

@@ -93,6 +93,7 @@ void append_record(std::string& bytes, Opcode opcode, std::string_view content);
 [[nodiscard]] std::string compress(std::string_view content);
 
 /// The `size` bytes that were compressed; none if `compressed` is damaged or not of that size.
-[[nodiscard]] std::optional<std::string> decompress(std::string_view compressed, std::uint64_t size);
+[[nodiscard]] std::optional<std::string> decompress(std::string_view compressed,
+                                                    std::uint64_t size);
 
 }  // namespace fairway::io::mcap

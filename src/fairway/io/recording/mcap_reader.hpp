@@ -18,11 +18,11 @@ struct McapMessage {
   std::string_view content;
 };
 
-/// Reads the messages of an MCAP file in the order in which they were written, and checks their CRCs
-/// on the way. Chunks may be plain or compressed by zstd.
+/// Reads the messages of an MCAP file in the order in which they were written, and checks their
+/// CRCs on the way. Chunks may be plain or compressed by zstd.
 ///
-/// Stops at the first error, its own or one that `on_message` returns. A file without a summary (its
-/// writer was killed) is read as far as it goes, and then is an error. `name` is the file in
+/// Stops at the first error, its own or one that `on_message` returns. A file without a summary
+/// (its writer was killed) is read as far as it goes, and then is an error. `name` is the file in
 /// messages.
 [[nodiscard]] Expected<void> read_mcap(
     std::string_view bytes,

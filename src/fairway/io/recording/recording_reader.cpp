@@ -34,8 +34,9 @@ OccupancyGrid occupancy(const GridFrame& frame, const Json& grid) {
   }
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
-      const char cell = (*cells)[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
-                                 static_cast<std::size_t>(x)];
+      const char cell =
+          (*cells)[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
+                   static_cast<std::size_t>(x)];
       map.set({.x = x, .y = y}, cell == 0     ? CellState::Free
                                 : cell == 100 ? CellState::Occupied
                                               : CellState::Unknown);
@@ -47,7 +48,9 @@ OccupancyGrid occupancy(const GridFrame& frame, const Json& grid) {
 // Takes messages one by one and tells the observer what they mean.
 class Player {
  public:
-  Player(std::string name, EpisodeObserver& observer) : name_(std::move(name)), observer_(observer) {}
+  Player(std::string name, EpisodeObserver& observer)
+      : name_(std::move(name)),
+        observer_(observer) {}
 
   Expected<void> message(const McapMessage& message) {
     const bool is_map = message.topic == "/map" && message.schema_name == "foxglove.Grid";
@@ -126,8 +129,8 @@ class Player {
                       .key_frames = {},
                       .loop = item.at("loop").get<bool>()};
       for (const Json& frame : item.at("key_frames"))
-        body.key_frames.push_back({.time = exact::to_number(frame.at(0)),
-                                   .position = exact::to_point(frame.at(1))});
+        body.key_frames.push_back(
+            {.time = exact::to_number(frame.at(0)), .position = exact::to_point(frame.at(1))});
       scenario.bodies.push_back(std::move(body));
     }
     scenario.time_limit = exact::to_number(json.at("time_limit"));
@@ -195,17 +198,23 @@ class Player {
   void world(const Json& json) {
     const std::vector<MovingObstacle> bodies = obstacles(json.at("bodies"));
     std::vector<UnicycleRobot> robots;
+    std::vector<Encounter> encounters;
     for (const Json& item : json.at("robots")) {
       robots.push_back({.pose = exact::to_pose(item.at("pose")),
                         .twist = exact::to_twist(item.at("twist")),
                         .limits = {}});
+      encounters.push_back({.collided = item.at("collided").get<bool>(),
+                            .min_clearance = 0.0,
+                            .min_separation = 0.0});
     }
+    if (robots.size() != robots_) throw std::invalid_argument("expected every robot");
     const BitGrid* obstacles = map(json);
     if (obstacles == nullptr) throw std::invalid_argument("expected a map");
     observer_.on_world({.time = exact::to_number(json.at("time")),
                         .obstacles = obstacles,
                         .bodies = bodies,
-                        .robots = robots});
+                        .robots = robots,
+                        .encounters = encounters});
   }
 
   std::string name_;

@@ -71,16 +71,17 @@ void RunMessages::write(std::uint16_t channel, double time, const nlohmann::json
 void RunMessages::add_robots(const Scenario& scenario) {
   for (std::size_t i = robots_.size(); i < scenario.robots.size(); ++i) {
     Robot robot{.name = topic_part(scenario.robots[i].name)};
-    const bool taken =
-        robot.name == "fairway" || robot.name == "map" || robot.name == "tf" ||
-        std::any_of(robots_.begin(), robots_.end(),
-                    [&](const Robot& other) { return other.name == robot.name; });
-    if (taken) robot.name += "_" + std::to_string(i);
-    const std::string topic = "/" + robot.name;
-    robot.plan = channel(topic + "/plan", "fairway.Plan");
-    robot.cycle = channel(topic + "/cycle", "fairway.Cycle");
-    robot.pose = channel(topic + "/pose", "foxglove.PoseInFrame");
-    robot.scene = channel(topic + "/scene", "foxglove.SceneUpdate");
+    const bool taken = robot.name == "fairway" || robot.name == "map" || robot.name == "tf" ||
+                       std::any_of(robots_.begin(), robots_.end(),
+                                   [&](const Robot& other) { return other.name == robot.name; });
+    if (taken) robot.name.append("_").append(std::to_string(i));
+    const auto own = [&](const char* topic, const char* schema) {
+      return channel(std::string("/").append(robot.name).append(topic), schema);
+    };
+    robot.plan = own("/plan", "fairway.Plan");
+    robot.cycle = own("/cycle", "fairway.Cycle");
+    robot.pose = own("/pose", "foxglove.PoseInFrame");
+    robot.scene = own("/scene", "foxglove.SceneUpdate");
     robots_.push_back(robot);
   }
 }
@@ -196,8 +197,10 @@ void RunMessages::on_world(const WorldView& world) {
   for (const MovingObstacle& body : world.bodies)
     bodies.push_back(exact::to_json(body));
   Json robots = Json::array();
-  for (const UnicycleRobot& robot : world.robots) {
-    robots.push_back({{"pose", exact::to_json(robot.pose)}, {"twist", exact::to_json(robot.twist)}});
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    robots.push_back({{"pose", exact::to_json(world.robots[i].pose)},
+                      {"twist", exact::to_json(world.robots[i].twist)},
+                      {"collided", world.encounters[i].collided}});
   }
   write(world_, world.time,
         {{"time", exact::to_json(world.time)},

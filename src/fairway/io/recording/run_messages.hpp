@@ -14,8 +14,8 @@ namespace fairway::io {
 /// Turns what happens in a run into messages.
 ///
 /// Topics: /map, /tf, /scene of the world, and /NAME/pose and /NAME/scene per robot, in the
-/// well-known schemas foxglove.*, for the eye; /fairway/... and /NAME/plan and /NAME/cycle in schemas
-/// fairway.*, which hold all inputs and answers of the navigators to the bit.
+/// well-known schemas foxglove.*, for the eye; /fairway/... and /NAME/plan and /NAME/cycle in
+/// schemas fairway.*, which hold all inputs and answers of the navigators to the bit.
 class RunMessages final : public EpisodeObserver {
  public:
   /// @param sink  Must outlive this.
