@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/interior_point_elastic_rows.hpp"
+#include "fairway/mpc/interior_point_hard_rows.hpp"
+#include "fairway/mpc/interior_point_line_search.hpp"
+#include "fairway/mpc/interior_point_optimality.hpp"
+#include "fairway/mpc/interior_point_report.hpp"
+#include "fairway/mpc/interior_point_setup.hpp"
+#include "fairway/mpc/interior_point_trajectory.hpp"
+#include "fairway/mpc/riccati.hpp"
+
+namespace fairway {
+namespace {
+
+using namespace interior_point;
+
+// Barrier parameter: when it is lowered, and how far, Eq. (S17).
+constexpr double kSolvedEnough = 10.0;  // error of a barrier problem over mu
+constexpr double kLinearDecrease = 0.2;
+constexpr double kLastBarrier = 0.1;  // of the tolerance
+// Rows must close far below what counts as a violation.
+constexpr double kResidualTolerance = 1e-8;
+// For problems without curvature by the commands.
+constexpr double kLeastDamping = 1e-6;
+constexpr double kMostDamping = 1e12;
+
+void start_iteration(Workspace& w, double mu) noexcept {
+  evaluate(w, *w.now);
+  const double logs = measure_room(w.hard, w.horizon, *w.now);
+  start_hard_rows(*w.now, mu, w.hard);
+  start_elastic_rows(w, mu);
+  w.now->log_sum = logs + sum_elastic_rows(w, *w.now);
+}
+
+double next_barrier(double mu, double least, const OptimalityError& error) noexcept {
+  while (mu > least && error.at(mu) < kSolvedEnough * mu)
+    mu = std::max(least, std::min(kLinearDecrease * mu, mu * std::sqrt(mu)));
+  return mu;
+}
+
+// The Newton system; without the curvature of rows and dynamics where it is not convex with it.
+bool factorise(Workspace& w) noexcept {
+  if (riccati_backward(w, 1.0, 0.0)) return true;
+  for (double damping = 0.0; damping < kMostDamping; damping = 10.0 * damping + kLeastDamping) {
+    if (riccati_backward(w, 0.0, damping)) return true;
+  }
+  return false;
+}
+
+SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& iterations) noexcept {
+  const double least_barrier = kLastBarrier * settings.tolerance;
+  Merit merit{.mu = settings.initial_barrier, .penalty = 1.0};
+  start_iteration(w, merit.mu);
+  for (iterations = 0;; ++iterations) {
+    linearise_hard_rows(*w.now, merit.mu, w.hard);
+    linearise_elastic_rows(w);
+    linearise_trajectory(w);
+    const OptimalityError error = optimality_error(w);
+    if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
+      return SolveStatus::Solved;
+    if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
+
+    const double mu = next_barrier(merit.mu, least_barrier, error);
+    if (mu < merit.mu) merit = {.mu = mu, .penalty = 1.0};
+    aim_elastic_rows(w, mu);
+    aim_hard_rows(w, mu);
+    if (!factorise(w)) return SolveStatus::Stalled;
+    riccati_forward(w);
+    if (!take_step(w, merit)) return SolveStatus::Stalled;
+  }
+}
+
+bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcept {
+  const bool a_solved = a.status == SolveStatus::Solved;
+  const bool b_solved = b.status == SolveStatus::Solved;
+  if (a_solved != b_solved) return a_solved;
+  return a.cost + price * a.sum_violation < b.cost + price * b.sum_violation;
+}
+
+}  // namespace
+
+const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
+                                              const InitialGuess& guess,
+                                              const InteriorPointSettings& settings) noexcept {
+  const ProblemFault fault = validate(problem);
+  const bool contradiction = fault == ProblemFault::Contradiction;
+  if (fault != ProblemFault::None && !contradiction) {
+    report_invalid(problem, solution_);
+    return solution_;
+  }
+  Workspace& w = workspace_;
+  load_problem(problem, w);
+  load_guess(guess, w, *w.now);
+  solution_.status = iterate(w, settings, solution_.iterations);
+
+  // An unfinished answer must not be worse than the guess was.
+  if (solution_.status != SolveStatus::Solved) {
+    load_guess(guess, w, *w.trial);
+    evaluate(w, *w.trial);
+    if (!(penalised_cost(w, *w.now) <= penalised_cost(w, *w.trial))) std::swap(w.now, w.trial);
+  }
+  if (!report(w, solution_)) {
+    report_invalid(problem, solution_);
+    return solution_;
+  }
+  const bool violated = solution_.max_violation > kFeasibilityTolerance || contradiction;
+  if (solution_.status == SolveStatus::Solved && violated)
+    solution_.status = SolveStatus::LeastViolation;
+  return solution_;
+}
+
+const MpcSolution& InteriorPointSolver::solve_best(const ControlProblem& problem,
+                                                   std::span<const InitialGuess> guesses,
+                                                   const InteriorPointSettings& settings) noexcept {
+  if (guesses.empty()) return solve(problem, {}, settings);
+  int iterations = 0;
+  for (const InitialGuess& guess : guesses) {
+    const bool first = &guess == guesses.data();
+    solve(problem, guess, settings);
+    iterations += solution_.iterations;
+    if (first || is_better(solution_, best_, problem.violation_weight)) best_ = solution_;
+  }
+  best_.iterations = iterations;
+  return best_;
+}
+
+}  // namespace fairway
