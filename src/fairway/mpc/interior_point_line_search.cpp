@@ -8,6 +8,9 @@
 #include "fairway/mpc/interior_point_hard_rows.hpp"
 #include "fairway/mpc/interior_point_trajectory.hpp"
 
+#ifdef SVTRACE
+extern double g_len;
+#endif
 namespace fairway::interior_point {
 namespace {
 
@@ -55,6 +58,9 @@ bool take_step(Workspace& w, Merit& merit) noexcept {
     w.trial->log_sum = measure_room(w.hard, w.horizon, *w.trial) + sum_elastic_rows(w, *w.trial);
     const double change = value(merit, price, *w.trial) - before;
     if (change <= kSufficient * length * std::min(descent, 0.0) + kRounding * std::abs(before)) {
+#ifdef SVTRACE
+      g_len = length;
+#endif
       std::swap(w.now, w.trial);
       move_elastic_duals(w, merit.mu);
       return true;

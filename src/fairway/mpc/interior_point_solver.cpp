@@ -14,6 +14,11 @@
 #include "fairway/mpc/interior_point_trajectory.hpp"
 #include "fairway/mpc/riccati.hpp"
 
+#ifdef SVTRACE
+#include <cstdio>
+#include <cstdlib>
+double g_len, g_damp;
+#endif
 namespace fairway {
 namespace {
 
@@ -23,14 +28,24 @@ using namespace interior_point;
 constexpr double kSolvedEnough = 10.0;  // error of a barrier problem over mu
 constexpr double kLinearDecrease = 0.2;
 constexpr double kLastBarrier = 0.1;  // of the tolerance
+constexpr double kByViolation = 0.5;  // first mu by the price of the greatest violation [1/m]
+constexpr double kMostViolated = 0.1;
 // Rows must close far below what counts as a violation.
 constexpr double kResidualTolerance = 1e-8;
 // For problems without curvature by the commands.
 constexpr double kLeastDamping = 1e-6;
 constexpr double kMostDamping = 1e12;
 
+// The barrier parameter to begin with: greater where the start violates rows, because then the
+// duals have to go far, some up to the price itself.
+double first_barrier(const Workspace& w, double initial) noexcept {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < w.elastic.count; ++i)
+    worst = std::max(worst, -w.now->value[i]);
+  return std::max(initial, std::min(kMostViolated, kByViolation * worst) * w.problem->violation_weight);
+}
+
 void start_iteration(Workspace& w, double mu) noexcept {
-  evaluate(w, *w.now);
   const double logs = measure_room(w.hard, w.horizon, *w.now);
   start_hard_rows(*w.now, mu, w.hard);
   start_elastic_rows(w, mu);
@@ -45,8 +60,14 @@ double next_barrier(double mu, double least, const OptimalityError& error) noexc
 
 // The Newton system; without the curvature of rows and dynamics where it is not convex with it.
 bool factorise(Workspace& w) noexcept {
+#ifdef SVTRACE
+    g_damp = 0;
+#endif
   if (riccati_backward(w, 1.0, 0.0)) return true;
   for (double damping = 0.0; damping < kMostDamping; damping = 10.0 * damping + kLeastDamping) {
+#ifdef SVTRACE
+    g_damp = damping + 1e-9;
+#endif
     if (riccati_backward(w, 0.0, damping)) return true;
   }
   return false;
@@ -54,7 +75,8 @@ bool factorise(Workspace& w) noexcept {
 
 SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& iterations) noexcept {
   const double least_barrier = kLastBarrier * settings.tolerance;
-  Merit merit{.mu = settings.initial_barrier, .penalty = 1.0};
+  evaluate(w, *w.now);
+  Merit merit{.mu = first_barrier(w, settings.initial_barrier), .penalty = 1.0};
   start_iteration(w, merit.mu);
   for (iterations = 0;; ++iterations) {
     linearise_hard_rows(*w.now, merit.mu, w.hard);
@@ -63,6 +85,10 @@ SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& it
     const OptimalityError error = optimality_error(w);
     if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
       return SolveStatus::Solved;
+#ifdef SVTRACE
+    static bool trace = getenv("TRACE");
+    if (trace) fprintf(stderr, "it %d mu %.1e cost %.6f stat %.2e res %.2e comp %.1e..%.1e nu %.1e P %.8g len %.2g damp %.1e\n", iterations, merit.mu, w.now->cost, error.stationarity, error.residual, error.least_product, error.greatest_product, merit.penalty, penalised_cost(w, *w.now), g_len, g_damp);
+#endif
     if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
 
     const double mu = next_barrier(merit.mu, least_barrier, error);
