@@ -46,13 +46,12 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
   return is_free(obstacles, segment_rectangle(a, b), clearance);
 }
 
-<<<<<<< HEAD
 /// Distance from `point` to the nearest blocked cell or the outside of the grid, exact, but at most
 /// `limit` [m]. 0 on a blocked cell, outside the grid, or for a point that is not finite.
 [[nodiscard]] double distance_to_blocked(const BitGrid& obstacles,
                                          const Eigen::Vector2d& point,
                                          double limit) noexcept;
-=======
+
 /// A rectangle in grid coordinates: the points origin + x u + y v with min <= (x, y) <= max, where
 /// u is the unit vector `along` and v is u turned by +90 degrees. Lengths in cells.
 ///
@@ -87,6 +86,5 @@ struct BlockedCells {
 /// Whether no blocked cell is at most `radius` [cells] from `box` and the region lies in the grid;
 /// no skin is added. @pre as above.
 [[nodiscard]] bool is_free(const BitGrid& obstacles, const TurnedBox& box, double radius) noexcept;
->>>>>>> corridor
 
 }  // namespace fairway
