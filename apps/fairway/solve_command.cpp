@@ -114,12 +114,12 @@ Expected<int> SolveCommand::run() const {
   std::vector<SolvedInstance> solved;
   std::vector<OcpResult> results;
   {
-    Progress progress("solving", instances->size());
+    Progress progress("solving");
     for (std::size_t i = 0; i < instances->size(); ++i) {
       const OcpInstance& instance = (*instances)[i];
       solved.push_back(solve_one(**solve, instance, guess_for(i, instance.id, warm)));
       results.push_back(as_result(solved.back()));
-      progress.show(i + 1);
+      progress.show(fmt::format("{} of {}", i + 1, instances->size()));
     }
   }
   if (const auto written = write_output(out, io::format_ocp_results(results)); !written)
