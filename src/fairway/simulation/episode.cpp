@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "fairway/base/contract.hpp"
 #include "fairway/map/free_space.hpp"
@@ -13,6 +14,30 @@ namespace fairway {
 namespace {
 
 constexpr std::size_t kStatuses = static_cast<std::size_t>(NavigationStatus::GoalReached) + 1;
+
+// A solver that adds up what it takes, on a lent clock.
+class TimedSolver final : public ControlSolver {
+ public:
+  TimedSolver(ControlSolver& solver, const std::function<double()>& clock)
+      : solver_(solver),
+        clock_(clock) {}
+
+  const MpcSolution& solve(const ControlProblem& problem,
+                           const InitialGuess& guess) noexcept override {
+    const double before = clock_();
+    const MpcSolution& solution = solver_.solve(problem, guess);
+    seconds_ += clock_() - before;
+    return solution;
+  }
+
+  // What was taken since the last call.
+  double take_seconds() noexcept { return std::exchange(seconds_, 0.0); }
+
+ private:
+  ControlSolver& solver_;
+  const std::function<double()>& clock_;
+  double seconds_ = 0.0;
+};
 
 class Episode final : public EpisodeControl {
  public:
@@ -91,14 +116,16 @@ class Episode final : public EpisodeControl {
 
   // One for every robot, which goes on as it moves now, but without a plan.
   void make_navigators() {
-    if (hooks_.solver == nullptr || own_solver_) {
-      own_solver_ = std::make_unique<RealTimeSolver>(settings_.mpc);
-      hooks_.solver = own_solver_.get();
+    if (hooks_.solver == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings_.mpc);
+    ControlSolver* solver = hooks_.solver == nullptr ? own_solver_.get() : hooks_.solver;
+    if (hooks_.clock) {
+      timed_solver_ = std::make_unique<TimedSolver>(*solver, hooks_.clock);
+      solver = timed_solver_.get();
     }
     navigators_.clear();
     std::vector<Twist2> twists;
     for (const UnicycleRobot& robot : world_.robots()) {
-      navigators_.emplace_back(settings_, *hooks_.solver).reset(robot.twist);
+      navigators_.emplace_back(settings_, *solver).reset(robot.twist);
       twists.push_back(robot.twist);
     }
     if (hooks_.observer != nullptr) {
@@ -141,7 +168,10 @@ class Episode final : public EpisodeControl {
     const double before = now();
     const NavigationStep step = navigators_[i].update(input);
     const double seconds = now() - before;
-    if (hooks_.clock) result.cycle_seconds.push_back(seconds);
+    if (hooks_.clock) {
+      result.cycle_seconds.push_back(seconds);
+      result.solve_seconds.push_back(timed_solver_->take_seconds());
+    }
     commands_[i] = step.command;
     record(i, input, step, seconds);
     if (step.status == NavigationStatus::GoalReached) {
@@ -225,6 +255,7 @@ class Episode final : public EpisodeControl {
   Settings settings_;
   std::vector<Goal> goals_;
   std::unique_ptr<ControlSolver> own_solver_;
+  std::unique_ptr<TimedSolver> timed_solver_;
   World world_;
   PreparedMap map_;
   Planner planner_;
