@@ -9,8 +9,8 @@
 namespace fairway::interior_point {
 namespace {
 
-constexpr double kFirstSlack = 1e-2;  // least slack at the start
-constexpr double kCentrality = 1e3;   // greatest ratio of slack * dual to mu, and back
+constexpr double kFirstSlack = 0.05;   // least slack at the start
+constexpr double kCentrality = 100.0;  // greatest ratio of slack * dual to mu, and back
 
 constexpr double square(double a) noexcept { return a * a; }
 
@@ -147,7 +147,8 @@ void aim_elastic_rows(Workspace& w, double mu) noexcept {
   for (std::size_t i = 0; i < r.count; ++i) {
     const double y = r.dual[i];
     const double z = r.excess_dual[i];
-    r.target_dual[i] = y + (mu * (z - y) - w.now->value[i] * y * z) * r.inverse[i];
+    r.dual_change[i] = (mu * (z - y) - w.now->value[i] * y * z) * r.inverse[i];
+    r.target_dual[i] = y + r.dual_change[i];
   }
   for (std::size_t s = 0; s < r.num_segments; ++s) {
     const Segment& segment = r.segments[s];
@@ -198,7 +199,7 @@ ElasticStep step_elastic_rows(Workspace& w, double mu) noexcept {
     const double sy = point.slack[i] * r.dual[i];
     const double ez = point.excess[i] * r.excess_dual[i];
     const double inverse = 1.0 / (sy * ez);
-    const double dy = r.target_dual[i] - r.dual[i] - r.curvature[i] * change[i];
+    const double dy = r.dual_change[i] - r.curvature[i] * change[i];
     const double ds = (mu - point.slack[i] * dy) * (ez * inverse) - 1.0;
     const double de = (mu + point.excess[i] * dy) * (sy * inverse) - 1.0;
     r.dual_change[i] = dy;
