@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fairway/corridor/corridor_builder.hpp"
+#include "fairway/map/free_space.hpp"
 
 namespace fairway {
 
@@ -14,6 +15,27 @@ namespace {
 // Shares of the wished margin and overlap that are tried in turn.
 constexpr std::array kMarginShares = {1.0, 0.5, 0.2, 0.05};
 constexpr std::array kOverlapShares = {1.0, 0.25, 0.05};
+
+// The disc that the corridor is built for: half of the margin stays in the rectangles' sides, half
+// is play for the robot around the path. Where start or goal have less room, only what they have.
+double corridor_radius(const PreparedMap& map,
+                       const Eigen::Vector2d& start,
+                       const Eigen::Vector2d& goal,
+                       double robot_radius,
+                       double margin) {
+  const double wished = robot_radius + 0.5 * margin;
+  const double room = std::min(distance_to_blocked(map.obstacles, start, wished + 1.0),
+                               distance_to_blocked(map.obstacles, goal, wished + 1.0));
+  return std::max(0.0, std::min(wished, room - 4.0 * kFreeSpaceSkin));
+}
+
+// A robot that measures itself slightly inside an obstacle stands there all the same: plan for as
+// much of it as fits, so that it can leave. What it then does is still checked with all of it.
+double radius_that_fits(const PreparedMap& map, const Eigen::Vector2d& start, double radius) {
+  constexpr double kLeast = 0.9;  // share; a start with less room is blocked
+  const double room = distance_to_blocked(map.obstacles, start, radius + 1.0);
+  return room > radius ? radius : std::max(kLeast * radius, room - 4.0 * kFreeSpaceSkin);
+}
 
 bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConnection; }
 
@@ -28,9 +50,10 @@ Plan Planner::plan(const PreparedMap& map,
   // In the workspace the paper keeps Delta_s between path and walls; that already is the room
   // needed.
   const bool in_workspace = settings.corridor.space == CorridorSpace::Workspace;
-  const double radius = in_workspace
-                            ? std::max(settings.robot.radius, settings.corridor.inward_offset)
-                            : settings.robot.radius;
+  const double body = in_workspace
+                          ? std::max(settings.robot.radius, settings.corridor.inward_offset)
+                          : settings.robot.radius;
+  const double radius = radius_that_fits(map, start, body);
   for (const double margin_share : kMarginShares) {
     PathSettings path_settings = settings.path;
     path_settings.margin = settings.path.margin * margin_share;
@@ -46,11 +69,10 @@ Plan Planner::plan(const PreparedMap& map,
     for (const double overlap_share : kOverlapShares) {
       CorridorSettings corridor_settings = settings.corridor;
       corridor_settings.min_overlap_area *= overlap_share;
-      // Half of the margin stays in the rectangles' sides, half is play for the robot around the
-      // path.
-      CorridorResult built =
-          build_corridor(map.obstacles, plan.path,
-                         settings.robot.radius + 0.5 * path_settings.margin, corridor_settings);
+      CorridorResult built = build_corridor(
+          map.obstacles, plan.path,
+          corridor_radius(map, start, goal.position, settings.robot.radius, path_settings.margin),
+          corridor_settings);
       plan.corridor_status = built.status;
       plan.corridor = std::move(built.corridor);
       plan.stuck_at = built.stuck_at;
