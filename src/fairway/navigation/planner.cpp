@@ -37,6 +37,25 @@ double radius_that_fits(const PreparedMap& map, const Eigen::Vector2d& start, do
   return room > radius ? radius : std::max(kLeast * radius, room - 4.0 * kFreeSpaceSkin);
 }
 
+// Adds to `sum` what the clock says that a stage took.
+class Stopwatch {
+ public:
+  Stopwatch(const std::function<double()>& clock, double& sum)
+      : clock_(clock),
+        sum_(sum),
+        start_(clock ? clock() : 0.0) {}
+  ~Stopwatch() {
+    if (clock_) sum_ += clock_() - start_;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  const std::function<double()>& clock_;
+  double& sum_;
+  double start_;
+};
+
 bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConnection; }
 
 }  // namespace
@@ -44,7 +63,8 @@ bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConne
 Plan Planner::plan(const PreparedMap& map,
                    const Eigen::Vector2d& start,
                    const Goal& goal,
-                   const Settings& settings) {
+                   const Settings& settings,
+                   const PlannerHooks& hooks) {
   Plan plan;
   plan.goal = goal;
   // In the workspace the paper keeps Delta_s between path and walls; that already is the room
@@ -54,31 +74,38 @@ Plan Planner::plan(const PreparedMap& map,
                           ? std::max(settings.robot.radius, settings.corridor.inward_offset)
                           : settings.robot.radius;
   const double radius = radius_that_fits(map, start, body);
+  const bool may_shrink = settings.path.margin > 0.0 && !hooks.fixed_margin;
   for (const double margin_share : kMarginShares) {
     PathSettings path_settings = settings.path;
     path_settings.margin = settings.path.margin * margin_share;
-    PathResult found = path_planner_.find(map.obstacles, map.distances, start, goal.position,
-                                          radius, path_settings);
+    PathResult found;
+    {
+      const Stopwatch stopwatch(hooks.clock, plan.path_seconds);
+      found = path_planner_.find(map.obstacles, map.distances, start, goal.position, radius,
+                                 path_settings);
+    }
     plan.path_status = found.status;
     plan.margin = path_settings.margin;
     if (found.status != PathStatus::Found) {
-      if (depends_on_margin(found.status) && settings.path.margin > 0.0) continue;
+      if (depends_on_margin(found.status) && may_shrink) continue;
       return plan;
     }
     plan.path = std::move(found.path);
     for (const double overlap_share : kOverlapShares) {
       CorridorSettings corridor_settings = settings.corridor;
       corridor_settings.min_overlap_area *= overlap_share;
-      CorridorResult built = build_corridor(
-          map.obstacles, plan.path,
-          corridor_radius(map, start, goal.position, settings.robot.radius, path_settings.margin),
-          corridor_settings);
+      const double corridor_body =
+          corridor_radius(map, start, goal.position, settings.robot.radius, path_settings.margin);
+      const Stopwatch stopwatch(hooks.clock, plan.corridor_seconds);
+      CorridorResult built =
+          hooks.build ? hooks.build(map.obstacles, plan.path, corridor_body, corridor_settings)
+                      : build_corridor(map.obstacles, plan.path, corridor_body, corridor_settings);
       plan.corridor_status = built.status;
       plan.corridor = std::move(built.corridor);
       plan.stuck_at = built.stuck_at;
       if (built.status == CorridorStatus::Built) return plan;
     }
-    if (settings.path.margin <= 0.0) break;
+    if (!may_shrink) break;
   }
   return plan;
 }

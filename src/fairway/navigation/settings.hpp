@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "fairway/base/error.hpp"
@@ -32,6 +33,10 @@ enum class TargetMode : std::uint8_t {
   DualWaypoints,    ///< the paper's two targets: the next two seeds, Eq. (15)
   OverlapCentroid,  ///< one target, the centroid of the next overlap: SMPC [17]
 };
+
+[[nodiscard]] constexpr std::array<const char*, 3> setting_names(TargetMode) noexcept {
+  return {"timed_string", "dual_waypoints", "overlap_centroid"};
+}
 
 /// How the corridor is followed and when the robot stops.
 struct NavigationSettings {
