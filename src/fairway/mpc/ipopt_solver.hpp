@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/control_solver.hpp"
 #include "fairway/mpc/solution.hpp"
 
 namespace fairway {
@@ -19,6 +20,9 @@ struct IpoptSettings {
   IpoptRows rows = IpoptRows::Elastic;
   int max_iterations = 500;
   double tolerance = 1e-8;  ///< of IPOPT's scaled optimality error
+  /// Barrier parameter that IPOPT starts from when a guess is given: small enough that it stays on
+  /// the guess's side of an obstacle. Without a guess IPOPT's own 0.1.
+  double guess_barrier = 1e-3;
 };
 
 /// The reference solver: IPOPT with MUMPS, multiple shooting, exact first and second derivatives.
@@ -27,16 +31,17 @@ struct IpoptSettings {
 /// people's well-tried code: the oracle. Allocates; not thread-safe, not even two objects in two
 /// threads (MUMPS). Status Solved means: IPOPT converged and no row is violated beyond
 /// kFeasibilityTolerance; LeastViolation: it converged, but rows are violated.
-class IpoptSolver {
+class IpoptSolver final : public ControlSolver {
  public:
   explicit IpoptSolver(const IpoptSettings& settings = {});
-  ~IpoptSolver();
-  IpoptSolver(IpoptSolver&&) noexcept;
-  IpoptSolver& operator=(IpoptSolver&&) noexcept;
+  IpoptSolver(const IpoptSolver&) = delete;
+  IpoptSolver& operator=(const IpoptSolver&) = delete;
+  ~IpoptSolver() override;
 
-  /// Solves from `guess` and its rollout. Valid until the next call. Nothing is thrown or printed;
-  /// the returned numbers are finite and the commands within the hard rows, whatever the status.
-  const MpcSolution& solve(const ControlProblem& problem, const InitialGuess& guess = {}) noexcept;
+  /// Solves from `guess` and its rollout. Nothing is thrown or printed; the returned numbers are
+  /// finite and the commands within the hard rows, whatever the status.
+  [[nodiscard]] const MpcSolution& solve(const ControlProblem& problem,
+                                         const InitialGuess& guess) noexcept override;
 
  private:
   struct Session;
