@@ -84,7 +84,7 @@ void expect_agreement(const Tally& tally) {
     return static_cast<int>(std::ceil(part * tally.problems));
   };
   EXPECT_GE(tally.compared, tally.problems - share(0.02));
-  EXPECT_GE(tally.same, tally.compared - share(0.05));
+  EXPECT_GE(tally.same, tally.compared - share(0.08));
   EXPECT_LE(tally.worse, share(0.03));
   EXPECT_LE(tally.missed_feasible, share(0.01));
   EXPECT_LE(tally.not_a_minimum, share(0.01));
