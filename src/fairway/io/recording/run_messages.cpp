@@ -7,6 +7,7 @@
 
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/io/recording/fairway_schema.hpp"
+#include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/settings_file.hpp"
 
 namespace fairway::io {
@@ -30,6 +31,11 @@ std::string topic_part(const std::string& name) {
   for (const char c : name)
     part.push_back(std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
   return part.empty() ? "robot" : part;
+}
+
+// Names come from people and may hold bytes that are not UTF-8.
+std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string cell_bytes(const OccupancyGrid& grid) {
@@ -62,10 +68,8 @@ std::uint16_t RunMessages::channel(const std::string& topic, const std::string& 
                                                                       : fairway_schema(schema)});
 }
 
-void RunMessages::write(std::uint16_t channel, double time, const nlohmann::json& json) {
-  // Names come from people and may hold bytes that are not UTF-8.
-  sink_.write(channel, nanoseconds(time),
-              json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+void RunMessages::write(std::uint16_t channel, double time, const std::string& message) {
+  sink_.write(channel, nanoseconds(time), message);
 }
 
 void RunMessages::add_robots(const Scenario& scenario) {
@@ -94,7 +98,7 @@ void RunMessages::on_start(const Scenario& scenario) {
   shown_cells_ = cell_bytes(scenario.map);
   shown_obstacles_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
   shown_time_ = 0.0;
-  write(map_, 0.0, foxglove::grid(0, scenario.map.frame(), shown_cells_));
+  write(map_, 0.0, dumped(foxglove::grid(0, scenario.map.frame(), shown_cells_)));
 
   Json robots = Json::array();
   for (const RobotTask& task : scenario.robots) {
@@ -113,14 +117,14 @@ void RunMessages::on_start(const Scenario& scenario) {
                       {"key_frames", std::move(frames)}});
   }
   write(scenario_, 0.0,
-        {{"version", 1},
-         {"name", scenario.name},
-         {"frame", exact::to_json(scenario.map.frame())},
-         {"robots", std::move(robots)},
-         {"bodies", std::move(bodies)},
-         {"time_limit", exact::to_json(scenario.time_limit)},
-         {"seed", scenario.seed},
-         {"settings", settings_yaml(scenario.settings)}});
+        dumped({{"version", 1},
+                {"name", scenario.name},
+                {"frame", exact::to_json(scenario.map.frame())},
+                {"robots", std::move(robots)},
+                {"bodies", std::move(bodies)},
+                {"time_limit", exact::to_json(scenario.time_limit)},
+                {"seed", scenario.seed},
+                {"settings", settings_yaml(scenario.settings)}}));
 }
 
 void RunMessages::on_navigators(double time,
@@ -131,16 +135,16 @@ void RunMessages::on_navigators(double time,
   for (const Twist2& twist : twists)
     list.push_back(exact::to_json(twist));
   write(navigators_, time,
-        {{"time", exact::to_json(time)},
-         {"settings", settings_yaml(settings)},
-         {"twists", std::move(list)}});
+        dumped({{"time", exact::to_json(time)},
+                {"settings", settings_yaml(settings)},
+                {"twists", std::move(list)}}));
 }
 
 void RunMessages::on_plan(double time, std::size_t robot, const Plan& plan) {
   const Robot& to = robots_.at(robot);
   plans_[robot] = plan;
   write(to.plan, time,
-        {{"time", exact::to_json(time)}, {"robot", robot}, {"plan", exact::to_json(plan)}});
+        dumped({{"time", exact::to_json(time)}, {"robot", robot}, {"plan", exact::to_json(plan)}}));
   if (sink_.wants(to.scene)) show_plan(time, to, plan);
 }
 
@@ -153,7 +157,7 @@ int RunMessages::tell_cells(double time, const BitGrid& grid) {
   } else {
     json["runs"] = exact::changed_cells(*look.before, grid);
   }
-  write(cells_, time, json);
+  write(cells_, time, dumped(json));
   tracker_.settle(grid);
   return look.slot;
 }
@@ -187,7 +191,7 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
             {"seconds", exact::to_json(cycle.seconds)},
             {"mark", exact::to_json(cycle.mark)}};
   if (step.plan != nullptr) json["prediction"] = exact::to_json(*step.plan);
-  write(robot.cycle, time, json);
+  write(robot.cycle, time, dumped(json));
   show_cycle(robot, cycle);
 }
 
@@ -203,10 +207,10 @@ void RunMessages::on_world(const WorldView& world) {
                       {"collided", world.encounters[i].collided}});
   }
   write(world_, world.time,
-        {{"time", exact::to_json(world.time)},
-         {"map", slot},
-         {"bodies", std::move(bodies)},
-         {"robots", std::move(robots)}});
+        dumped({{"time", exact::to_json(world.time)},
+                {"map", slot},
+                {"bodies", std::move(bodies)},
+                {"robots", std::move(robots)}}));
   show_map(world.time, *world.obstacles);
   if (!sink_.wants(scene_)) return;
   foxglove::Scene scene(nanoseconds(world.time));
@@ -221,7 +225,7 @@ void RunMessages::on_world(const WorldView& world) {
     scene.arrow(name + " heading", robot.pose, 1.4 * radius_,
                 {.red = 0.1, .green = 0.1, .blue = 0.1});
   }
-  write(scene_, world.time, scene.json());
+  write(scene_, world.time, dumped(scene.json()));
 }
 
 void RunMessages::show_map(double time, const BitGrid& obstacles) {
@@ -241,7 +245,7 @@ void RunMessages::show_map(double time, const BitGrid& obstacles) {
   if (!changed) return;
   shown_obstacles_ = obstacles;
   shown_time_ = time;
-  write(map_, time, foxglove::grid(nanoseconds(time), frame, shown_cells_));
+  write(map_, time, dumped(foxglove::grid(nanoseconds(time), frame, shown_cells_)));
 }
 
 void RunMessages::show_plan(double time, const Robot& robot, const Plan& plan) {
@@ -250,16 +254,16 @@ void RunMessages::show_plan(double time, const Robot& robot, const Plan& plan) {
   scene.outlines("corridor", plan.corridor.rectangles,
                  {.red = 0.34, .green = 0.71, .blue = 0.91, .opacity = 0.6});
   scene.disc("goal", plan.goal.position, 0.1, 0.02, {.red = 0.0, .green = 0.62, .blue = 0.45});
-  write(robot.scene, time, scene.json());
+  write(robot.scene, time, dumped(scene.json()));
 }
 
 void RunMessages::show_cycle(const Robot& robot, const NavigationCycle& cycle) {
   const double time = cycle.input.time;
   const std::uint64_t stamp = nanoseconds(time);
   if (sink_.wants(robot.pose))
-    write(robot.pose, time, foxglove::pose_in_frame(stamp, cycle.input.pose));
+    write(robot.pose, time, dumped(foxglove::pose_in_frame(stamp, cycle.input.pose)));
   if (sink_.wants(tf_))
-    write(tf_, time, foxglove::frame_transform(stamp, robot.name, cycle.input.pose));
+    write(tf_, time, dumped(foxglove::frame_transform(stamp, robot.name, cycle.input.pose)));
   if (!sink_.wants(robot.scene)) return;
 
   foxglove::Scene scene(stamp);
@@ -283,7 +287,7 @@ void RunMessages::show_cycle(const Robot& robot, const NavigationCycle& cycle) {
     scene.disc("limit", cycle.mark.a, cycle.mark.radius, 0.02,
                {.red = 0.85, .green = 0.1, .blue = 0.1, .opacity = 0.4});
   }
-  write(robot.scene, time, scene.json());
+  write(robot.scene, time, dumped(scene.json()));
 }
 
 }  // namespace fairway::io

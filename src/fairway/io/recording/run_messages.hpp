@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fairway/io/recording/cell_tracker.hpp"
-#include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_sink.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
@@ -40,7 +39,7 @@ class RunMessages final : public EpisodeObserver {
 
   std::uint16_t channel(const std::string& topic, const std::string& schema);
   void add_robots(const Scenario& scenario);
-  void write(std::uint16_t channel, double time, const nlohmann::json& json);
+  void write(std::uint16_t channel, double time, const std::string& message);
   int tell_cells(double time, const BitGrid& grid);
   void show_map(double time, const BitGrid& obstacles);
   void show_plan(double time, const Robot& robot, const Plan& plan);

@@ -84,6 +84,7 @@ void RunStream::on_start(const Scenario& scenario) {
   CompactFields out(fields);
   out.count(kWorldSlot);
   out.count(1);  // whole
+  out.time(0.0);
   append_frame(out, scenario.map.frame());
   const auto cells = scenario.map.cells();
   append_cells(out, cells.size(),
@@ -134,6 +135,7 @@ std::uint64_t RunStream::tell_cells(double time, const BitGrid* grid) {
   out.count(slot);
   out.count(look.whole ? 1 : 0);
   if (look.whole) {
+    out.time(time);
     append_frame(out, grid->frame());
     const auto width = static_cast<std::size_t>(grid->frame().width);
     append_cells(out, width * static_cast<std::size_t>(grid->frame().height), [&](std::size_t i) {
