@@ -26,6 +26,6 @@ export function connect(transport: Transport): void {
 /** The play button as it has to look. */
 export function showPlaying(playing: boolean): void {
   const button = element('play');
-  button.textContent = playing ? '⏸' : '▶';
+  button.querySelector('path')!.setAttribute('d', playing ? 'M3 2h4v12H3zM9 2h4v12H9z' : 'M4 2.5v11l9-5.5z');
   button.setAttribute('aria-label', playing ? 'Pause' : 'Play');
 }

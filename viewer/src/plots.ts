@@ -6,7 +6,7 @@ import { type Theme, robotColor, statusTone, toneColor } from './theme';
 export const plotGutter = { left: 46, right: 14 };
 
 const RIBBON = 10;
-const GAP = 8;
+const GAP = 13;
 const FAR = 2; // clearances are measured up to here [m]
 
 interface Row {

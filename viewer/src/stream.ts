@@ -179,7 +179,7 @@ export class StreamReader {
       limit: fields.count(),
       rectangle: fields.count(),
       clearance: fields.millis(),
-      micros: fields.millis(),
+      micros: fields.integer(),
       row: fields.count(),
       mark: mark(fields),
       iterations: 0,

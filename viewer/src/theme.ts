@@ -25,7 +25,7 @@ const light: Theme = {
   dark: false,
   outside: '#e9ecef', free: '#ffffff', occupied: '#39424c', unknown: '#d3d8dd',
   ink: '#1b232b', faint: '#6a7682', grid: '#e3e7eb',
-  path: '#009e73', corridor: '#56b4e9', current: '#0072b2', prediction: '#b0478a',
+  path: '#596673', corridor: '#56b4e9', current: '#0072b2', prediction: '#b0478a',
   body: '#d55e00', believed: '#a8741a', limit: '#d11f2f', halo: '#ffffff',
 };
 
@@ -33,7 +33,7 @@ const dark: Theme = {
   dark: true,
   outside: '#12161a', free: '#1f262d', occupied: '#93a1ae', unknown: '#171c21',
   ink: '#e6ebf0', faint: '#93a0ac', grid: '#2b343c',
-  path: '#2bc49a', corridor: '#56b4e9', current: '#6cc3f5', prediction: '#e291c3',
+  path: '#aab6c1', corridor: '#56b4e9', current: '#6cc3f5', prediction: '#e291c3',
   body: '#ff8a3d', believed: '#d9a648', limit: '#ff5c68', halo: '#12161a',
 };
 

@@ -163,7 +163,8 @@ export class Viewer {
       ['moving, and room to it', theme.body], ['what limits', theme.limit]];
     element('legend').replaceChildren(...entries.map(([text, color]) => {
       const mark = make('i');
-      mark.style.background = color;
+      mark.style.borderTopColor = color;
+      mark.classList.toggle('dashed', text === 'path');
       return make('span', {}, mark, text);
     }));
   }

@@ -29,7 +29,9 @@ class Reader {
     if (const Expected<void> data = records(bytes_.substr(mcap::kMagic.size()), false); !data) {
       return data;
     }
-    if (!ended_) return fail(name_ + ": expected the end of an MCAP file, found the file cut off");
+    if (!ended_ || !bytes_.ends_with(mcap::kMagic)) {
+      return fail(name_ + ": expected the end of an MCAP file, found the file cut off");
+    }
     return {};
   }
 

@@ -9,7 +9,7 @@
 #include "fairway/io/recording/mcap_reader.hpp"
 #include "fairway/io/recording/run_stream.hpp"
 #include "fairway/simulation/replay_check.hpp"
-#include "random_world.hpp"
+#include "support/random_world.hpp"
 #include "synthetic_run.hpp"
 
 namespace fairway::io {

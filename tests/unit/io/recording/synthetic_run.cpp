@@ -84,7 +84,8 @@ void SyntheticRun::play(EpisodeObserver& observer) const {
   const auto phase = [&](std::size_t i) { return kTurn * static_cast<double>(i) / robots; };
   for (int cycle = 0; cycle * 0.1 <= seconds; ++cycle) {
     const double time = cycle * 0.1;
-    if (cycle % 10 == 5) obstacles.set({.x = 20 + cycle % 60, .y = 30}, cycle % 20 == 5);
+    if (cycle % 10 == 5)
+      obstacles.set({.x = (20 + cycle) % map_side, .y = 30 % map_side}, cycle % 20 == 5);
     std::vector<UnicycleRobot> bases;
     for (std::size_t i = 0; i < all.robots.size(); ++i)
       bases.push_back({.pose = pose_at(time, phase(i), center, radius), .twist = {}, .limits = {}});
