@@ -152,6 +152,7 @@ export class Plots {
       context.fillStyle = theme.faint;
       context.fillText(`${+v.toFixed(2)}`, plotGutter.left - 6, y);
     }
+    if (context.measureText(text).width > row.height + GAP) return;
     context.save();
     context.translate(9, row.top + row.height / 2);
     context.rotate(-Math.PI / 2);
