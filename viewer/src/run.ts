@@ -148,6 +148,13 @@ export class Run {
     return low;
   }
 
+  /** Forgets what was before `time`, but for the map and the plans that were made of it. */
+  forget(time: number): void {
+    this.frames.splice(0, this.frameIndex(time));
+    this.plans = this.plans.map((list) => list.slice(Math.max(list.findIndex((p) => p.time >= time) - 1, 0)));
+    this.grids = this.grids.map((list) => list.map((grid) => folded(grid, time)));
+  }
+
   setting(group: string, name: string): number {
     const found = this.settings.find((s) => s.group === group && s.name === name);
     return typeof found?.value === 'number' ? found.value : NaN;
@@ -170,4 +177,18 @@ export function separation(frame: Frame, robot: number, radius: number): number 
     if (i !== robot) gap = Math.min(gap, Math.hypot(other.x - me.x, other.y - me.y) - 2 * radius);
   });
   return gap;
+}
+
+// The same map, with the changes before `time` in its cells.
+function folded(grid: Grid, time: number): Grid {
+  const old = grid.changes.filter((change) => change.time < time);
+  if (old.length === 0) return grid;
+  const cells = grid.cells.slice();
+  for (const { runs } of old) {
+    for (let i = 0; i < runs.length; i += 4) {
+      const start = runs[i]! * grid.frame.width + runs[i + 1]!;
+      cells.fill(runs[i + 3]!, start, start + runs[i + 2]!);
+    }
+  }
+  return { ...grid, cells, changes: grid.changes.slice(old.length) };
 }

@@ -87,6 +87,11 @@ export class StreamReader {
   /** @param onBegin called when a new run begins; the one before is left as it was. */
   constructor(private readonly onBegin: (run: Run) => void = () => {}) {}
 
+  /** Forgets a record that was cut off: the next piece begins a run. */
+  restart(): void {
+    this.rest = new Uint8Array(0);
+  }
+
   push(piece: Uint8Array): void {
     let bytes = piece;
     if (this.rest.length > 0) {

@@ -5,7 +5,7 @@ import { Gestures } from './gestures';
 import { type Moment, gridAt, momentAt } from './moment';
 import { Plots } from './plots';
 import { RobotPanel } from './robot_panel';
-import type { Run } from './run';
+import type { Point, Run } from './run';
 import { type Layer, type Layers, Scene, layerNames, robotAt } from './scene';
 import { Themes } from './theme';
 
@@ -29,6 +29,8 @@ export class Viewer {
   selected = 0;
   moment: Moment | null = null;
   overlay: Overlay = () => {};
+  /** Where the pointer is on the map. */
+  hover: Point | null = null;
   /** The part of time that the plots and the slider span. */
   span: () => [number, number] = () => [0, this.run?.duration ?? 1];
   /** The person chose a time. */
@@ -48,6 +50,12 @@ export class Viewer {
       const robot = robotAt(this.moment, at, this.run.radius, 12 / this.camera.scale);
       if (robot !== null) this.select(robot);
     });
+    this.map.addEventListener('pointermove', (event) => {
+      const box = this.map.getBoundingClientRect();
+      this.hover = this.camera.toWorld({ x: event.clientX - box.left, y: event.clientY - box.top });
+      this.invalidate();
+    });
+    this.map.addEventListener('pointerleave', () => { this.hover = null; this.invalidate(); });
     new ResizeObserver(() => this.resize()).observe(element('stage'));
     new ResizeObserver(() => this.invalidate()).observe(element('plots'));
     this.themes.onChange(() => { this.legend(); this.invalidate(); });

@@ -104,6 +104,8 @@ class Episode final : public EpisodeControl {
     world_.set_body(index, body);
   }
 
+  void remove_body(std::size_t index) override { world_.remove_body(index); }
+
   void set_settings(const Settings& settings) override {
     settings_ = settings;
     world_.set_robots(settings);

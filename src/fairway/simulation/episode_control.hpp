@@ -27,6 +27,9 @@ class EpisodeControl {
   /// Gives a body another way to go; index `world().num_bodies()` adds it.
   virtual void set_body(std::size_t index, const MovingBody& body) = 0;
 
+  /// Takes a body away; those behind it move up. @pre it exists.
+  virtual void remove_body(std::size_t index) = 0;
+
   /// Drives on with other settings. @pre validate(settings) holds.
   virtual void set_settings(const Settings& settings) = 0;
 };

@@ -85,6 +85,11 @@ void World::set_body(std::size_t index, const MovingBody& body) {
   bodies_[index] = body;
 }
 
+void World::remove_body(std::size_t index) {
+  FAIRWAY_EXPECTS(index < bodies_.size());
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
 void World::set_robots(const Settings& settings) {
   robot_radius_ = settings.robot.radius;
   for (UnicycleRobot& robot : robots_) {

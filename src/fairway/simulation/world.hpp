@@ -48,6 +48,9 @@ class World {
   /// Gives a body another way to go; index `num_bodies()` adds it. @pre it has a key frame.
   void set_body(std::size_t index, const MovingBody& body);
 
+  /// Takes a body away; those behind it move up. @pre it exists.
+  void remove_body(std::size_t index);
+
   /// Takes over the radius and the acceleration limits of the robots.
   void set_robots(const Settings& settings);
 

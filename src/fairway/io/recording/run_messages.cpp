@@ -86,6 +86,7 @@ void RunMessages::add_robots(const Scenario& scenario) {
     robot.cycle = own("/cycle", "fairway.Cycle");
     robot.pose = own("/pose", "foxglove.PoseInFrame");
     robot.scene = own("/scene", "foxglove.SceneUpdate");
+    robot.way = own("/way", "foxglove.SceneUpdate");
     robots_.push_back(robot);
   }
 }
@@ -145,7 +146,7 @@ void RunMessages::on_plan(double time, std::size_t robot, const Plan& plan) {
   plans_[robot] = plan;
   write(to.plan, time,
         dumped({{"time", exact::to_json(time)}, {"robot", robot}, {"plan", exact::to_json(plan)}}));
-  if (sink_.wants(to.scene)) show_plan(time, to, plan);
+  if (sink_.wants(to.way)) show_plan(time, to, plan);
 }
 
 int RunMessages::tell_cells(double time, const BitGrid& grid) {
@@ -254,7 +255,7 @@ void RunMessages::show_plan(double time, const Robot& robot, const Plan& plan) {
   scene.outlines("corridor", plan.corridor.rectangles,
                  {.red = 0.34, .green = 0.71, .blue = 0.91, .opacity = 0.6});
   scene.disc("goal", plan.goal.position, 0.1, 0.02, {.red = 0.0, .green = 0.62, .blue = 0.45});
-  write(robot.scene, time, dumped(scene.json()));
+  write(robot.way, time, dumped(scene.json()));
 }
 
 void RunMessages::show_cycle(const Robot& robot, const NavigationCycle& cycle) {

@@ -12,8 +12,8 @@ namespace fairway::io {
 
 /// Turns what happens in a run into messages.
 ///
-/// Topics: /map, /tf, /scene of the world, and /NAME/pose and /NAME/scene per robot, in the
-/// well-known schemas foxglove.*, for the eye; /fairway/... and /NAME/plan and /NAME/cycle in
+/// Topics: /map, /tf, /scene of the world, and /NAME/pose, /NAME/way and /NAME/scene per robot, in
+/// the well-known schemas foxglove.*, for the eye; /fairway/... and /NAME/plan and /NAME/cycle in
 /// schemas fairway.*, which hold all inputs and answers of the navigators to the bit.
 class RunMessages final : public EpisodeObserver {
  public:
@@ -34,7 +34,8 @@ class RunMessages final : public EpisodeObserver {
     std::uint16_t plan = 0;
     std::uint16_t cycle = 0;
     std::uint16_t pose = 0;
-    std::uint16_t scene = 0;
+    std::uint16_t scene = 0;  // what changes in every cycle
+    std::uint16_t way = 0;    // path, corridor and goal
   };
 
   std::uint16_t channel(const std::string& topic, const std::string& schema);

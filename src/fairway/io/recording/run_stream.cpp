@@ -67,36 +67,58 @@ void append_obstacles(CompactFields& out, std::span<const MovingObstacle> obstac
   }
 }
 
+void append_record(std::string& bytes, RunStream::Kind kind, const std::string& fields) {
+  bytes.push_back(static_cast<char>(kind));
+  CompactFields(bytes).count(fields.size());
+  bytes.append(fields);
+}
+
 }  // namespace
 
-void RunStream::add(Kind kind, const std::string& fields) {
-  ready_.push_back(static_cast<char>(kind));
-  CompactFields(ready_).count(fields.size());
-  ready_.append(fields);
-}
+void RunStream::add(Kind kind, const std::string& fields) { append_record(ready_, kind, fields); }
 
 std::string RunStream::take() { return std::exchange(ready_, {}); }
 
+std::string RunStream::beginning(double time) const {
+  std::string bytes;
+  append_record(bytes, Kind::Begin, begin_);
+  append_record(bytes, Kind::Cells, true_map_fields(time));
+  if (!tuning_.empty()) append_record(bytes, Kind::Tuning, tuning_);
+  for (const std::string& plan : plans_) {
+    if (!plan.empty()) append_record(bytes, Kind::Plan, plan);
+  }
+  return bytes;
+}
+
 void RunStream::on_start(const Scenario& scenario) {
   tracker_.clear();
-  add(Kind::Begin, begin_text(scenario));
+  true_map_ = nullptr;
+  tuning_.clear();
+  plans_.assign(scenario.robots.size(), {});
+  shown_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
+  states_.assign(scenario.map.cells().begin(), scenario.map.cells().end());
+  begin_ = begin_text(scenario);
+  add(Kind::Begin, begin_);
+  add(Kind::Cells, true_map_fields(0.0));
+}
+
+std::string RunStream::true_map_fields(double time) const {
   std::string fields;
   CompactFields out(fields);
   out.count(kWorldSlot);
   out.count(1);  // whole
-  out.time(0.0);
-  append_frame(out, scenario.map.frame());
-  const auto cells = scenario.map.cells();
-  append_cells(out, cells.size(),
-               [&](std::size_t i) { return static_cast<std::uint64_t>(cells[i]); });
-  add(Kind::Cells, fields);
-  shown_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
+  out.time(time);
+  append_frame(out, shown_.frame());
+  append_cells(out, states_.size(),
+               [&](std::size_t i) { return static_cast<std::uint64_t>(states_[i]); });
+  return fields;
 }
 
 void RunStream::on_navigators(double time,
                               const Settings& settings,
                               std::span<const Twist2> /*twists*/) {
-  add(Kind::Tuning, tuning_text(time, settings));
+  tuning_ = tuning_text(time, settings);
+  add(Kind::Tuning, tuning_);
 }
 
 void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
@@ -122,6 +144,7 @@ void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
     out.point(rectangle.max);
   }
   add(Kind::Plan, fields);
+  plans_.at(robot) = std::move(fields);
 }
 
 // The number of the map that a robot drives on; tells it first, where it is new or has changed.
@@ -183,16 +206,28 @@ void RunStream::on_cycle(const NavigationCycle& cycle) {
   add(Kind::Cycle, fields);
 }
 
-void RunStream::on_world(const WorldView& world) {
-  if (!exact::same_frame(shown_.frame(), world.obstacles->frame())) shown_ = *world.obstacles;
-  std::string changes;
-  CompactFields changed(changes);
-  changed.count(kWorldSlot);
-  changed.count(0);
-  if (append_changes(changed, world.time, shown_, *world.obstacles) > 0) {
-    shown_ = *world.obstacles;
-    add(Kind::Cells, changes);
+void RunStream::tell_true_map(double time, const BitGrid& obstacles) {
+  std::string fields;
+  CompactFields out(fields);
+  out.count(kWorldSlot);
+  out.count(0);  // changes only
+  if (append_changes(out, time, shown_, obstacles) == 0) return;
+  add(Kind::Cells, fields);
+  const GridFrame& frame = shown_.frame();
+  for (int y = 0; y < frame.height; ++y) {
+    if (std::ranges::equal(shown_.row(y), obstacles.row(y))) continue;
+    for (int x = 0; x < frame.width; ++x) {
+      const bool blocked = obstacles.blocked({.x = x, .y = y});
+      if (blocked == shown_.blocked({.x = x, .y = y})) continue;
+      states_[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
+              static_cast<std::size_t>(x)] = blocked ? CellState::Occupied : CellState::Free;
+    }
   }
+  shown_ = obstacles;
+}
+
+void RunStream::on_world(const WorldView& world) {
+  tell_true_map(world.time, *world.obstacles);
   true_map_ = world.obstacles;
   true_positions_.clear();
   for (const MovingObstacle& body : world.bodies)

@@ -35,11 +35,19 @@ class RunStream final : public EpisodeObserver {
   void on_cycle(const NavigationCycle& cycle) override;
   void on_world(const WorldView& world) override;
 
+  /// Tells cells of the true map that have changed, at once: for a world that stands still.
+  void tell_true_map(double time, const BitGrid& obstacles);
+
   /// The records made since the last call.
   [[nodiscard]] std::string take();
 
+  /// Records that begin the run as it is now, for someone who joins late: what is said once, the
+  /// map, and the plans that are followed. @pre a run has started.
+  [[nodiscard]] std::string beginning(double time) const;
+
  private:
   void add(Kind kind, const std::string& fields);
+  [[nodiscard]] std::string true_map_fields(double time) const;
   [[nodiscard]] std::uint64_t tell_cells(double time, const BitGrid* grid);
   [[nodiscard]] bool is_known(const MovingObstacle& obstacle) const;
 
@@ -47,7 +55,11 @@ class RunStream final : public EpisodeObserver {
   std::vector<Eigen::Vector2d> true_positions_;  // of all bodies and robots in this time step
   const BitGrid* true_map_ = nullptr;            // only to tell it from others
   CellTracker tracker_;
-  BitGrid shown_;  // the true map, as it was told last
+  BitGrid shown_;                  // the true map, as it was told last
+  std::vector<CellState> states_;  // of its cells; unknown ones look different
+  std::string begin_;              // as told last, as are the next two
+  std::string tuning_;
+  std::vector<std::string> plans_;  // by robot
 };
 
 }  // namespace fairway::io
