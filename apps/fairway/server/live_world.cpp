@@ -100,33 +100,30 @@ bool LiveWorld::play(EpisodeControl& control) {
     listener_.on_beginning(stream_.beginning(told_beginning_));
   }
   due_ = std::max(due_ + scenario_.settings.mpc.dt / state_.speed, steady_seconds() - kFarBehind);
-  for (;;) {
-    std::deque<Request> taken;
-    {
-      std::unique_lock lock(mutex_);
-      const auto asked = [this] { return stopping_ || !requests_.empty(); };
-      if (state_.paused && steps_ == 0) {
-        wake_.wait(lock, asked);
-      } else if (steps_ == 0) {
-        wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
-      }
-      if (stopping_) return false;
-      taken.swap(requests_);
-    }
-    for (Request& request : taken) {
-      carry_out(control, request);
-      if (again_) return false;
-    }
-    if (!taken.empty()) {
-      stream_.tell_true_map(control.world().time(), control.world().obstacles());
-      publish();
-    }
-    if (steps_ > 0) {
-      --steps_;
-      return true;
-    }
-    if (!state_.paused && steady_seconds() >= due_) return true;
+  while (std::optional<Request> request = next_request()) {
+    carry_out(control, *request);
+    stream_.tell_true_map(control.world().time(), control.world().obstacles());
+    publish();
+    if (again_) return false;
+    if (std::exchange(step_, false)) return true;
   }
+  const std::lock_guard lock(mutex_);
+  return !stopping_;
+}
+
+// Waits for somebody to ask for something; none when the next cycle is due, or at the end.
+std::optional<LiveWorld::Request> LiveWorld::next_request() {
+  std::unique_lock lock(mutex_);
+  const auto asked = [this] { return stopping_ || !requests_.empty(); };
+  if (state_.paused) {
+    wake_.wait(lock, asked);
+  } else {
+    wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
+  }
+  if (stopping_ || requests_.empty()) return std::nullopt;
+  Request request = std::move(requests_.front());
+  requests_.pop_front();
+  return request;
 }
 
 void LiveWorld::publish() {
