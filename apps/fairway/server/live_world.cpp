@@ -21,6 +21,7 @@ constexpr std::size_t kMostWaiting = 256;         // commands of clients
 constexpr std::size_t kMostDownloads = 300;       // commands and downloads
 constexpr std::size_t kMostRecords = 64U << 20U;  // for a report [bytes]
 constexpr double kBeginningPeriod = 60.0;  // who joins late sees at least as much of the past [s]
+constexpr double kMostLate = 0.2;          // for what is asked between two cycles [s]
 constexpr double kFarBehind = 0.5;         // then it does not try to catch up [s]
 
 }  // namespace
@@ -120,7 +121,9 @@ std::optional<LiveWorld::Request> LiveWorld::next_request() {
   } else {
     wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
   }
-  if (stopping_ || requests_.empty()) return std::nullopt;
+  // However much is asked, the world goes on.
+  const bool late = !state_.paused && steady_seconds() > due_ + kMostLate;
+  if (stopping_ || requests_.empty() || late) return std::nullopt;
   Request request = std::move(requests_.front());
   requests_.pop_front();
   return request;
