@@ -49,7 +49,7 @@ class Live implements Transport {
     viewer.span = () => this.span();
     connect(this);
     connectButtons(viewer);
-    listenToKeys(viewer, this, toolbar.keys);
+    listenToKeys(viewer, this, toolbar.keys, toolbar.help);
     element('go-live').addEventListener('click', () => this.end());
     this.open();
     requestAnimationFrame((now) => this.tick(now));

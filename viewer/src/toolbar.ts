@@ -49,6 +49,11 @@ export class Toolbar {
     return Object.fromEntries(this.entries.map((entry) => [entry.key, () => this.choose(entry)]));
   }
 
+  get help(): [string, string][] {
+    return [[this.entries.map((entry) => entry.key.toUpperCase()).join(' '),
+      this.entries.map((entry) => entry.title.toLowerCase()).join(', ')]];
+  }
+
   private build(send: Send): void {
     const root = element('tools');
     for (const entry of this.entries) {
