@@ -49,7 +49,14 @@ TEST(PathPlanner, FindsAPathExactlyWhereTheCellsConnect) {
   int found = 0;
   int none = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    const World world{BitGrid(test::random_world(random, 60))};
+    BitGrid grid(test::random_world(random, 60));
+    const int wall = random.integer(0, grid.frame().height - 1);
+    const int gap = random.integer(0, grid.frame().width - 1);
+    const int gap_width = random.integer(0, 8);
+    for (int x = 0; x < grid.frame().width; ++x) {
+      if (x < gap || x >= gap + gap_width) grid.set({x, wall}, true);
+    }
+    const World world(std::move(grid));
     const GridFrame& frame = world.obstacles.frame();
     const double radius = random.uniform(0.0, 3.0) * frame.resolution;
     PathSettings settings;
