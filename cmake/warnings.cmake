@@ -4,4 +4,5 @@ target_compile_options(fairway_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion
   -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wformat=2
   -Wswitch-enum -Wextra-semi
+  -Wno-missing-field-initializers  # designated initialisers name what they mean to set
   $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast>)

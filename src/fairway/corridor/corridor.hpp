@@ -21,12 +21,23 @@ enum class CorridorSpace : std::uint8_t {
   return space == CorridorSpace::Workspace ? "workspace" : "configuration";
 }
 
-/// The free space along a path: rectangles in travel order, each with its seed on the path.
+/// The stretch of a path that a rectangle was built for, by distance along the path [m].
+struct PathSpan {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+/// The free space along a path: rectangles in travel order, each with its seed on the path. The
+/// first seed is the start of the path; the others, from Fewest, lie in the rectangle before too.
 struct Corridor {
   CorridorSpace space = CorridorSpace::Configuration;
   double robot_radius = 0.0;   ///< the disc that the rectangles are free for, in Configuration [m]
   double inward_offset = 0.0;  ///< room between the rectangle's sides and the robot's centre [m]
   std::vector<OrientedRectangle> rectangles;
+
+  /// For each rectangle the stretch of the path that its admissible part holds: the first begins at
+  /// the start, the last ends at the goal, and consecutive ones meet or overlap.
+  std::vector<PathSpan> spans;
 
   /// Where the robot's centre may be while it is in rectangle `i`: moved inward by `inward_offset`.
   [[nodiscard]] OrientedRectangle admissible(std::size_t i) const noexcept {

@@ -3,10 +3,41 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 #include "fairway/base/contract.hpp"
 
 namespace fairway {
+
+namespace {
+
+static_assert(static_cast<int>(CellState::Free) == 0 &&
+              static_cast<int>(CellState::Occupied) == 1 &&
+              static_cast<int>(CellState::Unknown) == 2);
+
+// Bit i of the result: cell i is blocked. Eight cells at a time: their low bits are gathered by one
+// multiplication, which adds bit 8 i of the factor shifted so that it lands at bit 56 + i; no two
+// terms share a bit, so nothing carries.
+std::uint64_t packed(std::span<const CellState> cells, bool unknown_blocks) noexcept {
+  std::uint64_t word = 0;
+  std::size_t i = 0;
+  if constexpr (std::endian::native == std::endian::little) {
+    for (; i + 8 <= cells.size(); i += 8) {
+      std::uint64_t eight = 0;
+      std::memcpy(&eight, cells.data() + i, sizeof eight);
+      if (unknown_blocks) eight |= eight >> 1U;
+      word |= ((eight & 0x0101010101010101U) * 0x0102040810204080U >> 56U) << i;
+    }
+  }
+  for (; i < cells.size(); ++i) {
+    const bool blocked =
+        cells[i] == CellState::Occupied || (unknown_blocks && cells[i] == CellState::Unknown);
+    word |= static_cast<std::uint64_t>(blocked) << i;
+  }
+  return word;
+}
+
+}  // namespace
 
 BitGrid::BitGrid(const GridFrame& frame, bool blocked)
     : frame_(frame),
@@ -19,7 +50,12 @@ BitGrid::BitGrid(const GridFrame& frame, bool blocked)
   }
 }
 
-BitGrid::BitGrid(const OccupancyGrid& grid, UnknownCells unknown) : BitGrid(grid.frame(), false) {
+BitGrid::BitGrid(const OccupancyGrid& grid, UnknownCells unknown) { assign(grid, unknown); }
+
+void BitGrid::assign(const OccupancyGrid& grid, UnknownCells unknown) {
+  frame_ = grid.frame();
+  words_per_row_ = (static_cast<std::size_t>(frame_.width) + 63) / 64;
+  words_.resize(words_per_row_ * static_cast<std::size_t>(frame_.height));
   const bool unknown_blocks = unknown == UnknownCells::Occupied;
   const std::span<const CellState> cells = grid.cells();
   const auto width = static_cast<std::size_t>(frame_.width);
@@ -27,14 +63,7 @@ BitGrid::BitGrid(const OccupancyGrid& grid, UnknownCells unknown) : BitGrid(grid
     const CellState* row_cells = cells.data() + y * width;
     for (std::size_t w = 0; w < words_per_row_; ++w) {
       const std::size_t count = std::min<std::size_t>(64, width - w * 64);
-      std::uint64_t word = 0;
-      for (std::size_t i = 0; i < count; ++i) {
-        const CellState state = row_cells[w * 64 + i];
-        const bool bit =
-            state == CellState::Occupied || (unknown_blocks && state == CellState::Unknown);
-        word |= static_cast<std::uint64_t>(bit) << i;
-      }
-      words_[y * words_per_row_ + w] = word;
+      words_[y * words_per_row_ + w] = packed({row_cells + w * 64, count}, unknown_blocks);
     }
   }
 }
@@ -45,20 +74,6 @@ void BitGrid::set(CellIndex cell, bool blocked) noexcept {
                                static_cast<std::size_t>(cell.x) / 64];
   const std::uint64_t bit = 1ULL << (cell.x % 64);
   word = blocked ? word | bit : word & ~bit;
-}
-
-int BitGrid::first_blocked(int y, int first, int last) const noexcept {
-  if (first > last) return -1;
-  const std::uint64_t* words = words_.data() + static_cast<std::size_t>(y) * words_per_row_;
-  const int first_word = first / 64;
-  const int last_word = last / 64;
-  for (int w = first_word; w <= last_word; ++w) {
-    std::uint64_t word = words[w];
-    if (w == first_word) word &= ~0ULL << (first % 64);
-    if (w == last_word) word &= ~0ULL >> (63 - last % 64);
-    if (word != 0) return w * 64 + std::countr_zero(word);
-  }
-  return -1;
 }
 
 }  // namespace fairway

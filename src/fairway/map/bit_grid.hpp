@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,12 +33,47 @@ class BitGrid {
     return (row(cell.y)[static_cast<std::size_t>(cell.x) / 64] >> (cell.x % 64) & 1U) != 0;
   }
 
+  /// Packs another grid, reusing the memory where the size is unchanged.
+  void assign(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied);
+
   /// @pre the cell lies in the grid.
   void set(CellIndex cell, bool blocked) noexcept;
 
   /// Column of the first blocked cell of row `y` in columns `first` to `last`, inclusive; -1 when
   /// there is none. @pre 0 <= first, last < width, 0 <= y < height; an empty range has none.
-  [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept;
+  [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept {
+    if (first > last) return -1;
+    const std::uint64_t* words = words_.data() + static_cast<std::size_t>(y) * words_per_row_;
+    int w = first / 64;
+    const int last_word = last / 64;
+    std::uint64_t word = words[w] & (~0ULL << (first % 64));
+    while (word == 0 && w < last_word)
+      word = words[++w];
+    if (w == last_word) word &= ~0ULL >> (63 - last % 64);
+    return word != 0 ? w * 64 + std::countr_zero(word) : -1;
+  }
+
+  /// Column of the last blocked cell, else as first_blocked.
+  [[nodiscard]] int last_blocked(int y, int first, int last) const noexcept {
+    if (first > last) return -1;
+    const std::uint64_t* words = words_.data() + static_cast<std::size_t>(y) * words_per_row_;
+    int w = last / 64;
+    const int first_word = first / 64;
+    std::uint64_t word = words[w] & (~0ULL >> (63 - last % 64));
+    while (word == 0 && w > first_word)
+      word = words[--w];
+    if (w == first_word) word &= ~0ULL << (first % 64);
+    return word != 0 ? w * 64 + 63 - std::countl_zero(word) : -1;
+  }
+
+  /// Column of the blocked cell of row `y` in columns `first` to `last` that is nearest to column
+  /// `to`, the right one of two equally near; -1 when there is none. @pre as first_blocked.
+  [[nodiscard]] int nearest_blocked(int y, int first, int last, int to) const noexcept {
+    const int right = first_blocked(y, to > first ? to : first, last);
+    const int left = last_blocked(y, first, to - 1 < last ? to - 1 : last);
+    if (right < 0 || left < 0) return right < 0 ? left : right;
+    return to - left < right - to ? left : right;
+  }
 
   /// The words of one row; bit i of word w is column 64 w + i. Bits past the width are 0.
   [[nodiscard]] std::span<const std::uint64_t> row(int y) const noexcept {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 
 #include "fairway/geometry/oriented_rectangle.hpp"
 #include "fairway/map/bit_grid.hpp"
@@ -43,5 +45,46 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
                                   double clearance) noexcept {
   return is_free(obstacles, segment_rectangle(a, b), clearance);
 }
+
+/// Distance from `point` to the nearest blocked cell or the outside of the grid, exact, but at most
+/// `limit` [m]. 0 on a blocked cell, outside the grid, or for a point that is not finite.
+[[nodiscard]] double distance_to_blocked(const BitGrid& obstacles,
+                                         const Eigen::Vector2d& point,
+                                         double limit) noexcept;
+
+/// A rectangle in grid coordinates: the points origin + x u + y v with min <= (x, y) <= max, where
+/// u is the unit vector `along` and v is u turned by +90 degrees. Lengths in cells.
+///
+/// The form for searches that test thousands of rectangles: no angle, so no sine or cosine per
+/// test.
+struct TurnedBox {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX();
+  Eigen::Vector2d min = Eigen::Vector2d::Zero();
+  Eigen::Vector2d max = Eigen::Vector2d::Zero();
+};
+
+/// What lies in the way of a box: see find_blocked_cells.
+struct BlockedCells {
+  std::size_t count = 0;     ///< how many cells were written
+  bool outside_map = false;  ///< the region reaches out of the grid (cells may be written as well)
+};
+
+/// Blocked cells at most `radius` [cells] from `box`: in every row that has any, the one nearest to
+/// `towards` (in columns), written into `found` until it is full; rows from the one of `towards`
+/// outwards, upward first. No skin is added. The part outside the grid is not looked at, only
+/// reported.
+///
+/// The same exact test as find_blocked_cell (which is this with room for one cell), for callers
+/// that want to learn more from one pass. @pre box not empty, finite; radius >= 0.
+[[nodiscard]] BlockedCells find_blocked_cells(const BitGrid& obstacles,
+                                              const TurnedBox& box,
+                                              double radius,
+                                              const Eigen::Vector2d& towards,
+                                              std::span<CellIndex> found) noexcept;
+
+/// Whether no blocked cell is at most `radius` [cells] from `box` and the region lies in the grid;
+/// no skin is added. @pre as above.
+[[nodiscard]] bool is_free(const BitGrid& obstacles, const TurnedBox& box, double radius) noexcept;
 
 }  // namespace fairway

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "fairway/base/setting.hpp"
 #include "fairway/mpc/control_problem.hpp"
 
 namespace fairway {
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Integration) noexcept {
+  return {"euler", "midpoint"};
+}
 
 /// The part of the optimal control problem that does not change from cycle to cycle.
 struct MpcSettings {
@@ -29,6 +35,31 @@ struct MpcSettings {
   double violation_weight = 1e4;
   int max_iterations = 100;
 };
+
+/// The paper's Table I, where it gives a value: Euler steps, never slower than 0.05 m/s, no limit
+/// on acceleration (1000 never binds), no price on the first change. Table I omits S: we take 0.1.
+[[nodiscard]] inline MpcSettings paper_mpc_settings() noexcept {
+  return {.horizon = 10,
+          .dt = 0.1,
+          .integration = Integration::Euler,
+          .linear_min = 0.05,
+          .linear_max = 1.0,
+          .angular_max = 1.5,
+          .linear_acceleration_max = 1000.0,
+          .angular_acceleration_max = 1000.0,
+          .weight_position = 20.0,
+          .weight_heading = 0.1,
+          .weight_next_position = 5.0,
+          .weight_next_heading = 0.05,
+          .weight_linear = 0.1,
+          .weight_angular = 0.1,
+          .weight_linear_change = 0.1,
+          .weight_angular_change = 0.1,
+          .penalise_first_change = false,
+          .decay_rate = 5.0,
+          .violation_weight = 1e4,
+          .max_iterations = 100};
+}
 
 template <typename Settings, typename Visitor>
 void visit_mpc(Settings& s, Visitor&& field) {

@@ -86,5 +86,21 @@ TEST(FreeSpace, TheOutsideOfTheMapIsBlocked) {
   EXPECT_FALSE(is_free(BitGrid(), Vector2d(1, 1), Vector2d(1, 1), 0.0));
 }
 
+TEST(FreeSpace, DistanceToBlockedAgreesWithEveryCell) {
+  test::Random random(8);
+  for (int trial = 0; trial < 30; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 60));
+    const GridFrame& frame = obstacles.frame();
+    for (int i = 0; i < 30; ++i) {
+      const Vector2d p =
+          frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
+      const double room = test::clearance(obstacles, segment_rectangle(p, p));
+      const double limit = random.uniform(0.0, 2.0);
+      EXPECT_NEAR(distance_to_blocked(obstacles, p, limit), std::min(room, limit), 1e-9);
+    }
+  }
+  EXPECT_EQ(distance_to_blocked(BitGrid(), {0, 0}, 1.0), 0.0);
+}
+
 }  // namespace
 }  // namespace fairway

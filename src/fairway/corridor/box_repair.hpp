@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "fairway/corridor/obstacle_points.hpp"
+#include "fairway/corridor/turned_frame.hpp"
+
+namespace fairway {
+
+/// What to do with a box that turned out to hit obstacles: learn from them, or give way to them.
+struct BoxRepair {
+  const GridFrame& grid;
+  const TurnedFrame& frame;
+  const Box& core;  ///< what every box must hold
+  double radius;    ///< of the disc that obstacles are grown by [cells]
+
+  /// A point of the cell's configuration-space obstacle that lies in `box` if they meet, as deep as
+  /// is easily found; an offset.
+  [[nodiscard]] Eigen::Vector2d point_inside(CellIndex cell, const Box& box) const noexcept;
+
+  /// Adds points of the outside of the map that lie in `box`.
+  void add_outside_points(const Box& box, ObstaclePoints& points) const noexcept;
+
+  /// Moves one side of `box` inwards, the one that costs least area, so that it clears the cell by
+  /// a hair. Exact up to an eighth of a cell. @return false when no side can, as the core is in the
+  /// way; the box is then unchanged.
+  [[nodiscard]] bool pull_from(CellIndex cell, Box& box) const noexcept;
+
+  /// The same for the outside of the map.
+  [[nodiscard]] bool pull_into_map(Box& box) const noexcept;
+};
+
+}  // namespace fairway

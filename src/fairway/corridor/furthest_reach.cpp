@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/corridor/furthest_reach.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "fairway/corridor/box_repair.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Whether some obstacle point lies in the box. Branch-free, so that compilers do several at once.
+bool holds_point(const ObstaclePoints& points, const TurnedFrame& frame, const Box& box) noexcept {
+  const auto c = static_cast<float>(frame.along.x());
+  const auto s = static_cast<float>(frame.along.y());
+  // Rounding must not turn a point on the border into one inside.
+  constexpr float kHair = 1e-3F;
+  const float left = static_cast<float>(box.min.x()) + kHair;
+  const float right = static_cast<float>(box.max.x()) - kHair;
+  const float bottom = static_cast<float>(box.min.y()) + kHair;
+  const float top = static_cast<float>(box.max.y()) - kHair;
+  const float* const px = points.x();
+  const float* const py = points.y();
+  int inside = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float x = c * px[i] + s * py[i];
+    const float y = c * py[i] - s * px[i];
+    inside |= static_cast<int>(x > left) & static_cast<int>(x < right) &
+              static_cast<int>(y > bottom) & static_cast<int>(y < top);
+  }
+  return inside != 0;
+}
+
+}  // namespace
+
+PathPiece ReachSearch::piece_to(double end) const noexcept {
+  return {.begin = begin_,
+          .end = {.from = end, .to = end, .margin = settings_.margin},
+          .margin = settings_.margin};
+}
+
+PathPiece ReachSearch::joined_piece_to(double end) const noexcept {
+  if (end >= track_->length()) return piece_to(end);
+  return {
+      .begin = begin_,
+      .end = {.from = std::max(begin_.from, end - end_length_), .to = end, .margin = end_margin_},
+      .margin = settings_.margin};
+}
+
+bool ReachSearch::fits(const TurnedFrame& frame, const PathPiece& piece) noexcept {
+  const Box box = piece.bounds(*track_, frame);
+  if ((box.max - box.min).maxCoeff() > settings_.longest_side) return false;
+  if (holds_point(points_, frame, box)) return false;
+  constexpr std::size_t kLearned = 2;
+  std::array<CellIndex, kLearned> found;
+  const BlockedCells blocked =
+      find_blocked_cells(*obstacles_, frame.region(box), settings_.radius, origin_, found);
+  if (blocked.count == 0) return !blocked.outside_map;
+  const Box core;
+  const BoxRepair repair{
+      .grid = obstacles_->frame(), .frame = frame, .core = core, .radius = settings_.radius};
+  for (std::size_t i = 0; i < blocked.count; ++i)
+    points_.add(repair.point_inside(found[i], box));
+  return false;
+}
+
+void ReachSearch::try_angle(double angle) noexcept {
+  const TurnedFrame frame{.origin = origin_, .along = direction(angle)};
+  const double length = track_->length();
+  const double least = best_.found ? best_.end.to + settings_.precision : begin_.to;
+  if (least > length || (best_.found && best_.end.to >= length)) return;
+  if (!fits(frame, piece_to(least))) return;
+  // Ever longer steps while it fits, then halving.
+  double good = least;
+  double bad = length;
+  if (fits(frame, piece_to(length))) {
+    good = length;
+  } else {
+    for (double step = 4.0; good + step < bad; step *= 2.0) {
+      if (!fits(frame, piece_to(good + step))) {
+        bad = good + step;
+        break;
+      }
+      good += step;
+    }
+    while (bad - good > settings_.precision) {
+      const double middle = 0.5 * (good + bad);
+      (fits(frame, piece_to(middle)) ? good : bad) = middle;
+    }
+  }
+  // A corner of the path just ahead is worth reaching exactly: there the next line begins.
+  const std::size_t next = track_->segment(good) + 1;
+  const double corner = next < track_->arc().size() ? track_->arc()[next] : length;
+  if (corner < bad && corner > good && fits(frame, piece_to(corner))) good = corner;
+  // Back to where the joint has room.
+  double step = settings_.precision;
+  for (double end = good; end >= least; end -= step, step *= 1.2) {
+    const PathPiece piece = joined_piece_to(end);
+    if (!fits(frame, piece)) continue;
+    best_ = {.end = piece.end, .angle = angle, .found = true};
+    return;
+  }
+}
+
+Reach ReachSearch::find(const BitGrid& obstacles,
+                        const PathTrack& track,
+                        const Joint& begin,
+                        double end_margin,
+                        double end_length,
+                        const Settings& settings) noexcept {
+  constexpr double kQuarterTurn = std::numbers::pi / 2.0;
+  obstacles_ = &obstacles;
+  track_ = &track;
+  settings_ = settings;
+  begin_ = begin;
+  end_margin_ = end_margin;
+  end_length_ = end_length;
+  origin_ = track.at(begin.from);
+  best_ = {};
+  if (!is_free(obstacles, TurnedBox{.origin = origin_}, settings.radius)) return best_;
+  points_.look_around(obstacles, origin_, settings.radius, settings.longest_side);
+
+  // The directions of the next few straight lines: along a line that is free there is always a
+  // free rectangle.
+  const std::size_t first = track.segment(begin.from);
+  for (std::size_t i = first; i + 1 < track.points().size() && i < first + 3; ++i) {
+    const Vector2d way = track.points()[i + 1] - track.points()[i];
+    try_angle(std::atan2(way.y(), way.x()));
+  }
+  double spacing = kQuarterTurn / settings.num_orientations;
+  for (int k = 0; k < settings.num_orientations; ++k)
+    try_angle(k * spacing);
+  for (int i = 0; i < settings.refinements && best_.found; ++i) {
+    spacing *= 0.5;
+    const double center = best_.angle;
+    try_angle(center - spacing);
+    try_angle(center + spacing);
+  }
+  return best_;
+}
+
+}  // namespace fairway

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/corridor/obstacle_points.hpp"
+#include "fairway/corridor/path_piece.hpp"
+
+namespace fairway {
+
+/// How far one free rectangle can hold the path, and at which orientation.
+struct Reach {
+  Joint end;           ///< the joint at the far end; `end.to` is how far it reaches [cells]
+  double angle = 0.0;  ///< of the rectangle against the grid [rad]
+  bool found = false;
+};
+
+/// Finds, from a position on a path, the longest stretch that one free rectangle can hold.
+///
+/// Any rectangle that holds a stretch holds each part of it, so this makes the greedy cover of a
+/// path optimal: no cover has fewer rectangles (docs/corridors.md).
+class ReachSearch {
+ public:
+  struct Settings {
+    double radius = 0.0;        ///< of the disc that the rectangle is free for [cells]
+    double longest_side = 0.0;  ///< [cells]
+    double margin = 0.0;        ///< between the path and every side [cells]
+    int num_orientations = 32;  ///< turns tried at first, evenly over a quarter turn
+    int refinements = 3;        ///< times the spacing is halved around the best
+    double precision = 0.25;    ///< to which the reach is found [cells]
+  };
+
+  /// Starts from the joint `begin`; the far joint has margin `end_margin` and length `end_length`
+  /// unless it is the path's goal, which needs only the plain margin.
+  [[nodiscard]] Reach find(const BitGrid& obstacles,
+                           const PathTrack& track,
+                           const Joint& begin,
+                           double end_margin,
+                           double end_length,
+                           const Settings& settings) noexcept;
+
+ private:
+  [[nodiscard]] bool fits(const TurnedFrame& frame, const PathPiece& piece) noexcept;
+  [[nodiscard]] PathPiece piece_to(double end) const noexcept;
+  [[nodiscard]] PathPiece joined_piece_to(double end) const noexcept;
+  void try_angle(double angle) noexcept;
+
+  const BitGrid* obstacles_ = nullptr;
+  const PathTrack* track_ = nullptr;
+  Settings settings_;
+  Joint begin_;
+  double end_margin_ = 0.0;
+  double end_length_ = 0.0;
+  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
+  ObstaclePoints points_;
+  Reach best_;
+};
+
+}  // namespace fairway

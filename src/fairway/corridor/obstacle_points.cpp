@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/corridor/obstacle_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr std::size_t kRays = 48;
+
+// Increases with the direction of (x, y) from -x counter-clockwise, in [-2, 2); no arctangent.
+float direction_key(float x, float y) noexcept {
+  const float slope = x / (std::abs(x) + std::abs(y));
+  return y < 0.0F ? slope - 1.0F : 1.0F - slope;
+}
+
+struct Rays {
+  Rays() noexcept {
+    for (std::size_t i = 0; i < kRays; ++i) {
+      const double angle = -std::numbers::pi + (static_cast<double>(i) + 0.5) * 2.0 *
+                                                   std::numbers::pi / static_cast<double>(kRays);
+      directions[i] = Vector2d(std::cos(angle), std::sin(angle));
+    }
+  }
+  std::array<Vector2d, kRays> directions;
+};
+
+}  // namespace
+
+void ObstaclePoints::look_around(const BitGrid& obstacles,
+                                 const Vector2d& origin,
+                                 double radius,
+                                 double reach) noexcept {
+  static const Rays rays;
+  constexpr double kFirstStep = 0.9;  // [cells]
+  constexpr double kStretch = 1.05;   // each sample lies this much further out
+  size_ = 0;
+  added_ = 0;
+  CellIndex last{.x = -1, .y = -1};
+  for (const Vector2d& ray : rays.directions) {
+    for (double t = radius + 0.5; t < reach; t = std::max(t + kFirstStep, t * kStretch)) {
+      const Vector2d sample = origin + t * ray;
+      const CellIndex cell{.x = static_cast<int>(std::floor(sample.x())),
+                           .y = static_cast<int>(std::floor(sample.y()))};
+      if (!obstacles.blocked(cell)) continue;
+      if (cell == last) break;
+      last = cell;
+      const Vector2d low = Vector2d(cell.x, cell.y) - origin;
+      const Vector2d nearest = low.cwiseMax((low + Vector2d::Ones()).cwiseMin(0.0));
+      const double distance = nearest.norm();
+      if (distance > radius) add(nearest * (1.0 - radius / distance));
+      break;
+    }
+  }
+  added_ = 0;
+}
+
+void ObstaclePoints::add(const Vector2d& point) noexcept {
+  if (size_ == kCapacity) return;
+  const auto x = static_cast<float>(point.x());
+  const auto y = static_cast<float>(point.y());
+  const float key = direction_key(x, y);
+  added_x_[added_] = x;
+  added_y_[added_++] = y;
+  std::size_t i = size_++;
+  for (; i > 0 && key_[i - 1] > key; --i) {
+    x_[i] = x_[i - 1];
+    y_[i] = y_[i - 1];
+    key_[i] = key_[i - 1];
+  }
+  x_[i] = x;
+  y_[i] = y;
+  key_[i] = key;
+}
+
+std::size_t ObstaclePoints::first_from(double c, double s) const noexcept {
+  const float key = direction_key(static_cast<float>(c), static_cast<float>(s));
+  return static_cast<std::size_t>(
+      std::lower_bound(key_.begin(), key_.begin() + static_cast<std::ptrdiff_t>(size_), key) -
+      key_.begin());
+}
+
+}  // namespace fairway

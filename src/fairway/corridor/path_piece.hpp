@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/corridor/path_track.hpp"
+#include "fairway/corridor/turned_frame.hpp"
+
+namespace fairway {
+
+/// Where two consecutive rectangles meet: both hold the path from `from` to `to` with `margin` to
+/// every side, so they share at least a disc of that radius, swept along that stretch. [cells]
+struct Joint {
+  double from = 0.0;
+  double to = 0.0;
+  double margin = 0.0;
+};
+
+/// A stretch of the path that one rectangle must hold: from `begin.from` to `end.to`, with the
+/// margins of the joints at its ends, and `margin` between. [cells]
+struct PathPiece {
+  Joint begin;
+  Joint end;
+  double margin = 0.0;
+
+  /// Calls visit(point, margin) for points whose convex hull, margins included, holds all that is
+  /// asked.
+  template <typename Visitor>
+  void visit(const PathTrack& track, Visitor&& visit_point) const {
+    visit_point(track.at(begin.from), begin.margin);
+    if (begin.to > begin.from) visit_point(track.at(begin.to), begin.margin);
+    for (std::size_t i = track.segment(begin.from) + 1;
+         i < track.points().size() && track.arc()[i] < end.to; ++i) {
+      const double s = track.arc()[i];
+      const bool joint = s <= begin.to || s >= end.from;
+      const double joint_margin = s <= begin.to ? begin.margin : end.margin;
+      visit_point(track.points()[i], joint ? joint_margin : margin);
+    }
+    if (end.from < end.to) visit_point(track.at(end.from), end.margin);
+    visit_point(track.at(end.to), end.margin);
+  }
+
+  /// The smallest box in `frame` that holds all that is asked, and the frame's origin.
+  [[nodiscard]] Box bounds(const PathTrack& track, const TurnedFrame& frame) const noexcept {
+    Box box;
+    visit(track, [&](const Eigen::Vector2d& point, double room) {
+      const Eigen::Vector2d p = frame.turned(point - frame.origin);
+      const Eigen::Vector2d by = Eigen::Vector2d::Constant(room);
+      box.min = box.min.cwiseMin(p - by);
+      box.max = box.max.cwiseMax(p + by);
+    });
+    return box;
+  }
+};
+
+}  // namespace fairway

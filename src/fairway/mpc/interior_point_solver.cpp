@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/interior_point_elastic_rows.hpp"
+#include "fairway/mpc/interior_point_hard_rows.hpp"
+#include "fairway/mpc/interior_point_line_search.hpp"
+#include "fairway/mpc/interior_point_optimality.hpp"
+#include "fairway/mpc/interior_point_report.hpp"
+#include "fairway/mpc/interior_point_setup.hpp"
+#include "fairway/mpc/interior_point_trajectory.hpp"
+#include "fairway/mpc/riccati.hpp"
+
+namespace fairway {
+namespace interior_point {
+namespace {
+
+// Barrier parameter: when it is lowered, and how far, Eq. (S17).
+constexpr double kSolvedEnough = 30.0;  // error of a barrier problem over mu
+constexpr double kLinearDecrease = 0.2;
+constexpr double kLastBarrier = 0.1;     // of the tolerance
+constexpr double kLeastBarrier = 1e-12;  // below it, the products of slacks and duals are rounding
+constexpr double kByViolation = 0.5;     // first mu by the price of the greatest violation [1/m]
+constexpr double kMostViolated = 0.1;
+// Rows must close far below what counts as a violation.
+constexpr double kResidualTolerance = 1e-8;
+// A step of the commands that is only rounding.
+constexpr double kRoundingStep = 1e-14;
+// For problems without curvature by the commands.
+constexpr double kLeastDamping = 1e-6;
+constexpr double kMostDamping = 1e12;
+
+// The barrier parameter to begin with: greater where the start violates rows, because then the
+// duals have to go far, some up to the price itself.
+double first_barrier(const Workspace& w, double initial) noexcept {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < w.elastic.count; ++i)
+    worst = std::max(worst, -w.now->value[i]);
+  return std::max(initial,
+                  std::min(kMostViolated, kByViolation * worst) * w.problem->violation_weight);
+}
+
+void start_iteration(Workspace& w, double mu) noexcept {
+  const double logs = measure_room(w.hard, w.horizon, *w.now);
+  start_hard_rows(*w.now, mu, w.hard);
+  start_elastic_rows(w, mu);
+  w.now->log_sum = logs + sum_elastic_rows(w, *w.now);
+}
+
+double next_barrier(double mu, double least, const OptimalityError& error) noexcept {
+  while (mu > least && error.at(mu) < kSolvedEnough * mu)
+    mu = std::max(least, std::min(kLinearDecrease * mu, mu * std::sqrt(mu)));
+  return mu;
+}
+
+// The Newton system; without the curvature of rows and dynamics where it is not convex with it.
+bool factorise(Workspace& w) noexcept {
+  if (riccati_backward(w, 1.0, 0.0)) return true;
+  for (double damping = 0.0; damping < kMostDamping; damping = 10.0 * damping + kLeastDamping) {
+    if (riccati_backward(w, 0.0, damping)) return true;
+  }
+  return false;
+}
+
+double greatest_step(const Workspace& w) noexcept {
+  double greatest = 0.0;
+  for (std::size_t k = 0; k < w.horizon; ++k)
+    greatest = std::max({greatest, std::abs(w.model.step[0][k]), std::abs(w.model.step[1][k])});
+  return greatest;
+}
+
+SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& iterations) noexcept {
+  const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
+  evaluate(w, *w.now);
+  double mu = first_barrier(w, settings.initial_barrier);
+  Filter filter;
+  start_iteration(w, mu);
+  for (iterations = 0;; ++iterations) {
+    linearise_hard_rows(*w.now, mu, w.hard);
+    linearise_elastic_rows(w);
+    linearise_trajectory(w);
+    const OptimalityError error = optimality_error(w);
+    if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
+      return SolveStatus::Solved;
+    if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
+
+    const double next = next_barrier(mu, least_barrier, error);
+    const bool lowered = next < mu;
+    if (lowered) filter.clear();
+    mu = next;
+    aim_elastic_rows(w, mu);
+    aim_hard_rows(w, mu);
+    if (!factorise(w)) return SolveStatus::Stalled;
+    riccati_forward(w);
+    if (!lowered && greatest_step(w) < kRoundingStep) return SolveStatus::Stalled;
+    if (!take_step(w, mu, filter)) return SolveStatus::Stalled;
+  }
+}
+
+bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcept {
+  const bool a_solved = a.status == SolveStatus::Solved;
+  const bool b_solved = b.status == SolveStatus::Solved;
+  if (a_solved != b_solved) return a_solved;
+  return a.cost + price * a.sum_violation < b.cost + price * b.sum_violation;
+}
+
+}  // namespace
+}  // namespace interior_point
+
+const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
+                                              const InitialGuess& guess,
+                                              const InteriorPointSettings& settings) noexcept {
+  const ProblemFault fault = validate(problem);
+  const bool contradiction = fault == ProblemFault::Contradiction;
+  if (fault != ProblemFault::None && !contradiction) {
+    interior_point::report_invalid(problem, solution_);
+    return solution_;
+  }
+  interior_point::Workspace& w = workspace_;
+  interior_point::load_problem(problem, w);
+  interior_point::load_guess(guess, w, *w.now);
+  solution_.status = interior_point::iterate(w, settings, solution_.iterations);
+
+  // An unfinished answer must not be worse than the guess was.
+  if (solution_.status != SolveStatus::Solved) {
+    interior_point::load_guess(guess, w, *w.trial);
+    interior_point::evaluate(w, *w.trial);
+    if (!(interior_point::penalised_cost(w, *w.now) <= interior_point::penalised_cost(w, *w.trial)))
+      std::swap(w.now, w.trial);
+  }
+  if (!interior_point::report(w, solution_)) {
+    interior_point::report_invalid(problem, solution_);
+    return solution_;
+  }
+  const bool violated = solution_.max_violation > kFeasibilityTolerance || contradiction;
+  if (solution_.status == SolveStatus::Solved && violated)
+    solution_.status = SolveStatus::LeastViolation;
+  return solution_;
+}
+
+const MpcSolution& InteriorPointSolver::solve_best(const ControlProblem& problem,
+                                                   std::span<const InitialGuess> guesses,
+                                                   const InteriorPointSettings& settings) noexcept {
+  if (guesses.empty()) return solve(problem, {}, settings);
+  int iterations = 0;
+  for (const InitialGuess& guess : guesses) {
+    const bool first = &guess == guesses.data();
+    solve(problem, guess, settings);
+    iterations += solution_.iterations;
+    if (first || interior_point::is_better(solution_, best_, problem.violation_weight))
+      best_ = solution_;
+  }
+  best_.iterations = iterations;
+  return best_;
+}
+
+}  // namespace fairway

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "fairway/geometry/angle.hpp"
+#include "fairway/map/free_space.hpp"
+#include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/navigation/problem_setup.hpp"
+#include "fairway/navigation/step_regions.hpp"
+#include "fairway/navigation/timed_targets.hpp"
+#include "fairway/navigation/waypoint_targets.hpp"
+
+namespace fairway {
+
+namespace {
+
+constexpr double kStandingLinear = 0.02;   // [m/s]
+constexpr double kStandingAngular = 0.05;  // [rad/s]
+constexpr double kAligned = 0.2;           // [rad]
+constexpr double kNoticeable = 1e-3;       // [m]; smaller violations are within the plan's margin
+
+bool stands(const Twist2& twist) noexcept {
+  return std::abs(twist.linear) < kStandingLinear && std::abs(twist.angular) < kStandingAngular;
+}
+
+NavigationStatus status_for(Limit limit) noexcept {
+  return limit == Limit::NonFinitePose || limit == Limit::NonFiniteTracks
+             ? NavigationStatus::BadInput
+             : NavigationStatus::Stale;
+}
+
+const Settings& checked(const Settings& settings) {
+  if (const Expected<void> valid = validate(settings); !valid) {
+    throw std::invalid_argument(valid.error().message);
+  }
+  return settings;
+}
+
+double merit(const MpcSolution& solution, const ControlProblem& problem) noexcept {
+  return solution.cost + problem.violation_weight * solution.sum_violation;
+}
+
+}  // namespace
+
+Navigator::Navigator(const Settings& settings)
+    : settings_(checked(settings)),
+      own_solver_(std::make_unique<RealTimeSolver>(settings.mpc)),
+      solver_(own_solver_.get()) {}
+
+Navigator::Navigator(const Settings& settings, ControlSolver& solver)
+    : settings_(checked(settings)),
+      solver_(&solver) {}
+
+void Navigator::follow(Plan plan) {
+  plan_ = std::move(plan);
+  corridor_ = plan_.usable()
+                  ? CorridorString(plan_.corridor, plan_.goal.position, settings_.navigation)
+                  : CorridorString();
+  at_goal_ = false;
+  goal_distance_ = std::numeric_limits<double>::infinity();
+  plan_time_ = -1.0;
+}
+
+void Navigator::cancel() { follow(Plan{}); }
+
+void Navigator::reset(const Twist2& actual) noexcept {
+  sent_ = is_finite(actual) ? actual : Twist2{};
+  solution_.horizon = 0;
+  stop_ = brake_from(sent_, settings_.mpc);
+  stop_done_ = 0;
+  recovery_.reset();
+}
+
+NavigationStep Navigator::update(const NavigationInput& input) noexcept {
+  const NavigationStep result = cycle(input);
+  sent_ = result.command;
+  return result;
+}
+
+// Algorithm 3, one pass of its loop.
+NavigationStep Navigator::cycle(const NavigationInput& input) noexcept {
+  if (const Limit bad = check(input); bad != Limit::None) return stop(status_for(bad), bad);
+  if (!plan_.usable()) return stop(NavigationStatus::NoPlan, Limit::NoPath);
+  if (plan_time_ < 0.0) plan_time_ = input.time;
+  if (reached(input.pose)) return arrive(input);
+  if (!corridor_.update(input.pose.position, settings_.robot.radius)) {
+    NavigationStep outside = stop(NavigationStatus::Stopping, Limit::OutsideCorridor);
+    outside.wants_plan = true;
+    return outside;
+  }
+  pose_problem(input);
+  NavigationStep result = recover(input, drive(input));
+  const double period = settings_.navigation.rebuild_period;
+  if (period > 0.0 && input.time - plan_time_ >= period) result.wants_plan = true;
+  result.rectangle = corridor_.current();
+  return result;
+}
+
+Limit Navigator::check(const NavigationInput& input) const noexcept {
+  const NavigationSettings& nav = settings_.navigation;
+  if (!is_finite(input.pose) || !std::isfinite(input.time)) return Limit::NonFinitePose;
+  // Written so that a stamp that is not finite is stale. A stamp from the future is no better.
+  const auto fresh = [&](double stamp, double timeout) {
+    return std::abs(input.time - stamp) <= timeout;
+  };
+  if (!fresh(input.pose_time, nav.pose_timeout)) return Limit::StalePose;
+  if (input.map == nullptr || !fresh(input.map_time, nav.map_timeout)) return Limit::StaleMap;
+  for (const MovingObstacle& obstacle : input.obstacles) {
+    if (!is_finite(obstacle.position) || !is_finite(obstacle.velocity) ||
+        !std::isfinite(obstacle.radius)) {
+      return Limit::NonFiniteTracks;
+    }
+  }
+  if (!input.obstacles.empty() && !fresh(input.obstacles_time, nav.tracks_timeout)) {
+    return Limit::StaleTracks;
+  }
+  return Limit::None;
+}
+
+// At the goal once it is near and either slow or past the nearest point; then until pushed away.
+bool Navigator::reached(const Pose2& pose) noexcept {
+  const double tolerance = settings_.navigation.goal_tolerance;
+  const double distance = (pose.position - plan_.goal.position).norm();
+  const bool slow = std::abs(sent_.linear) < 0.1;
+  if (at_goal_) {
+    at_goal_ = distance <= 1.5 * tolerance;
+  } else {
+    at_goal_ = distance <= tolerance && (slow || distance > goal_distance_);
+  }
+  goal_distance_ = distance;
+  return at_goal_;
+}
+
+// Stands at the goal's position; turns to its heading first, if it has one.
+NavigationStep Navigator::arrive(const NavigationInput& input) noexcept {
+  const double turn =
+      plan_.goal.heading ? shortest_turn(input.pose.heading, *plan_.goal.heading) : 0.0;
+  recovery_.reset();
+  solution_.horizon = 0;
+  if (std::abs(turn) > settings_.navigation.heading_tolerance) {
+    const Twist2 wanted{.linear = 0.0, .angular = turning_speed(turn, settings_.mpc)};
+    const Twist2 command = limited_change(sent_, wanted, settings_.mpc);
+    if (try_command(input, command)) return {.command = command, .status = NavigationStatus::Ok};
+    return stop(NavigationStatus::Blocked, Limit::StopNotProven);
+  }
+  const bool standing = sent_.linear == 0.0 && sent_.angular == 0.0;
+  return stop(standing ? NavigationStatus::GoalReached : NavigationStatus::Ok, Limit::None);
+}
+
+// Targets, limits and predictions of this cycle: everything but the regions.
+void Navigator::pose_problem(const NavigationInput& input) noexcept {
+  set_limits(settings_, input.pose, sent_, problem_);
+  const double age =
+      input.time - input.obstacles_time + settings_.navigation.actuation_lag * settings_.mpc.dt;
+  set_predictions(settings_, input.obstacles, age, input.pose.position, problem_);
+  switch (settings_.navigation.target_mode) {
+    case TargetMode::TimedString:
+      set_timed_targets(corridor_.string(), sent_.linear, input.pose.heading, plan_.goal.heading,
+                        settings_, problem_);
+      break;
+    case TargetMode::DualWaypoints:
+      set_dual_targets(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
+      break;
+    case TargetMode::OverlapCentroid:
+      set_centroid_target(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
+      break;
+  }
+}
+
+// Solves from each start, and sends the better answer whose stop is proven; else stops.
+NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
+  std::array<Start, 2> starts;
+  std::size_t count = 0;
+  if (solution_.horizon > 0) starts[count++] = shifted_start(problem_, solution_);
+  if (count == 0 || settings_.navigation.step_regions) starts[count++] = pursuit_start(problem_);
+
+  for (std::size_t i = 0; i < count; ++i) {
+    if (settings_.navigation.step_regions) {
+      bind_along(corridor_, starts[i].poses, problem_);
+    } else {
+      bind_to_current(corridor_, problem_);
+    }
+    answers_[i] = solver_->solve(problem_, starts[i].guess);
+  }
+  if (count == 2 && merit(answers_[1], problem_) < merit(answers_[0], problem_)) {
+    std::swap(answers_[0], answers_[1]);
+  }
+  bool solved = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (answers_[i].status == SolveStatus::InvalidProblem) continue;
+    solved = true;
+    if (!try_command(input, answers_[i].commands[0])) continue;
+    solution_ = answers_[i];
+    const bool whole = i == 0 && solution_.max_violation <= kNoticeable;
+    return {.command = solution_.commands[0],
+            .status = whole ? NavigationStatus::Ok : NavigationStatus::Degraded,
+            .limit = limit_of(solution_.limiting),
+            .plan = &solution_};
+  }
+  if (!solved) return stop(NavigationStatus::Infeasible, Limit::SolverFailed);
+  solution_.horizon = 0;  // what was planned is not what is done: start afresh
+  return stop(NavigationStatus::Stopping, Limit::StopNotProven);
+}
+
+// Looks whether the robot stands where it should drive, and does something about it.
+NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep step) noexcept {
+  const StringAhead& string = corridor_.string();
+  const Eigen::Vector2d chord = string.at(settings_.navigation.chord_length) - string.at(0.0);
+  const double turn = chord.norm() > 1e-6
+                          ? shortest_turn(input.pose.heading, std::atan2(chord.y(), chord.x()))
+                          : 0.0;
+  const bool can_back = settings_.mpc.linear_min < 0.0;
+  const RecoveryAction action =
+      recovery_.update(corridor_.remaining(), stands(step.command), std::abs(turn) < kAligned,
+                       can_back, settings_.mpc.dt, settings_.navigation.blocked_after);
+  Twist2 wanted;
+  switch (action) {
+    case RecoveryAction::None:
+      return step;
+    case RecoveryAction::Turn:
+      wanted.angular = turning_speed(turn, settings_.mpc);
+      break;
+    case RecoveryAction::Back:
+      wanted.linear = std::max(settings_.mpc.linear_min, -0.2);
+      break;
+    case RecoveryAction::Plan:
+      step.wants_plan = true;
+      [[fallthrough]];
+    case RecoveryAction::Wait:
+      step.status = NavigationStatus::Blocked;
+      return step;
+  }
+  const Twist2 command = limited_change(sent_, wanted, settings_.mpc);
+  if (try_command(input, command)) {
+    return {.command = command, .status = NavigationStatus::Recovering, .limit = step.limit};
+  }
+  step.status = NavigationStatus::Blocked;
+  return step;
+}
+
+StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
+  // A robot that measures itself (a little) inside an obstacle must still be able to leave: then
+  // what counts is to come no nearer.
+  const double radius = settings_.robot.radius + settings_.navigation.stop_margin;
+  const double room = distance_to_blocked(*input.map, input.pose.position, radius);
+  return {.obstacles = input.map,
+          .robot_radius = std::min(radius, std::max(0.0, room - 2.0 * kFreeSpaceSkin)),
+          .moving = input.obstacles,
+          .moving_margin = 0.0};
+}
+
+// Takes the command if it and the braking after it stay free. Then that braking is the stop to fall
+// back on.
+bool Navigator::try_command(const NavigationInput& input, const Twist2& command) noexcept {
+  if (!is_finite(command)) return false;
+  const StopSequence braking = brake_from(command, settings_.mpc);
+  if (check_stop(input.pose, sent_, command, braking, settings_.mpc.dt, surroundings(input)) !=
+      StopVerdict::Free) {
+    return false;
+  }
+  stop_ = braking;
+  stop_done_ = 0;
+  return true;
+}
+
+// The next command of the stop that was verified last.
+NavigationStep Navigator::stop(NavigationStatus status, Limit limit) noexcept {
+  const Twist2 command =
+      stop_done_ < stop_.count ? stop_.commands[static_cast<std::size_t>(stop_done_++)] : Twist2{};
+  return {.command = command, .status = status, .limit = limit};
+}
+
+}  // namespace fairway

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/problem_setup.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fairway {
+
+namespace {
+
+struct Range {
+  double low;
+  double high;
+};
+
+Range reachable(double low, double high, double last, double change) noexcept {
+  return {.low = std::min(low, last + change), .high = std::max(high, last - change)};
+}
+
+// The indices of the nearest obstacles, counted in time until the bodies could touch.
+class NearestObstacles {
+ public:
+  NearestObstacles(MovingObstacles obstacles, const Eigen::Vector2d& position) noexcept {
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      const double gap = (obstacles[i].position - position).norm() - obstacles[i].radius -
+                         obstacles[i].velocity.norm();
+      insert(i, gap);
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] std::size_t operator[](std::size_t i) const noexcept { return index_[i]; }
+
+ private:
+  void insert(std::size_t index, double gap) noexcept {
+    if (count_ == kMaxObstacles && gap >= gap_[count_ - 1]) return;
+    std::size_t at = count_ < kMaxObstacles ? count_++ : count_ - 1;
+    for (; at > 0 && gap_[at - 1] > gap; --at) {
+      gap_[at] = gap_[at - 1];
+      index_[at] = index_[at - 1];
+    }
+    gap_[at] = gap;
+    index_[at] = index;
+  }
+
+  std::array<std::size_t, kMaxObstacles> index_{};
+  std::array<double, kMaxObstacles> gap_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void set_limits(const Settings& settings,
+                const Pose2& pose,
+                const Twist2& last_command,
+                ControlProblem& problem) noexcept {
+  const MpcSettings& mpc = settings.mpc;
+  problem.horizon = mpc.horizon;
+  problem.dt = mpc.dt;
+  problem.integration = mpc.integration;
+  // A base that ramps from command to command is, half a cycle later, where one that jumps would
+  // be.
+  problem.start =
+      step(pose, last_command, settings.navigation.actuation_lag * mpc.dt, Integration::Midpoint);
+  problem.previous_command = last_command;
+  problem.max_change = {.linear = mpc.linear_acceleration_max * mpc.dt,
+                        .angular = mpc.angular_acceleration_max * mpc.dt};
+  const Range linear =
+      reachable(mpc.linear_min, mpc.linear_max, last_command.linear, problem.max_change.linear);
+  const Range angular = reachable(-mpc.angular_max, mpc.angular_max, last_command.angular,
+                                  problem.max_change.angular);
+  problem.command_min = {.linear = linear.low, .angular = angular.low};
+  problem.command_max = {.linear = linear.high, .angular = angular.high};
+  problem.command_weight = {mpc.weight_linear, mpc.weight_angular};
+  problem.change_weight = {mpc.weight_linear_change, mpc.weight_angular_change};
+  problem.penalise_first_change = mpc.penalise_first_change;
+  problem.cost_offset = 0.0;
+  problem.barrier_retention = 1.0 - mpc.decay_rate * mpc.dt;
+  problem.violation_weight = mpc.violation_weight;
+}
+
+void set_predictions(const Settings& settings,
+                     MovingObstacles obstacles,
+                     double age,
+                     const Eigen::Vector2d& position,
+                     ControlProblem& problem) noexcept {
+  const NearestObstacles nearest(obstacles, position);
+  problem.num_obstacles = static_cast<int>(nearest.count());
+  for (std::size_t j = 0; j < nearest.count(); ++j) {
+    const MovingObstacle& obstacle = obstacles[nearest[j]];
+    PredictedObstacle& predicted = problem.obstacles[j];
+    const double keep_out =
+        settings.robot.radius + obstacle.radius + settings.navigation.obstacle_margin;
+    for (int k = 0; k <= problem.horizon; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      predicted.position[at] = predicted_position(obstacle, age + k * problem.dt);
+      predicted.keep_out[at] = keep_out;
+    }
+  }
+}
+
+Limit limit_of(const RowName& row) noexcept {
+  switch (row.kind) {
+    case RowKind::None:
+      return Limit::None;
+    case RowKind::LinearSpeed:
+    case RowKind::AngularSpeed:
+      return Limit::Speed;
+    case RowKind::LinearChange:
+    case RowKind::AngularChange:
+      return Limit::Acceleration;
+    case RowKind::Corridor:
+      return Limit::Corridor;
+    case RowKind::Barrier:
+      return Limit::MovingObstacle;
+  }
+  return Limit::None;
+}
+
+double turning_speed(double turn, const MpcSettings& limits) noexcept {
+  // Half of the limit, so that the delay of one cycle does not make it swing.
+  const double stoppable = std::sqrt(limits.angular_acceleration_max * std::abs(turn));
+  return std::copysign(
+      std::min({limits.angular_max, stoppable, std::abs(turn) / (2.0 * limits.dt)}), turn);
+}
+
+}  // namespace fairway

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/settings.hpp"
+
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace fairway {
+
+Settings paper_settings() {
+  Settings s;
+  s.robot.radius = 0.3;  // the paper gives the body only through Delta_s
+  s.path = {.margin = 0.0, .comfort_distance = 0.3, .comfort_weight = 1.5, .any_angle = true};
+  s.corridor.method = CorridorMethod::Mdsrc;
+  s.corridor.space = CorridorSpace::Workspace;
+  s.corridor.num_orientations = 10;
+  s.corridor.growth_step = 0.1;
+  s.corridor.max_growth = 8.0;
+  s.corridor.inward_offset = 0.3;
+  s.mpc.horizon = 10;
+  s.mpc.dt = 0.1;
+  s.mpc.integration = Integration::Euler;
+  s.mpc.linear_min = 0.05;
+  s.mpc.linear_max = 1.0;
+  s.mpc.angular_max = 1.5;
+  s.mpc.linear_acceleration_max = 1000.0;  // the paper has no such limit
+  s.mpc.angular_acceleration_max = 1000.0;
+  s.mpc.weight_position = 20.0;
+  s.mpc.weight_heading = 0.1;
+  s.mpc.weight_next_position = 5.0;
+  s.mpc.weight_next_heading = 0.05;
+  s.mpc.penalise_first_change = false;
+  s.mpc.decay_rate = 5.0;
+  s.navigation.target_mode = TargetMode::DualWaypoints;
+  s.navigation.step_regions = false;
+  s.navigation.goal_tolerance = 0.2;  // d_max is not given
+  s.navigation.heading_tolerance = 3.15;
+  s.navigation.actuation_lag = 0.0;
+  s.navigation.obstacle_margin = 0.2;  // two robots of radius 0.3 then keep R_o = 0.8
+  return s;
+}
+
+Expected<void> validate(const Settings& settings) {
+  std::string error;
+  visit_settings(settings, [&](const char* group, auto&& visit_fields) {
+    visit_fields([&](const auto& value, const SettingInfo& info) {
+      using Value = std::remove_cvref_t<decltype(value)>;
+      if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
+        const auto number = static_cast<double>(value);
+        // Written so that NaN fails too.
+        if (error.empty() && !(number >= info.min && number <= info.max)) {
+          std::ostringstream text;
+          text << group << '.' << info.name << ": expected a number from " << info.min << " to "
+               << info.max << ", found " << number;
+          error = text.str();
+        }
+      }
+    });
+  });
+  if (!error.empty()) return fail(error);
+  if (settings.mpc.linear_min > settings.mpc.linear_max) {
+    return fail("mpc.linear_min: expected at most mpc.linear_max");
+  }
+  if (settings.mpc.decay_rate * settings.mpc.dt > 1.0) {
+    return fail("mpc.decay_rate: expected at most 1 / mpc.dt (Eq. 14)");
+  }
+  constexpr int kLongestStop = 200;  // cycles; StopSequence holds a few more
+  const double per_cycle = settings.mpc.linear_acceleration_max * settings.mpc.dt;
+  if (settings.mpc.linear_max > kLongestStop * per_cycle) {
+    return fail("mpc.linear_acceleration_max: expected enough to stop within 200 control cycles");
+  }
+  return {};
+}
+
+}  // namespace fairway

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "fairway/map/bit_grid.hpp"
+#include "fairway/mpc/mpc_settings.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
+
+namespace fairway {
+
+/// Commands that bring the robot to a stand, one per control cycle.
+struct StopSequence {
+  static constexpr int kMaxLength = 256;
+  int count = 0;  ///< after the last one the robot stands
+  std::array<Twist2, kMaxLength> commands;
+};
+
+/// The command of one cycle on the way from `current` to `wanted`: each speed changed by no more
+/// than the acceleration limits allow in `dt`.
+[[nodiscard]] Twist2 limited_change(const Twist2& current,
+                                    const Twist2& wanted,
+                                    const MpcSettings& limits) noexcept;
+
+/// Braking from `current` as hard as the limits allow.
+[[nodiscard]] StopSequence brake_from(const Twist2& current, const MpcSettings& limits) noexcept;
+
+/// What a stop is checked against.
+struct StopSurroundings {
+  const BitGrid* obstacles = nullptr;  ///< the newest static obstacles
+  double robot_radius = 0.0;           ///< of the true body [m]
+  MovingObstacles moving;              ///< assumed to keep their velocity until the robot stands
+  double moving_margin = 0.0;          ///< room kept from them beyond both radii [m]
+};
+
+/// Why a stop is not proven.
+enum class StopVerdict : std::uint8_t { Free, HitsStatic, HitsMoving };
+
+/// Whether a robot at `pose` that moves with `current` now can execute `command` for one cycle and
+/// then `stop`, and keep free until it stands.
+///
+/// The robot is taken to ramp linearly from each command to the next during a cycle, as a base with
+/// these acceleration limits does. Static obstacles are tested with the exact disc along the chords
+/// of quarter cycles, each grown by its sagitta; moving ones at those instants and in between by
+/// the nearest approach of two straight motions.
+[[nodiscard]] StopVerdict check_stop(const Pose2& pose,
+                                     const Twist2& current,
+                                     const Twist2& command,
+                                     const StopSequence& stop,
+                                     double dt,
+                                     const StopSurroundings& surroundings) noexcept;
+
+}  // namespace fairway

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fairway/mpc/control_solver.hpp"
+#include "fairway/simulation/scenario.hpp"
+#include "fairway/simulation/trace.hpp"
+#include "fairway/simulation/world.hpp"
+
+namespace fairway {
+
+/// How one robot fared.
+struct RobotResult {
+  std::string name;
+  bool reached = false;         ///< stands at its goal
+  bool collided = false;        ///< touched something, as the simulator judges
+  double time = 0.0;            ///< until it stood at the goal, or until the end [s]
+  double length = 0.0;          ///< of the way driven [m]
+  double min_clearance = 0.0;   ///< from the body to static obstacles [m]
+  double min_separation = 0.0;  ///< to other bodies; infinite when alone [m]
+  int cycles = 0;
+  std::vector<int> status_counts{};     ///< cycles per NavigationStatus, by its number
+  std::vector<double> cycle_seconds{};  ///< per cycle, when a clock was given [s]
+  std::vector<double> solve_seconds{};  ///< of these in the solver, when a clock was given [s]
+  std::vector<double> plan_seconds{};   ///< per plan made, when a clock was given [s]
+  Plan plan{};                          ///< the last one followed
+};
+
+/// A whole run.
+struct EpisodeResult {
+  bool success = false;  ///< every robot reached its goal and none touched anything
+  double time = 0.0;     ///< simulated [s]
+  std::vector<RobotResult> robots;
+  Trace trace;
+};
+
+/// What a caller can watch and lend.
+struct EpisodeHooks {
+  /// A clock for timing [s]; without one nothing is timed. (src/ reads no clock of its own.)
+  std::function<double()> clock;
+  /// Called after every cycle with the simulated time [s]; returning false ends the run.
+  std::function<bool(double)> on_cycle;
+  /// The solver for all robots; the structured one when null.
+  ControlSolver* solver = nullptr;
+};
+
+/// Runs a scenario until every robot stands at its goal or has collided, or the time is up.
+[[nodiscard]] EpisodeResult run_episode(const Scenario& scenario, const EpisodeHooks& hooks = {});
+
+}  // namespace fairway

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fairway/map/occupancy_grid.hpp"
+#include "fairway/navigation/planner.hpp"
+#include "fairway/simulation/moving_body.hpp"
+
+namespace fairway {
+
+/// One robot of a scenario. Its body and limits are in the settings.
+struct RobotTask {
+  std::string name = "robot";
+  Pose2 start;
+  Goal goal;
+};
+
+/// Everything that a simulated run depends on: the same scenario gives the same bits.
+struct Scenario {
+  std::string name;
+  OccupancyGrid map{GridFrame{.width = 1, .height = 1, .resolution = 1.0, .origin = {}}};
+  Settings settings;  ///< of every robot
+  std::vector<RobotTask> robots;
+  std::vector<MovingBody> bodies;
+  double time_limit = 120.0;  ///< [s]
+  std::uint64_t seed = 1;     ///< of everything random
+};
+
+}  // namespace fairway

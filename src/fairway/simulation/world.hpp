@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fairway/map/bit_grid.hpp"
+#include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/scenario.hpp"
+#include "fairway/simulation/unicycle_robot.hpp"
+
+namespace fairway {
+
+/// What the simulator has seen happen to one robot, at its own fine steps.
+struct Encounter {
+  bool collided = false;
+  double collision_time = 0.0;  ///< of the first contact [s]
+  double min_clearance;         ///< least distance from the body to a static obstacle [m]
+  double min_separation;        ///< least distance to another body, infinite without any [m]
+};
+
+/// The true world: robots and bodies that move, obstacles that stand. It judges contact; no
+/// controller does.
+class World {
+ public:
+  /// The integration and contact step; a control cycle is cut into whole steps of at most this [s].
+  static constexpr double kFineStep = 0.005;
+  /// Static clearance is measured up to here [m].
+  static constexpr double kClearanceLimit = 2.0;
+
+  explicit World(const Scenario& scenario);
+
+  /// Moves everything for `dt` [s] while each robot executes its command. A robot that has touched
+  /// something stays where it is.
+  void advance(const std::vector<Twist2>& commands, double dt);
+
+  [[nodiscard]] double time() const noexcept { return time_; }
+  [[nodiscard]] const std::vector<UnicycleRobot>& robots() const noexcept { return robots_; }
+  [[nodiscard]] const std::vector<Encounter>& encounters() const noexcept { return encounters_; }
+  [[nodiscard]] const BitGrid& obstacles() const noexcept { return obstacles_; }
+
+  /// What robot `robot` sees moving: every body, and every other robot.
+  void moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const;
+
+ private:
+  void judge(std::size_t robot);
+
+  BitGrid obstacles_;
+  double robot_radius_;
+  std::vector<UnicycleRobot> robots_;
+  std::vector<Encounter> encounters_;
+  std::vector<MovingBody> bodies_;
+  double time_ = 0.0;
+};
+
+}  // namespace fairway

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/stopping.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "fairway/map/free_space.hpp"
+#include "fairway/simulation/unicycle_robot.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+using Eigen::Vector2d;
+
+MpcSettings limits() {
+  MpcSettings s;
+  s.dt = 0.1;
+  s.linear_acceleration_max = 1.0;
+  s.angular_acceleration_max = 2.0;
+  return s;
+}
+
+TEST(Stopping, BrakingEndsAtRestWithinTheLimits) {
+  test::Random random(1);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Twist2 from{.linear = random.uniform(-1, 1.5), .angular = random.uniform(-1.5, 1.5)};
+    const StopSequence stop = brake_from(from, limits());
+    Twist2 before = from;
+    for (int i = 0; i < stop.count; ++i) {
+      const Twist2& now = stop.commands[static_cast<std::size_t>(i)];
+      EXPECT_LE(std::abs(now.linear - before.linear), 0.1 + 1e-12);
+      EXPECT_LE(std::abs(now.angular - before.angular), 0.2 + 1e-12);
+      EXPECT_LE(std::abs(now.linear), std::abs(before.linear));
+      EXPECT_LE(std::abs(now.angular), std::abs(before.angular));
+      before = now;
+    }
+    EXPECT_EQ(before.linear, 0.0);
+    EXPECT_EQ(before.angular, 0.0);
+  }
+  EXPECT_EQ(brake_from({}, limits()).count, 0);
+}
+
+TEST(Stopping, AProvenStopReallyStaysFree) {
+  test::Random random(2);
+  int proven = 0;
+  int refused = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 120));
+    const GridFrame& frame = obstacles.frame();
+    const Pose2 pose{.position = frame.to_world(
+                         {random.uniform(0, frame.width), random.uniform(0, frame.height)}),
+                     .heading = random.uniform(-3, 3)};
+    const Twist2 current{.linear = random.uniform(0, 1), .angular = random.uniform(-1, 1)};
+    const Twist2 command{.linear = current.linear + random.uniform(-0.1, 0.1),
+                         .angular = current.angular + random.uniform(-0.2, 0.2)};
+    const double radius = 0.2;
+    const StopSequence stop = brake_from(command, limits());
+    const StopSurroundings around{.obstacles = &obstacles, .robot_radius = radius, .moving = {}};
+    const bool free = check_stop(pose, current, command, stop, 0.1, around) == StopVerdict::Free;
+    (free ? proven : refused) += 1;
+
+    // Drive it with the simulator's plant, at a step 50 times finer.
+    UnicycleRobot plant{.pose = pose, .twist = current, .limits = {1.0, 2.0}};
+    std::vector<Twist2> commands{command};
+    for (int i = 0; i < stop.count; ++i)
+      commands.push_back(stop.commands[static_cast<std::size_t>(i)]);
+    double least = distance_to_blocked(obstacles, pose.position, 1.0);
+    for (const Twist2& c : commands) {
+      for (int i = 0; i < 50; ++i) {
+        plant.advance(c, 0.002);
+        least = std::min(least, distance_to_blocked(obstacles, plant.pose.position, 1.0));
+      }
+    }
+    if (free) {
+      EXPECT_GE(least, radius - 1e-4) << "proven, but it touches";
+    } else {
+      EXPECT_LE(least, radius + 0.01) << "refused without need";
+    }
+  }
+  EXPECT_GT(proven, 30);
+  EXPECT_GT(refused, 30);
+}
+
+TEST(Stopping, AnObstacleThatComesOnIsSeenBetweenSamples) {
+  const BitGrid empty(
+      GridFrame{.width = 400, .height = 400, .resolution = 0.05, .origin = {{-10, -10}, 0}}, false);
+  // At 40 m/s it is on the other side of the robot within one piece of time.
+  const MovingObstacle fast{.position = {0.4, -0.8}, .velocity = {0, 40}, .radius = 0.1};
+  const StopSurroundings around{
+      .obstacles = &empty, .robot_radius = 0.3, .moving = {&fast, 1}, .moving_margin = 0.0};
+  const StopSequence stop = brake_from({0.3, 0}, limits());
+  EXPECT_EQ(check_stop({}, {0.3, 0}, {0.3, 0}, stop, 0.1, around), StopVerdict::HitsMoving);
+}
+
+TEST(Stopping, LeavingAnObstacleThatIsTooNearIsAllowed) {
+  const BitGrid empty(
+      GridFrame{.width = 400, .height = 400, .resolution = 0.05, .origin = {{-10, -10}, 0}}, false);
+  const MovingObstacle near{.position = {-0.45, 0}, .velocity = {0, 0}, .radius = 0.2};
+  const StopSurroundings around{
+      .obstacles = &empty, .robot_radius = 0.3, .moving = {&near, 1}, .moving_margin = 0.0};
+  EXPECT_EQ(check_stop({}, {}, {0.1, 0}, brake_from({0.1, 0}, limits()), 0.1, around),
+            StopVerdict::Free);
+  EXPECT_EQ(check_stop({}, {}, {-0.1, 0}, brake_from({-0.1, 0}, limits()), 0.1, around),
+            StopVerdict::HitsMoving);
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/simulation/world.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fairway {
+namespace {
+
+Scenario open_floor() {
+  Scenario scenario;
+  scenario.map =
+      OccupancyGrid({.width = 200, .height = 200, .resolution = 0.05, .origin = {{-5, -5}, 0}});
+  scenario.settings.robot.radius = 0.25;
+  return scenario;
+}
+
+TEST(World, ARobotThatDrivesIntoAWallTouchesItAndStays) {
+  Scenario scenario = open_floor();
+  scenario.map.set({130, 100}, CellState::Occupied);  // [1.5, 1.55] x [0, 0.05]
+  scenario.robots = {{.name = "a", .start = {{0, 0.025}, 0}, .goal = {}}};
+  World world(scenario);
+  for (int i = 0; i < 50; ++i)
+    world.advance({{1.0, 0.0}}, 0.1);
+  EXPECT_TRUE(world.encounters()[0].collided);
+  // Stopped where its rim met the cell, up to one fine step.
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 1.5 - 0.25, 1.0 * World::kFineStep + 1e-9);
+  EXPECT_LT(world.encounters()[0].min_clearance, 0.0);
+}
+
+TEST(World, TwoRobotsThatMeetHaveBothCollided) {
+  Scenario scenario = open_floor();
+  scenario.robots = {{.name = "a", .start = {{-1, 0}, 0}, .goal = {}},
+                     {.name = "b", .start = {{1, 0.1}, 3.14159}, .goal = {}}};
+  World world(scenario);
+  for (int i = 0; i < 30; ++i)
+    world.advance({{1.0, 0.0}, {1.0, 0.0}}, 0.1);
+  EXPECT_TRUE(world.encounters()[0].collided);
+  EXPECT_TRUE(world.encounters()[1].collided);
+}
+
+TEST(World, EveryRobotSeesAllOthersAndAllBodies) {
+  Scenario scenario = open_floor();
+  scenario.robots = {{.name = "a", .start = {{-1, 0}, 0}, .goal = {}},
+                     {.name = "b", .start = {{1, 0}, 0}, .goal = {}}};
+  MovingBody person;
+  person.key_frames = {{0.0, {3, 3}}};
+  scenario.bodies = {person};
+  const World world(scenario);
+  std::vector<MovingObstacle> seen;
+  world.moving_around(0, seen);
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_EQ(seen[1].position, Eigen::Vector2d(1, 0));
+}
+
+TEST(World, AStartInsideAWallIsAContactFromTheBeginning) {
+  Scenario scenario = open_floor();
+  scenario.map.set({100, 100}, CellState::Occupied);
+  scenario.robots = {{.name = "a", .start = {{0, 0}, 0}, .goal = {}}};
+  EXPECT_TRUE(World(scenario).encounters()[0].collided);
+}
+
+}  // namespace
+}  // namespace fairway

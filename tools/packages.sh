@@ -1,0 +1,8 @@
+# What each part of Fairway needs from apt; sourced by ./demo and ./test.
+# build: compiler and build system; library: the core; tool: files, pictures and the command line;
+# reference: the optional IPOPT solver; test: what only the tests need.
+build_packages=(g++ cmake ninja-build pkg-config)
+library_packages=(libeigen3-dev libexpected-dev)
+tool_packages=(libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libgraphicsmagick++1-dev)
+reference_packages=(coinor-libipopt-dev)
+test_packages=(libgtest-dev libbenchmark-dev python3)
