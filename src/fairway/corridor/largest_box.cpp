@@ -63,11 +63,7 @@ struct Quadrants {
   Caps caps;
   bool core_hit = false;
 
-  void add(float x, float y, const Box& core) noexcept {
-    const auto left = static_cast<float>(core.min.x());
-    const auto right = static_cast<float>(core.max.x());
-    const auto bottom = static_cast<float>(core.min.y());
-    const auto top = static_cast<float>(core.max.y());
+  void add(float x, float y, float left, float right, float bottom, float top) noexcept {
     if (x > right) {
       if (y > top) {
         upper_right.add(x, y);
@@ -141,21 +137,30 @@ struct Best {
   float top = 0.0F;
 };
 
-// Tries every top level with every bottom level. `limit` is the longest side.
+// Whether level `a` reaches at least as far to both sides as `b`.
+bool spans(const Level& a, const Level& b) noexcept {
+  return a.left <= b.left && a.right >= b.right;
+}
+
+// Tries the top levels with the bottom levels. Outwards, levels never get wider. So below a top
+// level the search starts at the last bottom level that is still as wide (those before it are only
+// lower boxes of the same width), and ends where the next top level is as wide as the bottom level
+// (from there on it is the better top). Both bounds only move outwards with the top.
 Best best_pair(const Levels& tops, const Levels& bottoms, float limit) noexcept {
   Best best;
-  const float deepest = bottoms.levels[bottoms.count - 1].height;
+  std::size_t first = 0;
   for (std::size_t i = 0; i < tops.count; ++i) {
     const Level& top = tops.levels[i];
-    const float widest = std::min(limit, top.right - top.left);
-    if (widest * std::min(limit, top.height + deepest) <= best.area) continue;
-    for (std::size_t j = 0; j < bottoms.count; ++j) {
+    while (first + 1 < bottoms.count && spans(bottoms.levels[first + 1], top))
+      ++first;
+    for (std::size_t j = first; j < bottoms.count; ++j) {
       const Level& bottom = bottoms.levels[j];
       const float right = std::min(top.right, bottom.right);
       const float left = std::max(top.left, bottom.left);
       const float area =
           std::min(limit, right - left) * std::min(limit, top.height + bottom.height);
       if (area > best.area) best = {area, left, right, -bottom.height, top.height};
+      if (i + 1 < tops.count && spans(tops.levels[i + 1], bottom)) break;
     }
   }
   return best;
@@ -196,10 +201,14 @@ std::optional<Box> largest_box(const ObstaclePoints& points,
                     .top = static_cast<float>(core.min.y() + longest_side)};
   // From the turned x-axis once around, so that each quadrant sees its points in order.
   const std::size_t start = points.first_from(along.x(), along.y());
+  const auto left = static_cast<float>(core.min.x());
+  const auto right = static_cast<float>(core.max.x());
+  const auto bottom = static_cast<float>(core.min.y());
+  const auto top = static_cast<float>(core.max.y());
   for (std::size_t i = start; i < n; ++i)
-    quadrants.add(x[i], y[i], core);
+    quadrants.add(x[i], y[i], left, right, bottom, top);
   for (std::size_t i = 0; i < start; ++i)
-    quadrants.add(x[i], y[i], core);
+    quadrants.add(x[i], y[i], left, right, bottom, top);
   if (quadrants.core_hit) return std::nullopt;
 
   const Caps& caps = quadrants.caps;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cctype>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "fairway/io/map_file.hpp"
+#include "fairway/path/path_planner.hpp"
+#include "support/path_check.hpp"
+#include "support/path_oracle.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+using Eigen::Vector2d;
+
+std::optional<BitGrid> shared_map(const std::string& name) {
+  const auto map = io::read_map(std::string(FAIRWAY_SHARED_DATA) + "/maps/" + name + ".yaml");
+  if (!map) return std::nullopt;
+  return BitGrid(*map);
+}
+
+class RealMaps : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    obstacles = shared_map(GetParam());
+    if (!obstacles) GTEST_SKIP() << "no map " << GetParam() << " in " << FAIRWAY_SHARED_DATA;
+  }
+
+  std::optional<BitGrid> obstacles;
+};
+
+TEST_P(RealMaps, PathsKeepTheirClearanceAndExistWhereCellsConnect) {
+  const DistanceField distances(*obstacles);
+  const GridFrame& frame = obstacles->frame();
+  test::Random random(51);
+  PathPlanner planner;
+  const PathSettings settings;
+  const double radius = 0.25;
+  int found = 0;
+  int asked = 0;
+  while (asked < 40) {
+    const auto point = [&] {
+      return frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
+    };
+    const Vector2d start = point();
+    const Vector2d goal = point();
+    const double required = radius + settings.margin;
+    const Vector2d a = frame.center(frame.cell_at(start));
+    const Vector2d b = frame.center(frame.cell_at(goal));
+    if (!is_free(*obstacles, start, a, required) || !is_free(*obstacles, goal, b, required))
+      continue;
+    ++asked;
+    const PathResult result = planner.find(*obstacles, distances, start, goal, radius, settings);
+    if (result.status == PathStatus::Found) {
+      ++found;
+      test::expect_sound(*obstacles, result, start, goal, radius, settings.margin);
+    } else if (asked <= 10) {
+      EXPECT_FALSE(
+          test::is_connected(*obstacles, required, frame.cell_at(start), frame.cell_at(goal)));
+    }
+  }
+  EXPECT_GT(found, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared,
+                         RealMaps,
+                         testing::Values("depot", "tb3_world", "willow-full-0.05"),
+                         [](const auto& map) {
+                           std::string name = map.param;
+                           std::erase_if(name, [](char c) { return std::isalnum(c) == 0; });
+                           return name;
+                         });
+
+// The pair of FIELD_NOTES section 2. "Grown by 0.3 m" there counts from cell centre to cell centre;
+// that leaves free the cells at least 0.2755 m from every occupied square.
+TEST(Willow, TheLongestPairIsShorterThanAnEightConnectedWay) {
+  const auto obstacles = shared_map("willow-full-0.05");
+  if (!obstacles) GTEST_SKIP() << "no willow-full-0.05 in " << FAIRWAY_SHARED_DATA;
+  const DistanceField distances(*obstacles);
+  PathPlanner planner;
+  PathSettings settings;
+  const Vector2d start(36.27, 24.23);
+  const Vector2d goal(6.73, 2.33);
+  const double radius = 0.2755 - settings.margin;
+  const auto length = [&] {
+    const PathResult result = planner.find(*obstacles, distances, start, goal, radius, settings);
+    test::expect_sound(*obstacles, result, start, goal, radius, settings.margin);
+    return result.path.length();
+  };
+  const double careful = length();
+  settings.any_angle = false;
+  settings.comfort_weight = 0.0;
+  const double eight_connected = length();
+  settings.any_angle = true;
+  const double shortest = length();
+  EXPECT_LT(shortest, 0.97 * eight_connected);
+  EXPECT_LT(careful, 1.02 * eight_connected);
+}
+
+}  // namespace
+}  // namespace fairway
