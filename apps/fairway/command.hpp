@@ -23,6 +23,7 @@ using Command = std::function<Expected<int>()>;
 /// Each adds one command to the tool; parsing the command line then puts its work into `chosen`.
 void add_plan_command(CLI::App& tool, Command& chosen);
 void add_settings_command(CLI::App& tool, Command& chosen);
+void add_solve_command(CLI::App& tool, Command& chosen);
 void add_simulate_command(CLI::App& tool, Command& chosen);
 void add_solve_command(CLI::App& tool, Command& chosen);
 
