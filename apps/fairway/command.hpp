@@ -25,7 +25,6 @@ void add_plan_command(CLI::App& tool, Command& chosen);
 void add_settings_command(CLI::App& tool, Command& chosen);
 void add_solve_command(CLI::App& tool, Command& chosen);
 void add_simulate_command(CLI::App& tool, Command& chosen);
-void add_solve_command(CLI::App& tool, Command& chosen);
 
 /// Whether a first argument is neither an option nor a command. (CLI11 then tells of a missing
 /// command, not of the wrong one.)
