@@ -50,8 +50,8 @@ TEST_P(RealMaps, AreCrossedWithoutContact) {
 INSTANTIATE_TEST_SUITE_P(Shared,
                          RealMaps,
                          testing::Values("depot", "tb3_world", "willow-full-0.05"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& map) {
+                           std::string name = map.param;
                            std::erase_if(name, [](char c) { return std::isalnum(c) == 0; });
                            return name;
                          });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -97,14 +98,12 @@ TEST_P(Solve, StartsFromAnEarlierResult) {
   EXPECT_NEAR(second[1][4], first[1][4], 1e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers,
-                         Solve,
 #ifdef FAIRWAY_HAS_IPOPT
-                         testing::Values("interior_point", "ipopt")
+constexpr std::array kSolvers = {"interior_point", "ipopt"};
 #else
-                         testing::Values("interior_point")
+constexpr std::array kSolvers = {"interior_point"};
 #endif
-);
+INSTANTIATE_TEST_SUITE_P(Solvers, Solve, testing::ValuesIn(kSolvers));
 
 TEST(SolveInput, BadInputGivesOneLineAndNoFile) {
   struct Case {
