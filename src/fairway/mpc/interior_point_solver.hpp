@@ -33,7 +33,7 @@ struct InteriorPointSettings {
 /// approached as fast as it allows. The status is then LeastViolation.
 class InteriorPointSolver {
  public:
-  /// Solves from one start; without a guess, from the middle of the commands that can be reached.
+  /// Solves from one start; without a guess, from one of its own (`load_guess`).
   /// The reference stays valid until the next call.
   const MpcSolution& solve(const ControlProblem& problem,
                            const InitialGuess& guess = {},
