@@ -222,7 +222,7 @@ test('every layer is drawn, and can be hidden', () => withPage(async (page) => {
   await page.click('#show-layers');
   const all = await picture(page);
   const layers = await page.locator('#layers input').all();
-  assert.equal(layers.length, 7);
+  assert.equal(layers.length, 8);
   for (const layer of layers) {
     await layer.uncheck();
     assert.notEqual(await picture(page), all, await layer.getAttribute('data-layer'));

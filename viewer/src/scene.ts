@@ -13,6 +13,7 @@ export const layerNames = {
   trail: 'Way driven',
   limit: 'What limits',
   velocity: 'Velocities',
+  seen: 'What it sees',
   names: 'Names',
 } as const;
 export type Layer = keyof typeof layerNames;
@@ -22,7 +23,8 @@ const TAU = 2 * Math.PI;
 
 /** Draws a moment of a run. */
 export class Scene {
-  private readonly map = new MapLayer();
+  private readonly map = new MapLayer((theme) => [theme.free, theme.occupied, theme.unknown]);
+  private readonly seen = new MapLayer((theme) => [`${theme.believed}00`, `${theme.believed}cc`, `${theme.ink}18`]);
   private context!: CanvasRenderingContext2D;
   private camera!: Camera;
   private theme!: Theme;
@@ -39,6 +41,9 @@ export class Scene {
     const grid = gridAt(run, 0, moment.time);
     if (grid) this.map.draw(context, camera, grid, moment.time, theme);
     const { robots } = moment.frame;
+    const slot = robots[selected]?.cycle?.slot ?? 0;
+    const seen = slot > 0 && layers.seen ? gridAt(run, slot, moment.time) : null;
+    if (seen) this.seen.draw(context, camera, seen, moment.time, theme);
     robots.forEach((robot, i) => {
       if (i === selected) this.corridor(robot);
     });

@@ -22,7 +22,8 @@ export class Viewer {
   readonly map = element<HTMLCanvasElement>('map');
   readonly slider = element<HTMLInputElement>('time');
   readonly layers: Layers = {
-    path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, names: true,
+    path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, seen: true,
+    names: true,
   };
   run: Run | null = null;
   time = 0;
