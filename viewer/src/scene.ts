@@ -4,6 +4,7 @@ import { MapLayer } from './map_layer';
 import { type Moment, gridAt } from './moment';
 import type { Body, Goal, Point, Pose, RobotFrame, Run } from './run';
 import { type Theme, robotColor } from './theme';
+import { Trails } from './trails';
 
 /** What can be shown or hidden. */
 export const layerNames = {
@@ -25,6 +26,7 @@ const TAU = 2 * Math.PI;
 export class Scene {
   private readonly map = new MapLayer((theme) => [theme.free, theme.occupied, theme.unknown]);
   private readonly seen = new MapLayer((theme) => [`${theme.believed}00`, `${theme.believed}cc`, `${theme.ink}18`]);
+  private readonly trails = new Trails();
   private context!: CanvasRenderingContext2D;
   private camera!: Camera;
   private theme!: Theme;
@@ -47,7 +49,15 @@ export class Scene {
     robots.forEach((robot, i) => {
       if (i === selected) this.corridor(robot);
     });
-    if (layers.trail) this.trails(run, moment);
+    if (layers.trail) {
+      const colors = robots.map((_, i) => robotColor(i, theme));
+      this.trails.draw(context, camera, run, moment.index, colors);
+      // From the last frame to where the robot is shown now.
+      moment.poses.forEach((pose, i) => {
+        this.trace([robots[i]!, pose]);
+        this.stroke(colors[i]!, 2.25, 0.9);
+      });
+    }
     robots.forEach((robot, i) => this.way(robot, i, i === selected));
     for (const body of moment.bodies) this.body(body, theme.body);
     robots.forEach((robot, i) => {
@@ -147,25 +157,6 @@ export class Scene {
     this.stroke(color, 2);
     this.trace([ahead(0.72 * length, 0.28), ahead(1.08 * length), ahead(0.72 * length, -0.28)], true);
     this.fill(color);
-  }
-
-  private trails(run: Run, moment: Moment): void {
-    moment.frame.robots.forEach((_, i) => {
-      const behind: Point[] = [];
-      const all: Point[] = [];
-      for (let k = 0; k < run.frames.length; ++k) {
-        const robot = run.frames[k]!.robots[i];
-        if (!robot) continue;
-        all.push(robot);
-        if (k <= moment.index) behind.push(robot);
-      }
-      behind.push(moment.poses[i]!);
-      const color = robotColor(i, this.theme);
-      this.trace(all);
-      this.stroke(color, 1.5, 0.22);
-      this.trace(behind);
-      this.stroke(color, 2.25, 0.9);
-    });
   }
 
   private prediction(robot: RobotFrame, index: number, radius: number): void {
