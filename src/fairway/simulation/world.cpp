@@ -14,13 +14,9 @@ World::World(const Scenario& scenario)
     : obstacles_(scenario.map, unknown_cells(scenario.settings.map)),
       robot_radius_(scenario.settings.robot.radius),
       bodies_(scenario.bodies) {
-  const MpcSettings& mpc = scenario.settings.mpc;
-  for (const RobotTask& task : scenario.robots) {
-    robots_.push_back({.pose = task.start,
-                       .twist = {},
-                       .limits = {.linear_acceleration = mpc.linear_acceleration_max,
-                                  .angular_acceleration = mpc.angular_acceleration_max}});
-  }
+  for (const RobotTask& task : scenario.robots)
+    robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
+  set_robots(scenario.settings);
   encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
                                       .min_separation = std::numeric_limits<double>::infinity()});
   for (std::size_t i = 0; i < robots_.size(); ++i)
@@ -62,6 +58,43 @@ void World::judge(std::size_t robot) {
     met.collided = true;
     met.collision_time = time_;
     robots_[robot].twist = {};
+  }
+}
+
+bool World::set_blocked(CellIndex cell, bool blocked) {
+  const GridFrame& frame = obstacles_.frame();
+  if (!frame.contains(cell)) return false;
+  if (blocked) {
+    for (const UnicycleRobot& robot : robots_) {
+      const Eigen::Vector2d center = frame.to_grid(robot.pose.position);
+      const Eigen::Vector2d corner(cell.x, cell.y);
+      const Eigen::Vector2d nearest =
+          center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
+      if ((nearest - center).norm() * frame.resolution <= robot_radius_ + kFreeSpaceSkin) {
+        return false;
+      }
+    }
+  }
+  obstacles_.set(cell, blocked);
+  return true;
+}
+
+void World::set_body(std::size_t index, const MovingBody& body) {
+  FAIRWAY_EXPECTS(index <= bodies_.size() && !body.key_frames.empty());
+  if (index == bodies_.size()) bodies_.emplace_back();
+  bodies_[index] = body;
+}
+
+void World::remove_body(std::size_t index) {
+  FAIRWAY_EXPECTS(index < bodies_.size());
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void World::set_robots(const Settings& settings) {
+  robot_radius_ = settings.robot.radius;
+  for (UnicycleRobot& robot : robots_) {
+    robot.limits = {.linear_acceleration = settings.mpc.linear_acceleration_max,
+                    .angular_acceleration = settings.mpc.angular_acceleration_max};
   }
 }
 
