@@ -5,6 +5,11 @@
 
 namespace fairway {
 
+/// An enumeration that can be a setting has, beside it, an overload of `setting_names`: the names of
+/// its values from 0 on, as written in files.
+///
+///     [[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorMethod) noexcept;
+
 /// What a person needs to know about one setting. Each settings struct has, beside its fields, a
 /// function `visit(settings, visitor)` that calls `visitor(field, SettingInfo)` once per field, so
 /// that YAML, the command line, the documentation, ROS parameters and sliders share one table.

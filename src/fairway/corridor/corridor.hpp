@@ -27,7 +27,8 @@ struct PathSpan {
   double to = 0.0;
 };
 
-/// The free space along a path: rectangles in travel order, each with its seed on the path.
+/// The free space along a path: rectangles in travel order, each with its seed on the path. The
+/// first seed is the start of the path; the others, from Fewest, lie in the rectangle before too.
 struct Corridor {
   CorridorSpace space = CorridorSpace::Configuration;
   double robot_radius = 0.0;   ///< the disc that the rectangles are free for, in Configuration [m]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "fairway/base/setting.hpp"
@@ -13,6 +14,14 @@ enum class CorridorMethod : std::uint8_t {
   Mdsrc,   ///< the paper's Algorithms 1 and 2, made sound; with one orientation it is SRC [13]
   Fewest,  ///< the fewest largest rectangles, our default
 };
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorMethod) noexcept {
+  return {"mdsrc", "fewest"};
+}
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorSpace) noexcept {
+  return {"workspace", "configuration"};
+}
 
 struct CorridorSettings {
   CorridorMethod method = CorridorMethod::Fewest;

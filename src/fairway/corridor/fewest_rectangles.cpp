@@ -39,6 +39,14 @@ double depth(const RectangleSearch::Found& found, const Vector2d& point) noexcep
   return std::min((p - found.box.min).minCoeff(), (found.box.max - p).minCoeff());
 }
 
+// The same rectangle, counted from another seed.
+void reseed(OrientedRectangle& rectangle, const Vector2d& seed) noexcept {
+  const Vector2d moved = rectangle.to_local(seed);
+  rectangle.min -= moved;
+  rectangle.max -= moved;
+  rectangle.seed = seed;
+}
+
 }  // namespace
 
 bool FewestRectangles::plan_links(const BitGrid& obstacles, double min_overlap) {
@@ -80,10 +88,8 @@ bool FewestRectangles::add_rectangle(const BitGrid& obstacles,
   });
   const auto found = search_.find(obstacles, clearance_, anchors_, rectangle_settings_, angle);
   if (!found) return false;
-  const OrientedRectangle rectangle = to_world(obstacles.frame(), found->frame, found->box);
-  if (!is_free(obstacles, rectangle, clearance_)) return false;
   last_found_ = *found;
-  corridor.rectangles.push_back(rectangle);
+  corridor.rectangles.push_back(to_world(obstacles.frame(), found->frame, found->box));
   const double resolution = obstacles.frame().resolution;
   corridor.spans.push_back(
       {.from = piece.begin.from * resolution, .to = piece.end.to * resolution});
@@ -109,7 +115,9 @@ Joint FewestRectangles::joint_towards_start(const RectangleSearch::Found& found,
   return joint;
 }
 
-bool FewestRectangles::fill_links(const BitGrid& obstacles, Corridor& corridor) {
+bool FewestRectangles::fill_links(const BitGrid& obstacles,
+                                  const Vector2d& start,
+                                  Corridor& corridor) {
   if (links_.empty()) return false;
   Joint end = links_.back().piece.end;
   for (std::size_t i = links_.size(); i-- > 0;) {
@@ -125,6 +133,9 @@ bool FewestRectangles::fill_links(const BitGrid& obstacles, Corridor& corridor) 
       end = joint_towards_start(last_found_, link.piece.begin);
       corridor.spans.back().from = end.from * obstacles.frame().resolution;
     }
+    OrientedRectangle& rectangle = corridor.rectangles.back();
+    reseed(rectangle, i > 0 ? obstacles.frame().to_world(track_.at(end.from)) : start);
+    if (!is_free(obstacles, rectangle, clearance_)) return false;
   }
   std::reverse(corridor.rectangles.begin(), corridor.rectangles.end());
   std::reverse(corridor.spans.begin(), corridor.spans.end());
@@ -151,7 +162,7 @@ CorridorResult FewestRectangles::build(const BitGrid& obstacles,
                      .longest_side = settings.longest_side / cell,
                      .margin = (corridor.inward_offset + kInside) / cell};
   const bool planned = plan_links(obstacles, settings.min_overlap_area / (cell * cell));
-  if (fill_links(obstacles, corridor) && planned) {
+  if (fill_links(obstacles, path.waypoints.front(), corridor) && planned) {
     result.status = CorridorStatus::Built;
     return result;
   }

@@ -36,7 +36,9 @@ class FewestRectangles {
   };
 
   [[nodiscard]] bool plan_links(const BitGrid& obstacles, double min_overlap);
-  [[nodiscard]] bool fill_links(const BitGrid& obstacles, Corridor& corridor);
+  [[nodiscard]] bool fill_links(const BitGrid& obstacles,
+                                const Eigen::Vector2d& start,
+                                Corridor& corridor);
   [[nodiscard]] bool add_rectangle(const BitGrid& obstacles,
                                    const PathPiece& piece,
                                    double angle,

@@ -30,13 +30,15 @@ SolveStatus solve_status(Ipopt::ApplicationReturnStatus status, double max_viola
 }  // namespace
 
 struct IpoptSolver::Session {
+  double guess_barrier;
   Ipopt::SmartPtr<Ipopt::IpoptApplication> application;
   Ipopt::SmartPtr<IpoptProblem> nlp;
   std::array<Twist2, kMaxHorizon> start;
   MpcSolution solution;
 
   explicit Session(const IpoptSettings& settings)
-      : application(new Ipopt::IpoptApplication(false)),
+      : guess_barrier(settings.guess_barrier),
+        application(new Ipopt::IpoptApplication(false)),
         nlp(new IpoptProblem(settings.rows)) {
     Ipopt::OptionsList& options = *application->Options();
     options.SetIntegerValue("print_level", 0);
@@ -51,10 +53,19 @@ struct IpoptSolver::Session {
       throw std::runtime_error("IPOPT could not be initialised with MUMPS");
   }
 
+  // How far from its bounds IPOPT pushes the start, and the barrier parameter it begins with.
+  void trust(bool guess) {
+    Ipopt::OptionsList& options = *application->Options();
+    options.SetNumericValue("mu_init", guess ? guess_barrier : 0.1);
+    for (const char* push : {"bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac"})
+      options.SetNumericValue(push, guess ? 1e-4 : 1e-2);
+  }
+
   void run(const ControlProblem& problem, const InitialGuess& guess) {
     expand_guess(problem, guess, start);
     solution.commands = start;
     nlp->set(problem, start);
+    trust(guess.count > 0);
     const Ipopt::ApplicationReturnStatus status = application->OptimizeTNLP(GetRawPtr(nlp));
     const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
     if (IsValid(statistics)) solution.iterations = statistics->IterationCount();

@@ -20,6 +20,9 @@ struct IpoptSettings {
   IpoptRows rows = IpoptRows::Elastic;
   int max_iterations = 500;
   double tolerance = 1e-8;  ///< of IPOPT's scaled optimality error
+  /// Barrier parameter that IPOPT starts from when a guess is given: small enough that it stays on
+  /// the guess's side of an obstacle. Without a guess IPOPT's own 0.1.
+  double guess_barrier = 1e-3;
 };
 
 /// The reference solver: IPOPT with MUMPS, multiple shooting, exact first and second derivatives.

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "fairway/base/setting.hpp"
 #include "fairway/mpc/control_problem.hpp"
 
 namespace fairway {
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Integration) noexcept {
+  return {"euler", "midpoint"};
+}
 
 /// The part of the optimal control problem that does not change from cycle to cycle.
 struct MpcSettings {

@@ -154,8 +154,9 @@ NavigationStep Navigator::arrive(const NavigationInput& input) noexcept {
 // Targets, limits and predictions of this cycle: everything but the regions.
 void Navigator::pose_problem(const NavigationInput& input) noexcept {
   set_limits(settings_, input.pose, sent_, problem_);
-  set_predictions(settings_, input.obstacles, input.time - input.obstacles_time,
-                  input.pose.position, problem_);
+  const double age =
+      input.time - input.obstacles_time + settings_.navigation.actuation_lag * settings_.mpc.dt;
+  set_predictions(settings_, input.obstacles, age, input.pose.position, problem_);
   switch (settings_.navigation.target_mode) {
     case TargetMode::TimedString:
       set_timed_targets(corridor_.string(), sent_.linear, input.pose.heading, plan_.goal.heading,
@@ -244,7 +245,7 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
 StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
   // A robot that measures itself (a little) inside an obstacle must still be able to leave: then
   // what counts is to come no nearer.
-  const double radius = settings_.robot.radius;
+  const double radius = settings_.robot.radius + settings_.navigation.stop_margin;
   const double room = distance_to_blocked(*input.map, input.pose.position, radius);
   return {.obstacles = input.map,
           .robot_radius = std::min(radius, std::max(0.0, room - 2.0 * kFreeSpaceSkin)),

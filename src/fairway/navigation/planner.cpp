@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fairway/corridor/corridor_builder.hpp"
+#include "fairway/map/free_space.hpp"
 
 namespace fairway {
 
@@ -15,6 +16,46 @@ namespace {
 constexpr std::array kMarginShares = {1.0, 0.5, 0.2, 0.05};
 constexpr std::array kOverlapShares = {1.0, 0.25, 0.05};
 
+// The disc that the corridor is built for: half of the margin stays in the rectangles' sides, half
+// is play for the robot around the path. Where start or goal have less room, only what they have.
+double corridor_radius(const PreparedMap& map,
+                       const Eigen::Vector2d& start,
+                       const Eigen::Vector2d& goal,
+                       double robot_radius,
+                       double margin) {
+  const double wished = robot_radius + 0.5 * margin;
+  const double room = std::min(distance_to_blocked(map.obstacles, start, wished + 1.0),
+                               distance_to_blocked(map.obstacles, goal, wished + 1.0));
+  return std::max(0.0, std::min(wished, room - 4.0 * kFreeSpaceSkin));
+}
+
+// A robot that measures itself slightly inside an obstacle stands there all the same: plan for as
+// much of it as fits, so that it can leave. What it then does is still checked with all of it.
+double radius_that_fits(const PreparedMap& map, const Eigen::Vector2d& start, double radius) {
+  constexpr double kLeast = 0.9;  // share; a start with less room is blocked
+  const double room = distance_to_blocked(map.obstacles, start, radius + 1.0);
+  return room > radius ? radius : std::max(kLeast * radius, room - 4.0 * kFreeSpaceSkin);
+}
+
+// Adds to `sum` what the clock says that a stage took.
+class Stopwatch {
+ public:
+  Stopwatch(const std::function<double()>& clock, double& sum)
+      : clock_(clock),
+        sum_(sum),
+        start_(clock ? clock() : 0.0) {}
+  ~Stopwatch() {
+    if (clock_) sum_ += clock_() - start_;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  const std::function<double()>& clock_;
+  double& sum_;
+  double start_;
+};
+
 bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConnection; }
 
 }  // namespace
@@ -22,41 +63,49 @@ bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConne
 Plan Planner::plan(const PreparedMap& map,
                    const Eigen::Vector2d& start,
                    const Goal& goal,
-                   const Settings& settings) {
+                   const Settings& settings,
+                   const PlannerHooks& hooks) {
   Plan plan;
   plan.goal = goal;
   // In the workspace the paper keeps Delta_s between path and walls; that already is the room
   // needed.
   const bool in_workspace = settings.corridor.space == CorridorSpace::Workspace;
-  const double radius = in_workspace
-                            ? std::max(settings.robot.radius, settings.corridor.inward_offset)
-                            : settings.robot.radius;
+  const double body = in_workspace
+                          ? std::max(settings.robot.radius, settings.corridor.inward_offset)
+                          : settings.robot.radius;
+  const double radius = radius_that_fits(map, start, body);
+  const bool may_shrink = settings.path.margin > 0.0 && !hooks.fixed_margin;
   for (const double margin_share : kMarginShares) {
     PathSettings path_settings = settings.path;
     path_settings.margin = settings.path.margin * margin_share;
-    PathResult found = path_planner_.find(map.obstacles, map.distances, start, goal.position,
-                                          radius, path_settings);
+    PathResult found;
+    {
+      const Stopwatch stopwatch(hooks.clock, plan.path_seconds);
+      found = path_planner_.find(map.obstacles, map.distances, start, goal.position, radius,
+                                 path_settings);
+    }
     plan.path_status = found.status;
     plan.margin = path_settings.margin;
     if (found.status != PathStatus::Found) {
-      if (depends_on_margin(found.status) && settings.path.margin > 0.0) continue;
+      if (depends_on_margin(found.status) && may_shrink) continue;
       return plan;
     }
     plan.path = std::move(found.path);
     for (const double overlap_share : kOverlapShares) {
       CorridorSettings corridor_settings = settings.corridor;
       corridor_settings.min_overlap_area *= overlap_share;
-      // Half of the margin stays in the rectangles' sides, half is play for the robot around the
-      // path.
+      const double corridor_body =
+          corridor_radius(map, start, goal.position, settings.robot.radius, path_settings.margin);
+      const Stopwatch stopwatch(hooks.clock, plan.corridor_seconds);
       CorridorResult built =
-          build_corridor(map.obstacles, plan.path,
-                         settings.robot.radius + 0.5 * path_settings.margin, corridor_settings);
+          hooks.build ? hooks.build(map.obstacles, plan.path, corridor_body, corridor_settings)
+                      : build_corridor(map.obstacles, plan.path, corridor_body, corridor_settings);
       plan.corridor_status = built.status;
       plan.corridor = std::move(built.corridor);
       plan.stuck_at = built.stuck_at;
       if (built.status == CorridorStatus::Built) return plan;
     }
-    if (settings.path.margin <= 0.0) break;
+    if (!may_shrink) break;
   }
   return plan;
 }

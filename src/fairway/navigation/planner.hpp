@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "fairway/corridor/corridor.hpp"
@@ -36,8 +37,10 @@ struct Plan {
   Path path;
   Corridor corridor;
   Goal goal;
-  double margin = 0.0;    ///< room beyond the robot's radius that the path keeps [m]
-  double stuck_at = 0.0;  ///< where on the path the corridor broke, if it did [m]
+  double margin = 0.0;            ///< room beyond the robot's radius that the path keeps [m]
+  double stuck_at = 0.0;          ///< where on the path the corridor broke, if it did [m]
+  double path_seconds = 0.0;      ///< spent on paths, when a clock was lent [s]
+  double corridor_seconds = 0.0;  ///< spent on corridors, when a clock was lent [s]
 
   [[nodiscard]] bool usable() const noexcept {
     return path_status == PathStatus::Found && corridor_status == CorridorStatus::Built;
@@ -47,6 +50,16 @@ struct Plan {
   [[nodiscard]] const char* reason() const noexcept {
     return path_status != PathStatus::Found ? to_text(path_status) : to_text(corridor_status);
   }
+};
+
+/// What a caller can lend and ask for beyond the settings.
+struct PlannerHooks {
+  std::function<double()> clock{};  ///< [s]; without one the stages are not timed
+  /// Builds corridors in place of build_corridor: for other methods to be compared with.
+  std::function<CorridorResult(
+      const BitGrid&, const Path&, double robot_radius, const CorridorSettings&)>
+      build{};
+  bool fixed_margin = false;  ///< keep settings.path.margin or find nothing
 };
 
 /// Plans for one robot after another, reusing its memory. May run in a thread of its own: a Plan is
@@ -60,7 +73,8 @@ class Planner {
   [[nodiscard]] Plan plan(const PreparedMap& map,
                           const Eigen::Vector2d& start,
                           const Goal& goal,
-                          const Settings& settings);
+                          const Settings& settings,
+                          const PlannerHooks& hooks = {});
 
  private:
   PathPlanner path_planner_;

@@ -59,7 +59,10 @@ void set_limits(const Settings& settings,
   problem.horizon = mpc.horizon;
   problem.dt = mpc.dt;
   problem.integration = mpc.integration;
-  problem.start = pose;
+  // A base that ramps from command to command is, half a cycle later, where one that jumps would
+  // be.
+  problem.start =
+      step(pose, last_command, settings.navigation.actuation_lag * mpc.dt, Integration::Midpoint);
   problem.previous_command = last_command;
   problem.max_change = {.linear = mpc.linear_acceleration_max * mpc.dt,
                         .angular = mpc.angular_acceleration_max * mpc.dt};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "fairway/base/error.hpp"
@@ -33,6 +34,10 @@ enum class TargetMode : std::uint8_t {
   OverlapCentroid,  ///< one target, the centroid of the next overlap: SMPC [17]
 };
 
+[[nodiscard]] constexpr std::array<const char*, 3> setting_names(TargetMode) noexcept {
+  return {"timed_string", "dual_waypoints", "overlap_centroid"};
+}
+
 /// How the corridor is followed and when the robot stops.
 struct NavigationSettings {
   TargetMode target_mode = TargetMode::TimedString;
@@ -43,6 +48,8 @@ struct NavigationSettings {
   double corner_deviation = 0.15;
   double string_margin = 0.08;
   double chord_length = 0.4;
+  double actuation_lag = 0.5;
+  double stop_margin = 0.002;
   double obstacle_margin = 0.1;
   double blocked_after = 0.4;
   double pose_timeout = 0.2;
@@ -96,6 +103,11 @@ void visit_navigation(S& s, Visitor&& field) {
   field(s.chord_length,
         SettingInfo{"chord_length", "m", "look-ahead on the string that gives the target heading",
                     0.01, 10});
+  field(s.actuation_lag,
+        SettingInfo{"actuation_lag", "cycles",
+                    "how long the base takes to follow a command; a half is a linear ramp", 0, 5});
+  field(s.stop_margin,
+        SettingInfo{"stop_margin", "m", "room beyond the body in the check of the stop", 0, 1});
   field(s.obstacle_margin, SettingInfo{"obstacle_margin", "m",
                                        "room kept from moving obstacles beyond both radii", 0, 10});
   field(s.blocked_after,

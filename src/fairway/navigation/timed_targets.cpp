@@ -80,7 +80,8 @@ void set_timed_targets(const StringAhead& string,
   constexpr double kCurveTurn = 0.5 * std::numbers::pi;
   double waiting = std::max(0.0, std::abs(first_turn) - kCurveTurn) / mpc.angular_max;
 
-  double s = 0.0;
+  // The problem starts where the robot will be, not where it is.
+  double s = std::max(0.0, speed) * settings.navigation.actuation_lag * mpc.dt;
   double v = std::max(0.0, speed);
   double along = heading;
   for (int k = 1; k <= problem.horizon; ++k) {

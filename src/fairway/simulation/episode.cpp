@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
@@ -12,6 +13,30 @@ namespace fairway {
 namespace {
 
 constexpr std::size_t kStatuses = static_cast<std::size_t>(NavigationStatus::GoalReached) + 1;
+
+// A solver that adds up what it takes, on a lent clock.
+class TimedSolver final : public ControlSolver {
+ public:
+  TimedSolver(ControlSolver& solver, const std::function<double()>& clock)
+      : solver_(solver),
+        clock_(clock) {}
+
+  const MpcSolution& solve(const ControlProblem& problem,
+                           const InitialGuess& guess) noexcept override {
+    const double before = clock_();
+    const MpcSolution& solution = solver_.solve(problem, guess);
+    seconds_ += clock_() - before;
+    return solution;
+  }
+
+  // What was taken since the last call.
+  double take_seconds() noexcept { return std::exchange(seconds_, 0.0); }
+
+ private:
+  ControlSolver& solver_;
+  const std::function<double()>& clock_;
+  double seconds_ = 0.0;
+};
 
 class Episode {
  public:
@@ -23,6 +48,10 @@ class Episode {
     if (hooks_.solver == nullptr) {
       own_solver_ = std::make_unique<RealTimeSolver>(scenario.settings.mpc);
       hooks_.solver = own_solver_.get();
+    }
+    if (hooks_.clock) {
+      timed_solver_ = std::make_unique<TimedSolver>(*hooks_.solver, hooks_.clock);
+      hooks_.solver = timed_solver_.get();
     }
     for (const RobotTask& task : scenario.robots) {
       navigators_.emplace_back(scenario.settings, *hooks_.solver);
@@ -76,7 +105,10 @@ class Episode {
                                 .map_time = world_.time()};
     const double before = now();
     const NavigationStep step = navigators_[i].update(input);
-    if (hooks_.clock) result.cycle_seconds.push_back(now() - before);
+    if (hooks_.clock) {
+      result.cycle_seconds.push_back(now() - before);
+      result.solve_seconds.push_back(timed_solver_->take_seconds());
+    }
     commands_[i] = step.command;
     record(i, step);
     if (step.status == NavigationStatus::GoalReached) {
@@ -133,6 +165,7 @@ class Episode {
   const Scenario& scenario_;
   EpisodeHooks hooks_;
   std::unique_ptr<ControlSolver> own_solver_;
+  std::unique_ptr<TimedSolver> timed_solver_;
   World world_;
   PreparedMap map_;
   Planner planner_;

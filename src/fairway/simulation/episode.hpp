@@ -24,8 +24,9 @@ struct RobotResult {
   int cycles = 0;
   std::vector<int> status_counts{};     ///< cycles per NavigationStatus, by its number
   std::vector<double> cycle_seconds{};  ///< per cycle, when a clock was given [s]
+  std::vector<double> solve_seconds{};  ///< of these in the solver, when a clock was given [s]
   std::vector<double> plan_seconds{};   ///< per plan made, when a clock was given [s]
-  Plan plan{};                        ///< the last one followed
+  Plan plan{};                          ///< the last one followed
 };
 
 /// A whole run.

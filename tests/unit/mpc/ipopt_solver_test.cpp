@@ -7,7 +7,7 @@
 
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/paper_problem.hpp"
-#include "support/optimality_oracle.hpp"
+#include "support/first_order_oracle.hpp"
 #include "support/random_control_problem.hpp"
 
 namespace fairway {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "fairway/base/error.hpp"
+#include "fairway/mpc/solution.hpp"
+#include "fairway/mpc/start_guesses.hpp"
+
+namespace fairway::app {
+
+/// One of the solvers, with as many starts as it is given.
+class InstanceSolver {
+ public:
+  InstanceSolver() = default;
+  InstanceSolver(const InstanceSolver&) = delete;
+  InstanceSolver& operator=(const InstanceSolver&) = delete;
+  virtual ~InstanceSolver() = default;
+
+  /// Solves from each guess (at least one) and keeps the best: solved before all else, then the
+  /// least cost plus price of violations. Valid until the next call.
+  [[nodiscard]] virtual const MpcSolution& solve(const ControlProblem& problem,
+                                                 std::span<const InitialGuess> guesses) = 0;
+};
+
+/// `interior_point`, `ipopt` (the paper's method with elastic rows) or `ipopt_hard` (as the paper
+/// has it); an error where this build lacks it.
+[[nodiscard]] Expected<std::unique_ptr<InstanceSolver>> make_instance_solver(
+    const std::string& name);
+
+}  // namespace fairway::app

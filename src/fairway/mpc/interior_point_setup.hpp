@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/mpc/interior_point_workspace.hpp"
+
+namespace fairway::interior_point {
+
+/// Copies the problem into arrays, with positions relative to the start, and lists the rows that
+/// some admissible command could violate; the others cannot matter. @pre the problem is valid.
+void load_problem(const ControlProblem& problem, Workspace& w) noexcept;
+
+/// Commands to start from, strictly inside every hard row: the guess, with its last command
+/// repeated, drawn a little towards the middle of what can be reached; that middle without a guess.
+void load_guess(const InitialGuess& guess, const Workspace& w, Point& point) noexcept;
+
+}  // namespace fairway::interior_point

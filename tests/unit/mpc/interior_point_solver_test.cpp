@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point_solver.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/starts.hpp"
+#include "support/optimality_oracle.hpp"
+#include "support/random_control_problem.hpp"
+
+namespace fairway {
+namespace {
+
+using test::Random;
+using test::RandomProblemOptions;
+
+/// Calls check(problem, solver) for many random problems.
+template <typename Check>
+void for_random_problems(std::uint64_t seed,
+                         int count,
+                         const RandomProblemOptions& options,
+                         Check&& check) {
+  const auto solver = std::make_unique<InteriorPointSolver>();
+  Random random(seed);
+  for (int trial = 0; trial < count; ++trial) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed << " trial " << trial);
+    const ControlProblem problem = test::random_control_problem(random, options);
+    check(problem, *solver);
+  }
+}
+
+constexpr RandomProblemOptions kPaper{.every_feature = false};
+constexpr RandomProblemOptions kLong{.max_horizon = kMaxHorizon, .max_obstacles = kMaxObstacles};
+
+TEST(InteriorPointSolver, ReportsWhatAnIndependentRolloutFinds) {
+  for (const RandomProblemOptions& options : {kPaper, RandomProblemOptions{}, kLong}) {
+    for_random_problems(71, 300, options, [](const ControlProblem& problem, auto& solver) {
+      const MpcSolution& solution = solver.solve(problem);
+      EXPECT_LE(hard_violation(problem, solution.commands).max, 0.0);
+      MpcSolution assessed = solution;
+      assess(problem, assessed);
+      EXPECT_NEAR(solution.cost, assessed.cost, 1e-11 * (1.0 + std::abs(assessed.cost)));
+      EXPECT_NEAR(solution.max_violation, assessed.max_violation, 1e-11);
+      EXPECT_NEAR(solution.sum_violation, assessed.sum_violation, 1e-10);
+      ASSERT_EQ(solution.horizon, problem.horizon);
+      for (int k = 0; k <= problem.horizon; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        EXPECT_LT((solution.poses[i].position - assessed.poses[i].position).norm(), 1e-12);
+        EXPECT_NEAR(solution.poses[i].heading, assessed.poses[i].heading, 1e-12);
+      }
+    });
+  }
+}
+
+TEST(InteriorPointSolver, SatisfiesTheOptimalityConditions) {
+  int solved = 0;
+  int total = 0;
+  for (const RandomProblemOptions& options : {kPaper, RandomProblemOptions{}}) {
+    for_random_problems(72, 60, options, [&](const ControlProblem& problem, auto& solver) {
+      const MpcSolution& solution = solver.solve(problem);
+      ++total;
+      if (solution.status != SolveStatus::Solved && solution.status != SolveStatus::LeastViolation)
+        return;
+      ++solved;
+      // Gradients are of order 100; what is left of them is rounding and the last barrier.
+      EXPECT_LT(test::optimality_residual(problem, solution), 5e-2);
+    });
+  }
+  EXPECT_GE(solved, total * 95 / 100);
+}
+
+TEST(InteriorPointSolver, GivesTheSameBitsForTheSameInput) {
+  for_random_problems(73, 50, {}, [](const ControlProblem& problem, auto& solver) {
+    const MpcSolution first = solver.solve(problem);
+    solver.solve(ControlProblem{});
+    const MpcSolution& second = solver.solve(problem);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(problem.horizon); ++k) {
+      EXPECT_EQ(std::memcmp(&first.commands[k], &second.commands[k], sizeof(Twist2)), 0);
+      EXPECT_EQ(first.poses[k].position, second.poses[k].position);
+      EXPECT_EQ(first.poses[k].heading, second.poses[k].heading);
+    }
+    EXPECT_EQ(first.iterations, second.iterations);
+  });
+}
+
+TEST(InteriorPointSolver, KeepsTheBestOfSeveralStarts) {
+  for_random_problems(74, 200, {}, [](const ControlProblem& problem, auto& solver) {
+    const std::array starts{straight_start(problem), left_start(problem), right_start(problem)};
+    const auto merit = [&](const MpcSolution& s) {
+      return s.cost + problem.violation_weight * s.sum_violation;
+    };
+    const MpcSolution best = solver.solve_best(problem, starts);
+    for (const InitialGuess& start : starts) {
+      const MpcSolution& one = solver.solve(problem, start);
+      EXPECT_TRUE(best.status == SolveStatus::Solved || one.status != SolveStatus::Solved);
+      if (best.status == one.status) {
+        EXPECT_LE(merit(best), merit(one));
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace fairway
