@@ -1,10 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/corridor/corridor_builder.hpp"
 
-#include "fairway/corridor/fewest_rectangles.hpp"
+#include <algorithm>
+#include <optional>
+
 #include "fairway/corridor/sequential_rectangles.hpp"
+#include "fairway/map/free_space.hpp"
 
 namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+bool same_frame(const GridFrame& a, const GridFrame& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
+         a.origin.position == b.origin.position && a.origin.heading == b.origin.heading;
+}
+
+// What differs between two maps inside a block.
+struct Difference {
+  bool any = false;
+  std::optional<CellBlock> freed;  // around the cells that became free
+};
+
+// Takes the block of `now` over into `known` and tells what changed.
+Difference take_over(const BitGrid& now, const CellBlock& changed, BitGrid& known) noexcept {
+  Difference difference;
+  const int left = std::max(changed.min.x, 0);
+  const int right = std::min(changed.max.x, now.frame().width - 1);
+  const int top = std::min(changed.max.y, now.frame().height - 1);
+  for (int y = std::max(changed.min.y, 0); y <= top; ++y) {
+    for (int x = left; x <= right; ++x) {
+      const CellIndex cell{.x = x, .y = y};
+      const bool blocked = now.blocked(cell);
+      if (blocked == known.blocked(cell)) continue;
+      difference.any = true;
+      known.set(cell, blocked);
+      if (blocked) continue;
+      if (!difference.freed) difference.freed = CellBlock{.min = cell, .max = cell};
+      CellBlock& freed = *difference.freed;
+      freed.min = {.x = std::min(freed.min.x, x), .y = std::min(freed.min.y, y)};
+      freed.max = {.x = std::max(freed.max.x, x), .y = std::max(freed.max.y, y)};
+    }
+  }
+  return difference;
+}
+
+OrientedRectangle in_world(const GridFrame& frame, const CellBlock& block) noexcept {
+  return {.seed = frame.to_world({block.min.x, block.min.y}),
+          .orientation = frame.origin.heading,
+          .min = Vector2d::Zero(),
+          .max = Vector2d(block.max.x - block.min.x + 1, block.max.y - block.min.y + 1) *
+                 frame.resolution};
+}
+
+}  // namespace
 
 CorridorResult build_corridor(const BitGrid& obstacles,
                               const Path& path,
@@ -14,6 +65,50 @@ CorridorResult build_corridor(const BitGrid& obstacles,
     return build_sequential(obstacles, path, robot_radius, settings);
   FewestRectangles fewest;
   return fewest.build(obstacles, path, robot_radius, settings);
+}
+
+const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
+                                             const Path& path,
+                                             double robot_radius,
+                                             const CorridorSettings& settings) {
+  path_.waypoints.assign(path.waypoints.begin(), path.waypoints.end());
+  robot_radius_ = robot_radius;
+  settings_ = settings;
+  has_path_ = true;
+  return rebuild(obstacles);
+}
+
+const CorridorResult& CorridorBuilder::rebuild(const BitGrid& obstacles) {
+  known_ = obstacles;
+  if (settings_.method == CorridorMethod::Mdsrc) {
+    result_ = build_sequential(obstacles, path_, robot_radius_, settings_);
+  } else {
+    result_ = fewest_.build(obstacles, path_, robot_radius_, settings_);
+  }
+  return result_;
+}
+
+const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const CellBlock& changed) {
+  if (!has_path_) return result_;
+  const bool keep = result_.status == CorridorStatus::Built &&
+                    settings_.method == CorridorMethod::Fewest &&
+                    same_frame(obstacles.frame(), known_.frame());
+  if (!keep) return rebuild(obstacles);
+  const Difference difference = take_over(obstacles, changed, known_);
+  if (!difference.any) return result_;
+
+  const bool workspace = settings_.space == CorridorSpace::Workspace;
+  const double clearance = workspace ? 0.0 : robot_radius_;
+  const double beside = clearance + 2.0 * obstacles.frame().resolution;
+  const auto spoilt = [&](const OrientedRectangle& rectangle) {
+    const bool may_grow =
+        difference.freed &&
+        overlap(rectangle.shrunk(-beside), in_world(obstacles.frame(), *difference.freed)).count >
+            0;
+    return may_grow || !is_free(obstacles, rectangle, clearance);
+  };
+  result_ = fewest_.repair(obstacles, spoilt);
+  return result_;
 }
 
 }  // namespace fairway

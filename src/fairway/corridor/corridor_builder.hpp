@@ -3,6 +3,7 @@
 
 #include "fairway/corridor/corridor.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/corridor/fewest_rectangles.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/path/path.hpp"
 
@@ -17,5 +18,45 @@ namespace fairway {
                                             const Path& path,
                                             double robot_radius,
                                             const CorridorSettings& settings);
+
+/// A block of cells, both corners included.
+struct CellBlock {
+  CellIndex min;
+  CellIndex max;
+};
+
+/// Keeps a corridor up to date while the map changes, once per control cycle.
+///
+/// Keeps what it built: after a change only rectangles that are no longer free, and those beside
+/// cells that became free, are made anew. What it answers depends on its whole history of calls,
+/// and on nothing else. Not thread-safe.
+class CorridorBuilder {
+ public:
+  /// As build_corridor; reuses memory.
+  const CorridorResult& build(const BitGrid& obstacles,
+                              const Path& path,
+                              double robot_radius,
+                              const CorridorSettings& settings);
+
+  /// Brings the corridor up to date after cells inside `changed` may have changed (clipped to the
+  /// map); the rest of the map must be as it was. A chain that is Built keeps all the promises of
+  /// build_corridor, is as short as before where nothing changed, and gets shorter where the change
+  /// allows it. Builds everything anew when the last result was not Built, the map's frame is
+  /// another, or the method is Mdsrc. Does nothing before the first build.
+  const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
+
+  [[nodiscard]] const CorridorResult& result() const noexcept { return result_; }
+
+ private:
+  const CorridorResult& rebuild(const BitGrid& obstacles);
+
+  FewestRectangles fewest_;
+  CorridorResult result_;
+  Path path_;
+  double robot_radius_ = 0.0;
+  CorridorSettings settings_;
+  BitGrid known_;  // the map that the corridor was made for
+  bool has_path_ = false;
+};
 
 }  // namespace fairway

@@ -49,133 +49,200 @@ void reseed(OrientedRectangle& rectangle, const Vector2d& seed) noexcept {
 
 }  // namespace
 
-bool FewestRectangles::plan_links(const BitGrid& obstacles, double min_overlap) {
+Reach FewestRectangles::onward_reach(const BitGrid& obstacles, const Joint& begin) {
   constexpr double kProgress =
       1e-6;  // [cells]; a reach ends at a corner or a good part of a cell on
-  links_.clear();
-  Joint begin{.from = 0.0, .to = 0.0, .margin = reach_settings_.margin};
-  const double goal = track_.length();
+  const int levels = min_overlap_ > 0.0 ? kJointLevels : 1;
+  for (int level = 0; level < levels; ++level) {
+    const JointShape shape = joint_shape(min_overlap_, level);
+    const Reach reach = reach_.find(obstacles, track_, begin, reach_settings_.margin + shape.margin,
+                                    shape.length, reach_settings_);
+    if (!reach.found) continue;
+    const bool arrived = reach.end.to >= track_.length();
+    const bool onward =
+        reach.end.from > begin.from + kProgress && reach.end.to > begin.to + kProgress;
+    if (arrived || onward) return reach;
+  }
+  return {};
+}
+
+// Whether one rectangle, where the reach was found, can lead to the joint at the beginning of an
+// old link; of the furthest such links a few are tried.
+bool FewestRectangles::hook(const BitGrid& obstacles,
+                            const Joint& begin,
+                            const Reach& reach,
+                            std::size_t first_old) {
+  std::size_t next = first_old;
+  while (next < links_.size() && links_[next].piece.begin.to <= reach.end.to)
+    ++next;
+  const TurnedFrame frame{.origin = track_.at(begin.from), .along = direction(reach.angle)};
+  for (int tries = 0; tries < 3 && next > first_old; ++tries) {
+    const Joint& end = links_[--next].piece.begin;
+    if (end.from <= begin.from) return false;
+    const PathPiece piece{.begin = begin, .end = end, .margin = reach_settings_.margin};
+    if (!is_free(obstacles, frame.region(piece.bounds(track_, frame)), reach_settings_.radius))
+      continue;
+    fresh_.push_back({.piece = piece, .angle = reach.angle, .rectangle = {}});
+    hooked_ = next;
+    return true;
+  }
+  return false;
+}
+
+// Fills fresh_ with links from `begin` to the goal, or to an old link from `first_old` on, which
+// hooked_ then names.
+bool FewestRectangles::plan(const BitGrid& obstacles, Joint begin, std::size_t first_old) {
+  fresh_.clear();
   while (true) {
-    Reach reach;
-    const int levels = min_overlap > 0.0 ? kJointLevels : 1;
-    for (int level = 0; level < levels; ++level) {
-      const JointShape shape = joint_shape(min_overlap, level);
-      reach = reach_.find(obstacles, track_, begin, reach_settings_.margin + shape.margin,
-                          shape.length, reach_settings_);
-      const bool arrived = reach.found && reach.end.to >= goal;
-      const bool onward = reach.found && reach.end.from > begin.from + kProgress &&
-                          reach.end.to > begin.to + kProgress;
-      if (arrived || onward) break;
-      reach.found = false;
+    const Reach reach = onward_reach(obstacles, begin);
+    if (!reach.found) {
+      note_stuck(obstacles, begin);
+      return false;
     }
-    if (!reach.found) return false;
-    links_.push_back({.piece = {.begin = begin, .end = reach.end, .margin = reach_settings_.margin},
-                      .angle = reach.angle});
-    if (reach.end.to >= goal) return true;
+    if (reach.end.to < track_.length() && hook(obstacles, begin, reach, first_old)) return true;
+    fresh_.push_back({.piece = {.begin = begin, .end = reach.end, .margin = reach_settings_.margin},
+                      .angle = reach.angle,
+                      .rectangle = {}});
+    hooked_ = links_.size();
+    if (reach.end.to >= track_.length()) return true;
     begin = reach.end;
   }
 }
 
-bool FewestRectangles::add_rectangle(const BitGrid& obstacles,
-                                     const PathPiece& piece,
-                                     double angle,
-                                     Corridor& corridor) {
+bool FewestRectangles::make_rectangle(const BitGrid& obstacles, Link& link) {
+  const PathPiece& piece = link.piece;
   anchors_.clear();
   anchors_.push_back(
       {.point = track_.at(0.5 * (piece.begin.from + piece.end.to)), .margin = piece.margin});
   piece.visit(track_, [&](const Vector2d& point, double margin) {
     anchors_.push_back({.point = point, .margin = margin});
   });
-  const auto found = search_.find(obstacles, clearance_, anchors_, rectangle_settings_, angle);
+  const auto found = search_.find(obstacles, clearance_, anchors_, rectangle_settings_, link.angle);
   if (!found) return false;
   last_found_ = *found;
-  corridor.rectangles.push_back(to_world(obstacles.frame(), found->frame, found->box));
-  const double resolution = obstacles.frame().resolution;
-  corridor.spans.push_back(
-      {.from = piece.begin.from * resolution, .to = piece.end.to * resolution});
+  link.rectangle = to_world(obstacles.frame(), found->frame, found->box);
   return true;
 }
 
-// The joint of the same shape as `latest`, nearest to the start, that the rectangle holds without a
-// gap from `latest` on.
-Joint FewestRectangles::joint_towards_start(const RectangleSearch::Found& found,
-                                            const Joint& latest) const noexcept {
+// The joint of the same shape as `latest`, nearest to the start, that the last rectangle holds
+// without a gap from `latest` on.
+Joint FewestRectangles::joint_towards_start(const Joint& latest) const noexcept {
   constexpr double kStep = 1.0;  // [cells]
-  const double length = latest.to - latest.from;
   Joint joint = latest;
-  if (length > 0.0) return joint;  // in a narrow place nothing is to be gained
+  if (latest.to > latest.from) return joint;  // in a narrow place nothing is to be gained
   // A box that holds both ends of a straight line holds the line: stop at every corner.
   for (double s = latest.from; s > 0.0;) {
     const double corner = track_.arc()[track_.segment(s)];
     s = std::max(s - kStep, corner < s ? corner : track_.arc()[track_.segment(s) - 1]);
-    const double room = depth(found, track_.at(s));
+    const double room = depth(last_found_, track_.at(s));
     if (room < reach_settings_.margin) break;
     if (s > 0.0 && room >= latest.margin) joint.from = joint.to = s;
   }
   return joint;
 }
 
-bool FewestRectangles::fill_links(const BitGrid& obstacles,
-                                  const Vector2d& start,
-                                  Corridor& corridor) {
-  if (links_.empty()) return false;
-  Joint end = links_.back().piece.end;
-  for (std::size_t i = links_.size(); i-- > 0;) {
-    const Link& link = links_[i];
-    PathPiece piece = link.piece;
-    piece.end = end;
-    // Where less is left to this one, it can grow to other sides; but the new joint may not fit.
-    if (!add_rectangle(obstacles, piece, link.angle, corridor) &&
-        !add_rectangle(obstacles, link.piece, link.angle, corridor)) {
+// Gives every fresh link its rectangle, from the last to the first, and moves the joints between
+// them as far towards the start as the later rectangle reaches: less to hold, more room to grow.
+bool FewestRectangles::fill(const BitGrid& obstacles) {
+  for (std::size_t i = fresh_.size(); i-- > 0;) {
+    Link& link = fresh_[i];
+    if (i + 1 < fresh_.size()) {
+      const Joint planned = link.piece.end;
+      link.piece.end = fresh_[i + 1].piece.begin;
+      // The joint may have no room here where it was moved to.
+      if (!make_rectangle(obstacles, link)) {
+        link.piece.end = planned;
+        fresh_[i + 1].piece.begin = planned;
+        if (!make_rectangle(obstacles, link)) return false;
+      }
+    } else if (!make_rectangle(obstacles, link)) {
       return false;
     }
-    if (i > 0) {
-      end = joint_towards_start(last_found_, link.piece.begin);
-      corridor.spans.back().from = end.from * obstacles.frame().resolution;
-    }
-    OrientedRectangle& rectangle = corridor.rectangles.back();
-    reseed(rectangle, i > 0 ? obstacles.frame().to_world(track_.at(end.from)) : start);
-    if (!is_free(obstacles, rectangle, clearance_)) return false;
+    if (i == 0) continue;
+    const Joint& before = fresh_[i - 1].piece.begin;
+    const Joint moved = joint_towards_start(link.piece.begin);
+    if (moved.from > before.to) link.piece.begin = moved;
   }
-  std::reverse(corridor.rectangles.begin(), corridor.rectangles.end());
-  std::reverse(corridor.spans.begin(), corridor.spans.end());
+  for (Link& link : fresh_) {
+    const bool at_start = link.piece.begin.from <= 0.0;
+    reseed(link.rectangle, at_start ? path_.waypoints.front()
+                                    : obstacles.frame().to_world(track_.at(link.piece.begin.from)));
+    if (!is_free(obstacles, link.rectangle, clearance_)) return false;
+  }
   return true;
 }
 
-CorridorResult FewestRectangles::build(const BitGrid& obstacles,
-                                       const Path& path,
-                                       double robot_radius,
-                                       const CorridorSettings& settings) {
-  CorridorResult result;
-  Corridor& corridor = result.corridor;
-  const bool workspace = settings.space == CorridorSpace::Workspace;
-  corridor.space = settings.space;
-  corridor.robot_radius = robot_radius;
-  corridor.inward_offset = workspace ? settings.inward_offset : 0.0;
-  const GridFrame& grid = obstacles.frame();
-  if (!track_.assign(path, grid)) return result;
-
-  const double cell = grid.resolution;
-  clearance_ = workspace ? 0.0 : robot_radius;
-  rectangle_settings_ = {.longest_side = settings.longest_side};
-  reach_settings_ = {.radius = search_radius(grid, clearance_),
-                     .longest_side = settings.longest_side / cell,
-                     .margin = (corridor.inward_offset + kInside) / cell};
-  const bool planned = plan_links(obstacles, settings.min_overlap_area / (cell * cell));
-  if (fill_links(obstacles, path.waypoints.front(), corridor) && planned) {
-    result.status = CorridorStatus::Built;
-    return result;
-  }
-  const double stuck = links_.empty() ? 0.0 : links_.back().piece.end.to;
-  result.stuck_at = stuck * cell;
-  result.stuck_waypoint = waypoint_before(path, result.stuck_at);
+void FewestRectangles::note_stuck(const BitGrid& obstacles, const Joint& begin) {
+  const double stuck = begin.to;
+  result_.stuck_at = stuck * obstacles.frame().resolution;
+  result_.stuck_waypoint = waypoint_before(path_, result_.stuck_at);
   // Without a joint to make, would a rectangle continue? Then it is the joint that fails.
   const Reach onward =
       reach_.find(obstacles, track_, {.from = stuck, .to = stuck, .margin = reach_settings_.margin},
                   reach_settings_.margin, 0.0, reach_settings_);
-  result.status = onward.found && onward.end.to > stuck + 1.0 ? CorridorStatus::NoOverlap
-                                                              : CorridorStatus::SeedBlocked;
-  return result;
+  result_.status = onward.found && onward.end.to > stuck + 1.0 ? CorridorStatus::NoOverlap
+                                                               : CorridorStatus::SeedBlocked;
+}
+
+// Replaces links `first` to `last` - 1, and later ones where the new links reach further. When
+// stuck, cuts the chain where it breaks. @return the index of the first old link that remains after
+// the new ones.
+std::size_t FewestRectangles::replace(const BitGrid& obstacles,
+                                      std::size_t first,
+                                      std::size_t last) {
+  const Joint start{.from = 0.0, .to = 0.0, .margin = reach_settings_.margin};
+  const Joint begin = first < links_.size() ? links_[first].piece.begin : start;
+  result_.status = CorridorStatus::Built;
+  const bool planned = plan(obstacles, begin, last);
+  const bool filled = fill(obstacles);
+  if (!planned || !filled) {
+    hooked_ = links_.size();
+    if (planned) note_stuck(obstacles, begin);  // no known way to get here
+    if (!filled) fresh_.clear();
+  }
+  const auto at = links_.erase(links_.begin() + static_cast<std::ptrdiff_t>(first),
+                               links_.begin() + static_cast<std::ptrdiff_t>(hooked_));
+  links_.insert(at, fresh_.begin(), fresh_.end());
+  return first + fresh_.size();
+}
+
+const CorridorResult& FewestRectangles::report(const GridFrame& grid) {
+  Corridor& corridor = result_.corridor;
+  corridor.rectangles.clear();
+  corridor.spans.clear();
+  for (const Link& link : links_) {
+    corridor.rectangles.push_back(link.rectangle);
+    corridor.spans.push_back({.from = link.piece.begin.from * grid.resolution,
+                              .to = link.piece.end.to * grid.resolution});
+  }
+  return result_;
+}
+
+const CorridorResult& FewestRectangles::build(const BitGrid& obstacles,
+                                              const Path& path,
+                                              double robot_radius,
+                                              const CorridorSettings& settings) {
+  const bool workspace = settings.space == CorridorSpace::Workspace;
+  const GridFrame& grid = obstacles.frame();
+  result_.corridor.space = settings.space;
+  result_.corridor.robot_radius = robot_radius;
+  result_.corridor.inward_offset = workspace ? settings.inward_offset : 0.0;
+  result_.status = CorridorStatus::EmptyPath;
+  result_.stuck_at = 0.0;
+  result_.stuck_waypoint = 0;
+  links_.clear();
+  path_.waypoints.assign(path.waypoints.begin(), path.waypoints.end());
+  if (!track_.assign(path, grid)) return report(grid);
+
+  const double cell = grid.resolution;
+  clearance_ = workspace ? 0.0 : robot_radius;
+  min_overlap_ = settings.min_overlap_area / (cell * cell);
+  rectangle_settings_ = {.longest_side = settings.longest_side};
+  reach_settings_ = {.radius = search_radius(grid, clearance_),
+                     .longest_side = settings.longest_side / cell,
+                     .margin = (result_.corridor.inward_offset + kInside) / cell};
+  replace(obstacles, 0, 0);
+  return report(grid);
 }
 
 }  // namespace fairway

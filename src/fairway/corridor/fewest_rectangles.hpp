@@ -19,42 +19,71 @@ namespace fairway {
 ///
 /// Where two rectangles meet, both hold a disc about the path, large enough for the patch that the
 /// settings ask for; where that has no room, a smaller disc swept along a stretch of the path.
-/// Keeps only scratch memory between calls.
 class FewestRectangles {
  public:
   /// See build_corridor. `settings.method` is not looked at.
-  [[nodiscard]] CorridorResult build(const BitGrid& obstacles,
-                                     const Path& path,
-                                     double robot_radius,
-                                     const CorridorSettings& settings);
+  const CorridorResult& build(const BitGrid& obstacles,
+                              const Path& path,
+                              double robot_radius,
+                              const CorridorSettings& settings);
+
+  /// The same path after the map changed: makes anew only runs of rectangles for which `spoilt`
+  /// says so, asked once for each. What remains joins up with what is new.
+  /// @pre the last build or repair was Built, and the map has the same frame.
+  template <typename Spoilt>
+  const CorridorResult& repair(const BitGrid& obstacles, Spoilt&& spoilt) {
+    for (std::size_t first = 0; first < links_.size();) {
+      if (!spoilt(links_[first].rectangle)) {
+        ++first;
+        continue;
+      }
+      std::size_t last = first + 1;
+      while (last < links_.size() && spoilt(links_[last].rectangle))
+        ++last;
+      const std::size_t after = replace(obstacles, first, last);
+      if (result_.status != CorridorStatus::Built) break;
+      first = after;
+    }
+    return report(obstacles.frame());
+  }
+
+  [[nodiscard]] const CorridorResult& result() const noexcept { return result_; }
 
  private:
-  // One rectangle to be: what it must hold as the forward pass found it, and its orientation there.
+  // One rectangle: what it holds of the path, its orientation against the grid, and itself.
   struct Link {
     PathPiece piece;
     double angle = 0.0;
+    OrientedRectangle rectangle;
   };
 
-  [[nodiscard]] bool plan_links(const BitGrid& obstacles, double min_overlap);
-  [[nodiscard]] bool fill_links(const BitGrid& obstacles,
-                                const Eigen::Vector2d& start,
-                                Corridor& corridor);
-  [[nodiscard]] bool add_rectangle(const BitGrid& obstacles,
-                                   const PathPiece& piece,
-                                   double angle,
-                                   Corridor& corridor);
-  [[nodiscard]] Joint joint_towards_start(const RectangleSearch::Found& found,
-                                          const Joint& latest) const noexcept;
+  [[nodiscard]] bool plan(const BitGrid& obstacles, Joint begin, std::size_t first_old);
+  [[nodiscard]] bool hook(const BitGrid& obstacles,
+                          const Joint& begin,
+                          const Reach& reach,
+                          std::size_t first_old);
+  [[nodiscard]] Reach onward_reach(const BitGrid& obstacles, const Joint& begin);
+  [[nodiscard]] bool fill(const BitGrid& obstacles);
+  [[nodiscard]] bool make_rectangle(const BitGrid& obstacles, Link& link);
+  [[nodiscard]] Joint joint_towards_start(const Joint& latest) const noexcept;
+  std::size_t replace(const BitGrid& obstacles, std::size_t first, std::size_t last);
+  void note_stuck(const BitGrid& obstacles, const Joint& begin);
+  const CorridorResult& report(const GridFrame& grid);
 
   double clearance_ = 0.0;
+  double min_overlap_ = 0.0;  // [cells^2]
   ReachSearch::Settings reach_settings_;
   RectangleSearchSettings rectangle_settings_;
+  Path path_;
   PathTrack track_;
   ReachSearch reach_;
   RectangleSearch search_;
   RectangleSearch::Found last_found_;
-  std::vector<Link> links_;
   std::vector<Anchor> anchors_;
+  std::vector<Link> links_;  // the chain
+  std::vector<Link> fresh_;  // what is to replace a part of it
+  std::size_t hooked_ = 0;   // index in links_ that the fresh part leads to
+  CorridorResult result_;
 };
 
 }  // namespace fairway

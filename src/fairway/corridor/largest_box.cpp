@@ -141,21 +141,30 @@ struct Best {
   float top = 0.0F;
 };
 
-// Tries every top level with every bottom level. `limit` is the longest side.
+// Whether level `a` reaches at least as far to both sides as `b`.
+bool spans(const Level& a, const Level& b) noexcept {
+  return a.left <= b.left && a.right >= b.right;
+}
+
+// Tries the top levels with the bottom levels. Outwards, levels never get wider. So below a top
+// level the search starts at the last bottom level that is still as wide (those before it are only
+// lower boxes of the same width), and ends where the next top level is as wide as the bottom level
+// (from there on it is the better top). Both bounds only move outwards with the top.
 Best best_pair(const Levels& tops, const Levels& bottoms, float limit) noexcept {
   Best best;
-  const float deepest = bottoms.levels[bottoms.count - 1].height;
+  std::size_t first = 0;
   for (std::size_t i = 0; i < tops.count; ++i) {
     const Level& top = tops.levels[i];
-    const float widest = std::min(limit, top.right - top.left);
-    if (widest * std::min(limit, top.height + deepest) <= best.area) continue;
-    for (std::size_t j = 0; j < bottoms.count; ++j) {
+    while (first + 1 < bottoms.count && spans(bottoms.levels[first + 1], top))
+      ++first;
+    for (std::size_t j = first; j < bottoms.count; ++j) {
       const Level& bottom = bottoms.levels[j];
       const float right = std::min(top.right, bottom.right);
       const float left = std::max(top.left, bottom.left);
       const float area =
           std::min(limit, right - left) * std::min(limit, top.height + bottom.height);
       if (area > best.area) best = {area, left, right, -bottom.height, top.height};
+      if (i + 1 < tops.count && spans(tops.levels[i + 1], bottom)) break;
     }
   }
   return best;

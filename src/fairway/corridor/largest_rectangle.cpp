@@ -31,10 +31,23 @@ Box inset(const Box& box, const Box& core) noexcept {
 }  // namespace
 
 void RectangleSearch::evaluate(Candidate& candidate) noexcept {
-  candidate.known = points_.size();
+  candidate.known = points_.added();
   const std::optional<Box> box = largest_box(points_, candidate.along, candidate.core, longest_);
   candidate.box = box ? inset(*box, candidate.core) : Box{};
   candidate.bound = box ? box->area() : kDone;
+}
+
+// Whether points were added since, inside the candidate's box; otherwise its bound still stands.
+bool RectangleSearch::newly_hit(Candidate& candidate) noexcept {
+  const auto c = static_cast<float>(candidate.along.x());
+  const auto s = static_cast<float>(candidate.along.y());
+  for (std::size_t i = candidate.known; i < points_.added(); ++i) {
+    const auto [px, py] = points_.in_order_added(i);
+    const Vector2d p(c * px + s * py, c * py - s * px);
+    if (candidate.box.contains(p)) return true;
+  }
+  candidate.known = points_.added();
+  return false;
 }
 
 void RectangleSearch::try_angle(double angle) noexcept {
@@ -121,7 +134,7 @@ void RectangleSearch::exhaust(const BitGrid& obstacles) noexcept {
       if (best == nullptr || candidates_[i].bound > best->bound) best = &candidates_[i];
     }
     if (best == nullptr || best->bound <= best_area_ * (1.0 + tolerance_)) return;
-    if (best->known != points_.size()) {
+    if (newly_hit(*best)) {
       evaluate(*best);
     } else {
       test(obstacles, *best);

@@ -68,6 +68,7 @@ class RectangleSearch {
 
   void try_angle(double angle) noexcept;
   void evaluate(Candidate& candidate) noexcept;
+  bool newly_hit(Candidate& candidate) noexcept;
   void test(const BitGrid& obstacles, Candidate& candidate) noexcept;
   void exhaust(const BitGrid& obstacles) noexcept;
   void learn(const BoxRepair& repair, const Box& box, std::span<const CellIndex> cells) noexcept;

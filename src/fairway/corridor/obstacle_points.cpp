@@ -40,6 +40,7 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
   constexpr double kFirstStep = 0.9;  // [cells]
   constexpr double kStretch = 1.05;   // each sample lies this much further out
   size_ = 0;
+  added_ = 0;
   CellIndex last{.x = -1, .y = -1};
   for (const Vector2d& ray : rays.directions) {
     for (double t = radius + 0.5; t < reach; t = std::max(t + kFirstStep, t * kStretch)) {
@@ -56,6 +57,7 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
       break;
     }
   }
+  added_ = 0;
 }
 
 void ObstaclePoints::add(const Vector2d& point) noexcept {
@@ -63,6 +65,8 @@ void ObstaclePoints::add(const Vector2d& point) noexcept {
   const auto x = static_cast<float>(point.x());
   const auto y = static_cast<float>(point.y());
   const float key = direction_key(x, y);
+  added_x_[added_] = x;
+  added_y_[added_++] = y;
   std::size_t i = size_++;
   for (; i > 0 && key_[i - 1] > key; --i) {
     x_[i] = x_[i - 1];

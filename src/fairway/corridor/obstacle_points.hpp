@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "fairway/map/bit_grid.hpp"
 
@@ -34,7 +35,12 @@ class ObstaclePoints {
   void add(const Eigen::Vector2d& point) noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
-  [[nodiscard]] bool full() const noexcept { return size_ == kCapacity; }
+
+  /// How many points were added one by one since look_around, and those points.
+  [[nodiscard]] std::size_t added() const noexcept { return added_; }
+  [[nodiscard]] std::pair<float, float> in_order_added(std::size_t i) const noexcept {
+    return {added_x_[i], added_y_[i]};
+  }
 
   /// Coordinates of all points, in order of direction from -x through -y, +x, +y.
   [[nodiscard]] const float* x() const noexcept { return x_.data(); }
@@ -45,9 +51,12 @@ class ObstaclePoints {
 
  private:
   std::size_t size_ = 0;
+  std::size_t added_ = 0;
   std::array<float, kCapacity> x_{};
   std::array<float, kCapacity> y_{};
   std::array<float, kCapacity> key_{};
+  std::array<float, kCapacity> added_x_{};
+  std::array<float, kCapacity> added_y_{};
 };
 
 }  // namespace fairway

@@ -46,15 +46,14 @@ class Chain {
         double clearance,
         const CorridorSettings& settings,
         std::vector<SeedPoint> seeds,
+        const GrowRectangle& grow,
         Corridor& corridor)
       : obstacles_(obstacles),
         clearance_(clearance),
-        growth_{.num_orientations = settings.num_orientations,
-                .growth_step = settings.growth_step,
-                .max_growth = settings.max_growth,
-                .start_size = corridor.inward_offset},
+        longest_side_(2.0 * settings.max_growth),
         min_overlap_(settings.min_overlap_area),
         seeds_(std::move(seeds)),
+        grow_(grow),
         corridor_(corridor) {}
 
   // @return Built, or why it went no further than seeds()[reached()].
@@ -71,7 +70,7 @@ class Chain {
 
  private:
   [[nodiscard]] std::optional<OrientedRectangle> grow(std::size_t seed) const {
-    return grow_rectangle(obstacles_, clearance_, seeds_[seed].point, growth_);
+    return grow_(seeds_[seed].point);
   }
 
   [[nodiscard]] bool holds(const OrientedRectangle& rectangle, std::size_t seed) const noexcept {
@@ -121,7 +120,7 @@ class Chain {
       const std::array<Anchor, 2> others{Anchor{seeds_[last].point, margin},
                                          Anchor{seeds_[next].point, margin}};
       const auto rectangle = largest_rectangle(obstacles_, clearance_, {seeds_[back].point, margin},
-                                               others, {.longest_side = 2.0 * growth_.max_growth});
+                                               others, {.longest_side = longest_side_});
       if (!rectangle) break;
       possible = true;
       if (add(rectangle, next)) return CorridorStatus::Built;
@@ -133,9 +132,10 @@ class Chain {
 
   const BitGrid& obstacles_;
   double clearance_;
-  GrowthSettings growth_;
+  double longest_side_;
   double min_overlap_;
   std::vector<SeedPoint> seeds_;
+  const GrowRectangle& grow_;
   Corridor& corridor_;
   std::size_t first_ = 0;    // first point that the last rectangle holds
   std::size_t reached_ = 0;  // last point that it holds without a gap
@@ -147,6 +147,21 @@ CorridorResult build_sequential(const BitGrid& obstacles,
                                 const Path& path,
                                 double robot_radius,
                                 const CorridorSettings& settings) {
+  const bool workspace = settings.space == CorridorSpace::Workspace;
+  const GrowthSettings growth{.num_orientations = settings.num_orientations,
+                              .growth_step = settings.growth_step,
+                              .max_growth = settings.max_growth,
+                              .start_size = workspace ? settings.inward_offset : 0.0};
+  return build_sequential(obstacles, path, robot_radius, settings, [&](const Vector2d& seed) {
+    return grow_rectangle(obstacles, workspace ? 0.0 : robot_radius, seed, growth);
+  });
+}
+
+CorridorResult build_sequential(const BitGrid& obstacles,
+                                const Path& path,
+                                double robot_radius,
+                                const CorridorSettings& settings,
+                                const GrowRectangle& grow) {
   CorridorResult result;
   const bool workspace = settings.space == CorridorSpace::Workspace;
   result.corridor.space = settings.space;
@@ -157,7 +172,7 @@ CorridorResult build_sequential(const BitGrid& obstacles,
                                              [](const Vector2d& p) { return is_finite(p); });
   if (!usable) return result;
   Chain chain(obstacles, workspace ? 0.0 : robot_radius, settings,
-              seed_points(path, settings.waypoint_spacing), result.corridor);
+              seed_points(path, settings.waypoint_spacing), grow, result.corridor);
   result.status = chain.run();
   if (result.status == CorridorStatus::Built) return result;
   result.stuck_at = chain.reached();

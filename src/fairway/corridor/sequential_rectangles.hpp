@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "fairway/corridor/corridor.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
 #include "fairway/map/bit_grid.hpp"
@@ -20,5 +23,16 @@ namespace fairway {
                                               const Path& path,
                                               double robot_radius,
                                               const CorridorSettings& settings);
+
+/// Grows a free rectangle around a seed [m], or says that there is none.
+using GrowRectangle = std::function<std::optional<OrientedRectangle>(const Eigen::Vector2d&)>;
+
+/// The same chain out of rectangles that somebody else grows (the baselines do).
+/// @pre every rectangle that `grow` returns is free and holds its seed.
+[[nodiscard]] CorridorResult build_sequential(const BitGrid& obstacles,
+                                              const Path& path,
+                                              double robot_radius,
+                                              const CorridorSettings& settings,
+                                              const GrowRectangle& grow);
 
 }  // namespace fairway

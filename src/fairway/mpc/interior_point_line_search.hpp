@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "fairway/mpc/interior_point_filter.hpp"
 #include "fairway/mpc/interior_point_workspace.hpp"
 
 namespace fairway::interior_point {
 
-/// Merit function of the line search, Eq. (S15): cost + price of e - mu log sum + penalty *
-/// |residual|.
-struct Merit {
-  double mu = 1.0;
-  double penalty = 1.0;
-};
-
 /// Brings all that belongs to the commands of `point` up to date, save slacks.
 void evaluate(const Workspace& w, Point& point) noexcept;
 
-/// Finds the steps of all rows for the Newton step in `w.model` and goes along it, as far as it
-/// lowers the merit function; the taken point becomes `w.now`. May raise the penalty.
-/// @return False when no length does.
-[[nodiscard]] bool take_step(Workspace& w, Merit& merit) noexcept;
+/// Finds the steps of all rows for the Newton step in `w.model` and goes along it as far as the
+/// filter of this barrier problem allows; the taken point becomes `w.now`. Where no length will do,
+/// the residuals of the rows are absorbed by their excesses instead, docs/solver.md section 5.
+/// @return False when there is nothing to absorb either.
+[[nodiscard]] bool take_step(Workspace& w, double mu, Filter& filter) noexcept;
 
 }  // namespace fairway::interior_point

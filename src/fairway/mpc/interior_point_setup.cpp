@@ -12,7 +12,7 @@ namespace {
 // Bounds of rows that are not needed: far enough to weigh nothing.
 constexpr double kFar = 1e8;
 // How far a guess is drawn to the middle of the hard rows.
-constexpr double kInwards = 0.02;
+constexpr double kInwards = 0.005;
 // Rows that stay this far from being violated are left out [m or m^2].
 constexpr double kNeverActive = 1e-6;
 

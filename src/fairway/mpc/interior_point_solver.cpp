@@ -14,18 +14,12 @@
 #include "fairway/mpc/interior_point_trajectory.hpp"
 #include "fairway/mpc/riccati.hpp"
 
-#ifdef SVTRACE
-#include <cstdio>
-#include <cstdlib>
-double g_len, g_damp;
-#endif
 namespace fairway {
+namespace interior_point {
 namespace {
 
-using namespace interior_point;
-
 // Barrier parameter: when it is lowered, and how far, Eq. (S17).
-constexpr double kSolvedEnough = 10.0;  // error of a barrier problem over mu
+constexpr double kSolvedEnough = 30.0;  // error of a barrier problem over mu
 constexpr double kLinearDecrease = 0.2;
 constexpr double kLastBarrier = 0.1;  // of the tolerance
 constexpr double kByViolation = 0.5;  // first mu by the price of the greatest violation [1/m]
@@ -42,7 +36,8 @@ double first_barrier(const Workspace& w, double initial) noexcept {
   double worst = 0.0;
   for (std::size_t i = 0; i < w.elastic.count; ++i)
     worst = std::max(worst, -w.now->value[i]);
-  return std::max(initial, std::min(kMostViolated, kByViolation * worst) * w.problem->violation_weight);
+  return std::max(initial,
+                  std::min(kMostViolated, kByViolation * worst) * w.problem->violation_weight);
 }
 
 void start_iteration(Workspace& w, double mu) noexcept {
@@ -60,14 +55,8 @@ double next_barrier(double mu, double least, const OptimalityError& error) noexc
 
 // The Newton system; without the curvature of rows and dynamics where it is not convex with it.
 bool factorise(Workspace& w) noexcept {
-#ifdef SVTRACE
-    g_damp = 0;
-#endif
   if (riccati_backward(w, 1.0, 0.0)) return true;
   for (double damping = 0.0; damping < kMostDamping; damping = 10.0 * damping + kLeastDamping) {
-#ifdef SVTRACE
-    g_damp = damping + 1e-9;
-#endif
     if (riccati_backward(w, 0.0, damping)) return true;
   }
   return false;
@@ -76,28 +65,26 @@ bool factorise(Workspace& w) noexcept {
 SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& iterations) noexcept {
   const double least_barrier = kLastBarrier * settings.tolerance;
   evaluate(w, *w.now);
-  Merit merit{.mu = first_barrier(w, settings.initial_barrier), .penalty = 1.0};
-  start_iteration(w, merit.mu);
+  double mu = first_barrier(w, settings.initial_barrier);
+  Filter filter;
+  start_iteration(w, mu);
   for (iterations = 0;; ++iterations) {
-    linearise_hard_rows(*w.now, merit.mu, w.hard);
+    linearise_hard_rows(*w.now, mu, w.hard);
     linearise_elastic_rows(w);
     linearise_trajectory(w);
     const OptimalityError error = optimality_error(w);
     if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
       return SolveStatus::Solved;
-#ifdef SVTRACE
-    static bool trace = getenv("TRACE");
-    if (trace) fprintf(stderr, "it %d mu %.1e cost %.6f stat %.2e res %.2e comp %.1e..%.1e nu %.1e P %.8g len %.2g damp %.1e\n", iterations, merit.mu, w.now->cost, error.stationarity, error.residual, error.least_product, error.greatest_product, merit.penalty, penalised_cost(w, *w.now), g_len, g_damp);
-#endif
     if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
 
-    const double mu = next_barrier(merit.mu, least_barrier, error);
-    if (mu < merit.mu) merit = {.mu = mu, .penalty = 1.0};
+    const double next = next_barrier(mu, least_barrier, error);
+    if (next < mu) filter.clear();
+    mu = next;
     aim_elastic_rows(w, mu);
     aim_hard_rows(w, mu);
     if (!factorise(w)) return SolveStatus::Stalled;
     riccati_forward(w);
-    if (!take_step(w, merit)) return SolveStatus::Stalled;
+    if (!take_step(w, mu, filter)) return SolveStatus::Stalled;
   }
 }
 
@@ -109,6 +96,7 @@ bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcep
 }
 
 }  // namespace
+}  // namespace interior_point
 
 const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
                                               const InitialGuess& guess,
@@ -116,22 +104,23 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
   const ProblemFault fault = validate(problem);
   const bool contradiction = fault == ProblemFault::Contradiction;
   if (fault != ProblemFault::None && !contradiction) {
-    report_invalid(problem, solution_);
+    interior_point::report_invalid(problem, solution_);
     return solution_;
   }
-  Workspace& w = workspace_;
-  load_problem(problem, w);
-  load_guess(guess, w, *w.now);
-  solution_.status = iterate(w, settings, solution_.iterations);
+  interior_point::Workspace& w = workspace_;
+  interior_point::load_problem(problem, w);
+  interior_point::load_guess(guess, w, *w.now);
+  solution_.status = interior_point::iterate(w, settings, solution_.iterations);
 
   // An unfinished answer must not be worse than the guess was.
   if (solution_.status != SolveStatus::Solved) {
-    load_guess(guess, w, *w.trial);
-    evaluate(w, *w.trial);
-    if (!(penalised_cost(w, *w.now) <= penalised_cost(w, *w.trial))) std::swap(w.now, w.trial);
+    interior_point::load_guess(guess, w, *w.trial);
+    interior_point::evaluate(w, *w.trial);
+    if (!(interior_point::penalised_cost(w, *w.now) <= interior_point::penalised_cost(w, *w.trial)))
+      std::swap(w.now, w.trial);
   }
-  if (!report(w, solution_)) {
-    report_invalid(problem, solution_);
+  if (!interior_point::report(w, solution_)) {
+    interior_point::report_invalid(problem, solution_);
     return solution_;
   }
   const bool violated = solution_.max_violation > kFeasibilityTolerance || contradiction;
@@ -149,7 +138,8 @@ const MpcSolution& InteriorPointSolver::solve_best(const ControlProblem& problem
     const bool first = &guess == guesses.data();
     solve(problem, guess, settings);
     iterations += solution_.iterations;
-    if (first || is_better(solution_, best_, problem.violation_weight)) best_ = solution_;
+    if (first || interior_point::is_better(solution_, best_, problem.violation_weight))
+      best_ = solution_;
   }
   best_.iterations = iterations;
   return best_;

@@ -86,6 +86,16 @@ bool CorridorString::update(const Vector2d& position, double slack) noexcept {
   return true;
 }
 
+double CorridorString::remaining() const noexcept {
+  double sum = string_.length();
+  if (string_.ends_at_goal) return sum;
+  // The string ends at the touch after those it holds; from there through the rest to the goal.
+  std::size_t i = current_ + static_cast<std::size_t>(string_.count) - 2;
+  for (; i + 1 < touches_.size(); ++i)
+    sum += (touches_[i + 1] - touches_[i]).norm();
+  return sum + (goal_ - touches_.back()).norm();
+}
+
 void CorridorString::pull(const Vector2d& position) noexcept {
   const std::size_t ahead = std::min(kLookAhead, patches_.size() - current_);
   const bool to_goal = current_ + ahead == patches_.size();

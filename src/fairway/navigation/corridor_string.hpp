@@ -61,6 +61,9 @@ class CorridorString {
   [[nodiscard]] const OverlapPatch& patch(std::size_t i) const noexcept { return patches_[i]; }
 
   [[nodiscard]] const Corridor& corridor() const noexcept { return corridor_; }
+  /// Length of the string from the robot to the goal [m].
+  [[nodiscard]] double remaining() const noexcept;
+
   [[nodiscard]] const StringAhead& string() const noexcept { return string_; }
 
  private:

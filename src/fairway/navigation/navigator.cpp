@@ -218,8 +218,8 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
                           : 0.0;
   const bool can_back = settings_.mpc.linear_min < 0.0;
   const RecoveryAction action =
-      recovery_.update(stands(step.command), std::abs(turn) < kAligned, can_back, settings_.mpc.dt,
-                       settings_.navigation.blocked_after);
+      recovery_.update(corridor_.remaining(), stands(step.command), std::abs(turn) < kAligned,
+                       can_back, settings_.mpc.dt, settings_.navigation.blocked_after);
   Twist2 wanted;
   switch (action) {
     case RecoveryAction::None:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "fairway/geometry/pose2.hpp"
 
@@ -16,61 +17,78 @@ enum class RecoveryAction : std::uint8_t {
   Wait,  ///< all has been tried: blocked, until something changes
 };
 
-/// Watches for standing still and goes through what can be done about it, in that order, round and
-/// round, with patience in between.
+/// Watches whether the robot gets on, and goes through what can be done about it when it does not:
+/// turn, plan, back, wait, and round again. Standing is noticed after `patience`; moving to and fro
+/// without getting nearer after five times that.
 class Recovery {
  public:
   void reset() noexcept { *this = Recovery(); }
 
-  /// @param standing  whether the last command was (nearly) zero
-  /// @param aligned   whether the robot already looks along the string
-  /// @param can_back  whether the limits allow to reverse
-  [[nodiscard]] RecoveryAction update(
-      bool standing, bool aligned, bool can_back, double dt, double patience) noexcept {
-    if (!standing) {
-      moving_ += dt;
-      // A short twitch is no recovery.
-      if (action_ == RecoveryAction::None || moving_ > patience) {
-        standing_ = 0.0;
-        action_ = RecoveryAction::None;
-      }
-    } else {
-      moving_ = 0.0;
-      standing_ += dt;
+  /// @param remaining  length of the way to the goal [m]; getting nearer than ever is progress
+  /// @param standing   whether the command is (nearly) zero
+  /// @param aligned    whether the robot already looks along the string
+  /// @param can_back   whether the limits allow to reverse
+  [[nodiscard]] RecoveryAction update(double remaining,
+                                      bool standing,
+                                      bool aligned,
+                                      bool can_back,
+                                      double dt,
+                                      double patience) noexcept {
+    constexpr double kProgress = 0.05;  // [m]
+    if (remaining < least_ - kProgress) {
+      *this = Recovery();
+      least_ = remaining;
     }
-    if (standing_ < patience) return RecoveryAction::None;
+    stalled_ += dt;
+    standing_ = standing ? standing_ + dt : 0.0;
     elapsed_ += dt;
-    action_ = next(aligned, can_back, patience);
-    return action_;
+    if (action_ == RecoveryAction::None) {
+      if (stalled_ >= 5.0 * patience) return enter(RecoveryAction::Plan);
+      if (standing_ >= patience)
+        return enter(aligned ? RecoveryAction::Plan : RecoveryAction::Turn);
+      return RecoveryAction::None;
+    }
+    return enter(next(aligned, can_back, patience));
   }
 
  private:
+  RecoveryAction enter(RecoveryAction action) noexcept {
+    if (action != action_) elapsed_ = 0.0;
+    action_ = action;
+    return action;
+  }
+
   [[nodiscard]] RecoveryAction next(bool aligned, bool can_back, double patience) noexcept {
-    const auto enter = [this](RecoveryAction action) {
-      elapsed_ = 0.0;
-      return action;
-    };
     constexpr double kTurnTime = 4.0;  // [s], of turning before it counts as failed
     constexpr double kBackTime = 1.5;  // [s]
     switch (action_) {
       case RecoveryAction::None:
-        return enter(aligned ? RecoveryAction::Plan : RecoveryAction::Turn);
+        return RecoveryAction::None;
       case RecoveryAction::Turn:
-        return aligned || elapsed_ > kTurnTime ? enter(RecoveryAction::Plan) : RecoveryAction::Turn;
+        if (aligned) return again();  // let the controller try from here
+        return elapsed_ > kTurnTime ? RecoveryAction::Plan : RecoveryAction::Turn;
       case RecoveryAction::Plan:
-        return enter(can_back ? RecoveryAction::Back : RecoveryAction::Wait);
+        return can_back ? RecoveryAction::Back : RecoveryAction::Wait;
       case RecoveryAction::Back:
-        return elapsed_ > kBackTime ? enter(RecoveryAction::Wait) : RecoveryAction::Back;
+        return elapsed_ > kBackTime ? RecoveryAction::Wait : RecoveryAction::Back;
       case RecoveryAction::Wait:
-        return elapsed_ > 4.0 * patience ? enter(RecoveryAction::None) : RecoveryAction::Wait;
+        return elapsed_ > patience ? again() : RecoveryAction::Wait;
     }
     return RecoveryAction::None;
   }
 
+  // Gives the controller another chance, as long as before the first recovery.
+  RecoveryAction again() noexcept {
+    standing_ = 0.0;
+    if (action_ == RecoveryAction::Wait) stalled_ = 0.0;
+    return RecoveryAction::None;
+  }
+
   RecoveryAction action_ = RecoveryAction::None;
+  double least_ = std::numeric_limits<double>::infinity();
+  double stalled_ = 0.0;  // since the last progress, or the last round
   double standing_ = 0.0;
-  double moving_ = 0.0;
-  double elapsed_ = 0.0;
+  double elapsed_ = 0.0;  // in the present action
 };
 
 }  // namespace fairway

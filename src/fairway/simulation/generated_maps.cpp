@@ -127,15 +127,15 @@ void draw_polygon(Canvas& canvas, Draw& draw, double least, double most) {
 
 void draw_unstructured(Canvas& canvas, Draw& draw) {
   const double area = canvas.side() * canvas.side();
-  for (int i = static_cast<int>(0.075 * area); i > 0; --i)
-    draw_polygon(canvas, draw, 0.3, 1.3);
-  for (int i = static_cast<int>(0.01 * area); i > 0; --i) {  // posts of one cell
+  for (int i = static_cast<int>(0.33 * area); i > 0; --i)
+    draw_polygon(canvas, draw, 0.2, 0.7);
+  for (int i = static_cast<int>(0.03 * area); i > 0; --i) {  // posts of one cell
     const int n = canvas.grid().frame().width - 1;
     const int x = draw.integer(0, n);
     const int y = draw.integer(0, n);
     canvas.block(x, y, x, y);
   }
-  for (int i = static_cast<int>(0.006 * area); i > 0; --i) {
+  for (int i = static_cast<int>(0.015 * area); i > 0; --i) {
     const Vector2d from(draw.uniform(0, canvas.side()), draw.uniform(0, canvas.side()));
     const double length = draw.uniform(0.5, 2.5);
     canvas.line(from, from + length * direction(draw.uniform(0, 2.0 * std::numbers::pi)));

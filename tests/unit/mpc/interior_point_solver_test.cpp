@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/mpc/evaluation.hpp"
-#include "fairway/mpc/starts.hpp"
+#include "fairway/mpc/start_guesses.hpp"
 #include "support/optimality_oracle.hpp"
 #include "support/random_control_problem.hpp"
 
@@ -90,7 +90,8 @@ TEST(InteriorPointSolver, GivesTheSameBitsForTheSameInput) {
 
 TEST(InteriorPointSolver, KeepsTheBestOfSeveralStarts) {
   for_random_problems(74, 200, {}, [](const ControlProblem& problem, auto& solver) {
-    const std::array starts{straight_start(problem), left_start(problem), right_start(problem)};
+    std::array<InitialGuess, 3> starts;
+    spread_guesses(problem, {}, starts);
     const auto merit = [&](const MpcSolution& s) {
       return s.cost + problem.violation_weight * s.sum_violation;
     };

@@ -103,7 +103,7 @@ TEST(IpoptSolver, SolutionsAreFeasibleAndOptimalByIndependentChecks) {
   Random random(31);
   int solved = 0;
   int unfeasible = 0;
-  constexpr int kTrials = 60;
+  constexpr int kTrials = 30;
   IpoptSolver solver;
   for (int trial = 0; trial < kTrials; ++trial) {
     const ControlProblem problem = test::random_control_problem(random);

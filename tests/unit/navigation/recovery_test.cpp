@@ -8,20 +8,27 @@
 namespace fairway {
 namespace {
 
-TEST(Recovery, NothingWhileTheRobotMovesOrHasJustStopped) {
+constexpr double kDt = 0.1;
+constexpr double kPatience = 0.4;
+
+TEST(Recovery, NothingWhileTheRobotGetsOnOrHasJustStopped) {
   Recovery recovery;
-  for (int i = 0; i < 100; ++i)
-    EXPECT_EQ(recovery.update(false, false, true, 0.1, 0.4), RecoveryAction::None);
-  for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(recovery.update(true, false, true, 0.1, 0.4), RecoveryAction::None);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(recovery.update(20.0 - 0.1 * i, false, false, true, kDt, kPatience),
+              RecoveryAction::None);
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(recovery.update(10.1, true, false, true, kDt, kPatience), RecoveryAction::None);
+  }
 }
 
 TEST(Recovery, StandingGoesThroughAllThatCanBeTried) {
   for (const bool can_back : {false, true}) {
     Recovery recovery;
     std::set<RecoveryAction> seen;
-    for (int i = 0; i < 200; ++i)
-      seen.insert(recovery.update(true, false, can_back, 0.1, 0.4));
+    for (int i = 0; i < 200; ++i) {
+      seen.insert(recovery.update(5.0, true, false, can_back, kDt, kPatience));
+    }
     EXPECT_TRUE(seen.contains(RecoveryAction::Turn));
     EXPECT_TRUE(seen.contains(RecoveryAction::Plan));
     EXPECT_TRUE(seen.contains(RecoveryAction::Wait));
@@ -29,11 +36,28 @@ TEST(Recovery, StandingGoesThroughAllThatCanBeTried) {
   }
 }
 
-TEST(Recovery, AnAlignedRobotIsPlannedForAtOnce) {
+TEST(Recovery, AnAlignedRobotThatStandsIsPlannedForAtOnce) {
   Recovery recovery;
   for (int i = 0; i < 3; ++i)
-    (void)recovery.update(true, true, false, 0.1, 0.4);
-  EXPECT_EQ(recovery.update(true, true, false, 0.1, 0.4), RecoveryAction::Plan);
+    (void)recovery.update(5.0, true, true, false, kDt, kPatience);
+  EXPECT_EQ(recovery.update(5.0, true, true, false, kDt, kPatience), RecoveryAction::Plan);
+}
+
+TEST(Recovery, SwingingOnTheSpotIsNoProgress) {
+  Recovery recovery;
+  int plans = 0;
+  for (int i = 0; i < 100; ++i) {
+    plans += recovery.update(5.0 + 0.01 * (i % 2), false, false, false, kDt, kPatience) ==
+             RecoveryAction::Plan;
+  }
+  EXPECT_GE(plans, 3);
+}
+
+TEST(Recovery, ProgressEndsIt) {
+  Recovery recovery;
+  for (int i = 0; i < 6; ++i)
+    (void)recovery.update(5.0, true, false, false, kDt, kPatience);
+  EXPECT_EQ(recovery.update(4.8, false, false, false, kDt, kPatience), RecoveryAction::None);
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+
+#include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/mpc_settings.hpp"
+#include "fairway/mpc/paper_problem.hpp"
+
+namespace fairway::benchmark {
+
+/// Seeded problems of the paper's preset with any horizon and number of obstacles: a rectangle that
+/// holds the robot, both targets ahead, obstacles that start outside their keep-out distance and
+/// move at up to 0.6 m/s. Not all of them are feasible.
+class OcpGenerator {
+ public:
+  explicit OcpGenerator(std::uint64_t seed) : engine_(seed) {}
+
+  ControlProblem next(int horizon, int num_obstacles) {
+    MpcSettings settings = paper_mpc_settings();
+    settings.horizon = horizon;
+    PaperScene scene;
+    scene.start = {.position = point(5.0), .heading = uniform(-3.0, 3.0)};
+    scene.current_target = ahead_of(scene.start);
+    scene.next_target = ahead_of(scene.current_target);
+    scene.region.seed = scene.start.position + point(0.3);
+    scene.region.orientation = uniform(0.0, 0.5 * std::numbers::pi);
+    scene.region.min = {uniform(-3.0, -0.5), uniform(-2.0, -0.5)};
+    scene.region.max = {uniform(0.5, 3.0), uniform(0.5, 2.0)};
+    std::array<MovingObstacle, kMaxObstacles> obstacles;
+    for (int j = 0; j < num_obstacles; ++j) {
+      const double distance = uniform(0.9, 2.8);
+      const double bearing = uniform(-std::numbers::pi, std::numbers::pi);
+      obstacles[static_cast<std::size_t>(j)] = {
+          .position = scene.start.position + distance * direction(bearing),
+          .velocity = point(0.6),
+          .radius = 0.8};
+    }
+    scene.obstacles = {obstacles.data(), static_cast<std::size_t>(num_obstacles)};
+    return paper_problem(settings, scene);
+  }
+
+ private:
+  // Not std::uniform_real_distribution: its numbers differ between standard libraries.
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1.0p-53);
+  }
+  Eigen::Vector2d point(double reach) {
+    const double x = uniform(-reach, reach);
+    return {x, uniform(-reach, reach)};
+  }
+  Pose2 ahead_of(const Pose2& pose) {
+    const double bearing = pose.heading + uniform(-1.0, 1.0);
+    return {.position = pose.position + uniform(1.0, 4.0) * direction(bearing), .heading = bearing};
+  }
+
+  std::mt19937_64 engine_;
+};
+
+}  // namespace fairway::benchmark
