@@ -79,6 +79,15 @@ std::string describe(const char* kind, const NumberRange& range) {
   return kind;
 }
 
+std::string alternatives(std::span<const char* const> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
 YamlMapping::YamlMapping(YamlFile& file, const YAML::Node& node, std::string prefix)
     : file_(&file),
       node_(node),
@@ -197,11 +206,7 @@ std::size_t YamlMapping::choice(const char* key,
                                 std::span<const char* const> names,
                                 std::optional<std::size_t> fallback) {
   const YAML::Node node = find(key);
-  std::string expected;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) expected += i + 1 == names.size() ? " or " : ", ";
-    expected += names[i];
-  }
+  const std::string expected = alternatives(names);
   if (!node.IsDefined()) {
     if (!fallback) missing(key, expected);
     return fallback.value_or(0);
@@ -222,10 +227,19 @@ std::vector<double> YamlMapping::numbers(const char* key, std::size_t least, std
     if (least > 0) missing(key, expected);
     return {};
   }
+  return number_list(node, key, expected, least, most);
+}
+
+std::vector<double> YamlMapping::number_list(const YAML::Node& node,
+                                             const char* key,
+                                             const std::string& expected,
+                                             std::size_t least,
+                                             std::size_t most) {
   if (!node.IsSequence() || node.size() < least || node.size() > most) {
     const std::string found =
         node.IsSequence() ? fmt::format("{} of them", node.size()) : kind_of(node);
-    complain(key, fmt::format("expected {}, found {}", expected, found));
+    file_->complain(line_of(node), full(key),
+                    fmt::format("expected {}, found {}", expected, found));
     return {};
   }
   std::vector<double> values;
@@ -233,12 +247,30 @@ std::vector<double> YamlMapping::numbers(const char* key, std::size_t least, std
     const std::optional<double> value =
         item.IsScalar() ? parse_number(item.Scalar()) : std::optional<double>();
     if (!value) {
-      complain(key, fmt::format("expected {}, found {}", expected, kind_of(item)));
+      file_->complain(line_of(item), full(key),
+                      fmt::format("expected {}, found {}", expected, kind_of(item)));
       return {};
     }
     values.push_back(*value);
   }
   return values;
+}
+
+std::vector<std::vector<double>> YamlMapping::rows(const char* key, std::size_t columns) {
+  const YAML::Node node = find(key);
+  const std::string expected = fmt::format("lists of {} numbers", columns);
+  std::vector<std::vector<double>> result;
+  if (!node.IsDefined()) return result;
+  if (!node.IsSequence()) {
+    complain(key, fmt::format("expected {}, found {}", expected, kind_of(node)));
+    return result;
+  }
+  for (const YAML::Node& item : node) {
+    std::vector<double> row = number_list(item, key, expected, columns, columns);
+    if (row.empty()) return {};
+    result.push_back(std::move(row));
+  }
+  return result;
 }
 
 std::optional<YamlMapping> YamlMapping::mapping(const char* key) {
@@ -267,14 +299,6 @@ std::vector<YamlMapping> YamlMapping::mappings(const char* key) {
       return result;
     }
     result.emplace_back(*file_, item, name);
-  }
-  return result;
-}
-
-std::vector<std::string> YamlMapping::keys() const {
-  std::vector<std::string> result;
-  for (const auto& entry : node_) {
-    if (entry.first.IsScalar()) result.push_back(entry.first.Scalar());
   }
   return result;
 }

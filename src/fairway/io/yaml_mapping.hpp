@@ -35,6 +35,9 @@ struct NumberRange {
 /// "a number", "a number from 0 to 1", "a number above 0": how a range is told to a person.
 [[nodiscard]] std::string describe(const char* kind, const NumberRange& range);
 
+/// "a", "a or b", "a, b or c".
+[[nodiscard]] std::string alternatives(std::span<const char* const> names);
+
 /// One mapping of a YAML file, whose keys are asked for by name. Every reader ends with `finish`,
 /// which complains about keys that nobody asked for.
 class YamlMapping {
@@ -65,6 +68,9 @@ class YamlMapping {
   /// error.
   std::vector<double> numbers(const char* key, std::size_t least, std::size_t most);
 
+  /// A list of lists of `columns` finite numbers each; empty without the key or after an error.
+  std::vector<std::vector<double>> rows(const char* key, std::size_t columns);
+
   /// The mapping below a key; none without the key.
   std::optional<YamlMapping> mapping(const char* key);
 
@@ -74,17 +80,25 @@ class YamlMapping {
   /// The scalar below a key as it is written; none, and a complaint, where it is none.
   std::optional<std::string> scalar(const char* key);
 
-  /// All keys, in the order of the file.
-  [[nodiscard]] std::vector<std::string> keys() const;
+  /// Makes a key known to `finish` without reading it.
+  void expect(const char* key) { asked_.insert(key); }
 
   /// Complains about a key of this mapping: `expected ..., found ...` and the like.
   void complain(const char* key, const std::string& message);
+
+  /// Complains about this mapping as a whole.
+  void complain_here(const std::string& message) { file_->complain(line_, prefix_, message); }
 
   /// Complains about the first key that was not asked for.
   void finish();
 
  private:
   YAML::Node find(const char* key);
+  std::vector<double> number_list(const YAML::Node& node,
+                                  const char* key,
+                                  const std::string& expected,
+                                  std::size_t least,
+                                  std::size_t most);
   void missing(const char* key, const std::string& expected);
   [[nodiscard]] std::string full(const std::string& key) const;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fairway {
 namespace {
@@ -111,9 +112,12 @@ void clip_to_limits(const CommandLimits& limits, int horizon, double* commands) 
     const double low = std::max(limits.low[k], before - limits.max_change);
     const double high = std::min(limits.high[k], before + limits.max_change);
     command = command > low ? std::min(command, high) : low;
-    // before + change rounds: the difference can exceed the bound by some units in the last place.
-    for (int i = 0; i < 8 && std::abs(command - before) > limits.max_change; ++i)
-      command = std::nextafter(command, before);
+    // before + change rounds: the difference can exceed the bound by a unit in the last place.
+    const double unit =
+        std::numeric_limits<double>::epsilon() * std::max(std::abs(before), std::abs(command));
+    for (int i = 1; i <= 4 && std::abs(command - before) > limits.max_change; ++i)
+      command =
+          before + std::copysign(std::max(0.0, limits.max_change - i * unit), command - before);
     before = command;
   }
 }

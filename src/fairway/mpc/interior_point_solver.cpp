@@ -21,11 +21,14 @@ namespace {
 // Barrier parameter: when it is lowered, and how far, Eq. (S17).
 constexpr double kSolvedEnough = 30.0;  // error of a barrier problem over mu
 constexpr double kLinearDecrease = 0.2;
-constexpr double kLastBarrier = 0.1;  // of the tolerance
-constexpr double kByViolation = 0.5;  // first mu by the price of the greatest violation [1/m]
+constexpr double kLastBarrier = 0.1;     // of the tolerance
+constexpr double kLeastBarrier = 1e-12;  // below it, the products of slacks and duals are rounding
+constexpr double kByViolation = 0.5;     // first mu by the price of the greatest violation [1/m]
 constexpr double kMostViolated = 0.1;
 // Rows must close far below what counts as a violation.
 constexpr double kResidualTolerance = 1e-8;
+// A step of the commands that is only rounding.
+constexpr double kRoundingStep = 1e-14;
 // For problems without curvature by the commands.
 constexpr double kLeastDamping = 1e-6;
 constexpr double kMostDamping = 1e12;
@@ -62,8 +65,15 @@ bool factorise(Workspace& w) noexcept {
   return false;
 }
 
+double greatest_step(const Workspace& w) noexcept {
+  double greatest = 0.0;
+  for (std::size_t k = 0; k < w.horizon; ++k)
+    greatest = std::max({greatest, std::abs(w.model.step[0][k]), std::abs(w.model.step[1][k])});
+  return greatest;
+}
+
 SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& iterations) noexcept {
-  const double least_barrier = kLastBarrier * settings.tolerance;
+  const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
   evaluate(w, *w.now);
   double mu = first_barrier(w, settings.initial_barrier);
   Filter filter;
@@ -78,12 +88,14 @@ SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& it
     if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
 
     const double next = next_barrier(mu, least_barrier, error);
-    if (next < mu) filter.clear();
+    const bool lowered = next < mu;
+    if (lowered) filter.clear();
     mu = next;
     aim_elastic_rows(w, mu);
     aim_hard_rows(w, mu);
     if (!factorise(w)) return SolveStatus::Stalled;
     riccati_forward(w);
+    if (!lowered && greatest_step(w) < kRoundingStep) return SolveStatus::Stalled;
     if (!take_step(w, mu, filter)) return SolveStatus::Stalled;
   }
 }

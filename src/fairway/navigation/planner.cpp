@@ -14,16 +14,22 @@ namespace {
 
 // Shares of the wished margin and overlap that are tried in turn.
 constexpr std::array kMarginShares = {1.0, 0.5, 0.2, 0.05};
-constexpr std::array kOverlapShares = {1.0, 0.25, 0.05};
+struct CorridorTry {
+  double
+      margin_share;  // of the path's margin that stays in the rectangles' sides; the rest is play
+  double overlap_share;  // of the wished overlap
+};
+constexpr std::array kCorridorTries = {CorridorTry{0.5, 1.0}, CorridorTry{0.5, 0.25},
+                                       CorridorTry{0.5, 0.05}, CorridorTry{0.0, 0.25},
+                                       CorridorTry{0.0, 0.05}};
 
-// The disc that the corridor is built for: half of the margin stays in the rectangles' sides, half
-// is play for the robot around the path. Where start or goal have less room, only what they have.
+// The disc that the corridor is built for; where start or goal have less room, what they have.
 double corridor_radius(const PreparedMap& map,
                        const Eigen::Vector2d& start,
                        const Eigen::Vector2d& goal,
                        double robot_radius,
                        double margin) {
-  const double wished = robot_radius + 0.5 * margin;
+  const double wished = robot_radius + margin;
   const double room = std::min(distance_to_blocked(map.obstacles, start, wished + 1.0),
                                distance_to_blocked(map.obstacles, goal, wished + 1.0));
   return std::max(0.0, std::min(wished, room - 4.0 * kFreeSpaceSkin));
@@ -91,11 +97,11 @@ Plan Planner::plan(const PreparedMap& map,
       return plan;
     }
     plan.path = std::move(found.path);
-    for (const double overlap_share : kOverlapShares) {
+    for (const CorridorTry& attempt : kCorridorTries) {
       CorridorSettings corridor_settings = settings.corridor;
-      corridor_settings.min_overlap_area *= overlap_share;
-      const double corridor_body =
-          corridor_radius(map, start, goal.position, settings.robot.radius, path_settings.margin);
+      corridor_settings.min_overlap_area *= attempt.overlap_share;
+      const double corridor_body = corridor_radius(map, start, goal.position, settings.robot.radius,
+                                                   attempt.margin_share * path_settings.margin);
       const Stopwatch stopwatch(hooks.clock, plan.corridor_seconds);
       CorridorResult built =
           hooks.build ? hooks.build(map.obstacles, plan.path, corridor_body, corridor_settings)

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/map/distance_field.hpp"
+#include "fairway/path/grid_search.hpp"
 #include "fairway/path/path.hpp"
 #include "fairway/path/path_settings.hpp"
+#include "fairway/path/search_grid.hpp"
+#include "fairway/path/straightening.hpp"
 
 namespace fairway {
 
@@ -12,19 +18,24 @@ namespace fairway {
 struct PathResult {
   PathStatus status = PathStatus::NoConnection;
   Path path;          ///< from the very start to the very goal; empty unless Found
-  double cost = 0.0;  ///< what the grid search minimised [m], before straightening
-  int expanded = 0;   ///< cells taken from the queue
+  double cost = 0.0;  ///< of the chain of cells found, before straightening [m]
+  int expanded = 0;   ///< nodes taken from the queue
 };
 
 /// Finds paths for a disc robot on one map after another, reusing its memory.
 ///
 /// Every straight piece of a path keeps the robot's radius plus `settings.margin` from every
-/// blocked cell, exactly (is_free holds for it). Start and goal keep at least the radius; from a
-/// start nearer than the margin the path leads out first. Deterministic: the same map and query
-/// give the same bits.
+/// blocked cell, exactly (is_free holds for it). From a start nearer than that to an obstacle the
+/// first piece leads out, and to such a goal the last piece leads in: these two keep the radius.
+/// A path has at least two waypoints, the first is the start and the last is the goal, to the bit.
+///
+/// The search goes over blocks of 2 x 2 cells first and then over the cells along the way found; it
+/// finds a way wherever neighbouring allowed cells (see TravelCost) connect the two, and one that
+/// is nearly always the cheapest. Deterministic: the same map and query give the same bits.
 class PathPlanner {
  public:
   /// `obstacles` and `distances` are of the same map and only read during the call.
+  /// @pre robot_radius >= 0; settings are within their limits.
   [[nodiscard]] PathResult find(const BitGrid& obstacles,
                                 const DistanceField& distances,
                                 const Eigen::Vector2d& start,
@@ -33,7 +44,28 @@ class PathPlanner {
                                 const PathSettings& settings);
 
  private:
-  // (search buffers)
+  // An end of the path, and the cells by which it joins the grid.
+  struct End {
+    Eigen::Vector2d point;  // grid coordinates
+    bool tight = false;     // nearer to an obstacle than radius + margin
+    std::vector<CellIndex> cells;
+    std::vector<Terminal> blocks;
+    std::vector<Terminal> terminals;  // the cells, with the cost of the way to them
+  };
+
+  void join_grid(const TravelCost& costs, double robot_radius, End& end);
+  bool add_ring(const TravelCost& costs, double clearance, int ring, End& end);
+  [[nodiscard]] bool search(const TravelCost& costs, PathResult& result);
+  [[nodiscard]] Path straight_path(const TravelCost& costs, bool any_angle);
+
+  End start_;
+  End goal_;
+  BlockGrid blocks_;
+  CellGrid cells_;
+  GridSearch search_;
+  Straightening straightening_;
+  std::vector<CellIndex> way_;
+  std::vector<Eigen::Vector2d> points_;
 };
 
 }  // namespace fairway

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "corridor_choice.hpp"
+
+#include <fmt/format.h>
+
+#include "fairway/io/number_text.hpp"
+
+namespace fairway::app {
+
+Expected<CorridorChoice> choose_corridor(const std::string& name, CorridorSettings& settings) {
+  if (name == "mdsrc") settings.method = CorridorMethod::Mdsrc;
+  if (name == "fewest") settings.method = CorridorMethod::Fewest;
+  if (name.empty() || name == "mdsrc" || name == "fewest") {
+    const bool fewest = settings.method == CorridorMethod::Fewest;
+    return CorridorChoice{.name = fewest ? "fewest" : "mdsrc", .build = build_corridor};
+  }
+  return fail(
+      fmt::format("--corridor: expected src, fsrc, mdsrc or fewest, found {}", io::excerpt(name)));
+}
+
+}  // namespace fairway::app

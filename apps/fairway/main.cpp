@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "command.hpp"
+#include "output.hpp"
+
+namespace {
+
+using namespace fairway::app;
+
+// CLI11 tells of a missing command where a wrong one was given.
+bool names_no_command(const CLI::App& tool, const std::string& word) {
+  if (word.starts_with('-')) return false;
+  const auto commands = tool.get_subcommands([](const CLI::App* /*command*/) { return true; });
+  return std::none_of(commands.begin(), commands.end(),
+                      [&](const CLI::App* command) { return command->check_name(word); });
+}
+
+int run(int argc, char** argv) {
+  CLI::App tool("Safe corridors and model predictive control for wheeled robots.", "fairway");
+  tool.set_version_flag("--version", "fairway " FAIRWAY_VERSION);
+  tool.require_subcommand(1);
+  tool.footer("Exit codes: 0 done, 1 the task failed, 2 bad usage or bad input.");
+  Command chosen;
+  add_plan_command(tool, chosen);
+  add_simulate_command(tool, chosen);
+  add_settings_command(tool, chosen);
+  if (argc > 1 && names_no_command(tool, argv[1])) {
+    print_error(std::string("expected a command, see fairway --help; found ") + argv[1]);
+    return kBadInput;
+  }
+  try {
+    tool.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return tool.exit(success);
+  } catch (const CLI::ParseError& error) {
+    print_error(error.what());
+    return kBadInput;
+  }
+  const fairway::Expected<int> code = chosen();
+  if (code) return *code;
+  print_error(code.error().message);
+  return kBadInput;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A reader that goes away early, as in `fairway settings | head`, is no reason to die.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    print_error("expected a task that fits into memory, found one that does not");
+  } catch (const std::exception& error) {
+    print_error(error.what());
+  } catch (...) {
+    print_error("failed for an unknown reason");
+  }
+  return kBadInput;
+}

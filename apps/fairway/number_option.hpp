@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "fairway/io/number_text.hpp"
+
+namespace fairway::app {
+
+/// Accepts a finite number from `low` to `high`. (CLI::Range lets NaN pass.)
+[[nodiscard]] inline CLI::Validator number_between(double low, double high) {
+  return CLI::Validator(
+      [low, high](std::string& text) {
+        const std::optional<double> value = io::parse_number(text);
+        if (value && *value >= low && *value <= high) return std::string();
+        return fmt::format("expected a number from {} to {}, found {}", low, high,
+                           io::excerpt(text));
+      },
+      "");
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "fairway/io/canvas.hpp"
+#include "fairway/io/whole_file.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+bool is_scalar_list(const Json& json) {
+  for (const auto& item : json) {
+    if (item.is_structured()) return false;
+  }
+  return true;
+}
+
+void append(std::string& text, const Json& json, std::size_t indent) {
+  if (!json.is_structured() || json.empty() || (json.is_array() && is_scalar_list(json))) {
+    text += json.dump();
+    return;
+  }
+  text += json.is_object() ? "{\n" : "[\n";
+  bool first = true;
+  for (const auto& [key, value] : json.items()) {
+    if (!first) text += ",\n";
+    first = false;
+    text.append(indent + 2, ' ');
+    if (json.is_object()) text += Json(key).dump() + ": ";
+    append(text, value, indent + 2);
+  }
+  text += '\n';
+  text.append(indent, ' ');
+  text += json.is_object() ? '}' : ']';
+}
+
+}  // namespace
+
+void print_error(std::string_view message) {
+  std::string line = "fairway: ";
+  for (const char c : message) {
+    const auto code = static_cast<unsigned char>(c);
+    line += code < 0x20 || code == 0x7f ? ' ' : c;
+  }
+  line += '\n';
+  static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
+}
+
+Expected<void> print(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if ((written && std::fflush(stdout) == 0) || errno == EPIPE) return {};
+  return fail(fmt::format("standard output: cannot be written: {}",
+                          std::generic_category().message(errno)));
+}
+
+Expected<void> write_output(const std::string& path, std::string_view content) {
+  if (path.empty()) return {};
+  return path == "-" ? print(content) : io::write_file_atomically(path, content);
+}
+
+Expected<void> check_output(const std::string& path) {
+  if (path.empty() || path == "-") return {};
+  return io::check_writable(path);
+}
+
+Expected<void> check_picture_output(const std::string& path) {
+  if (path.empty()) return {};
+  if (const auto format = io::picture_format(path); !format) return tl::unexpected(format.error());
+  return io::check_writable(path);
+}
+
+std::string json_text(const Json& json) {
+  std::string text;
+  append(text, json, 0);
+  return text + "\n";
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "corridor_choice.hpp"
+#include "fairway/io/map_file.hpp"
+#include "fairway/io/world_picture.hpp"
+#include "fairway/navigation/planner.hpp"
+#include "map_bounds.hpp"
+#include "number_option.hpp"
+#include "output.hpp"
+#include "point_argument.hpp"
+#include "settings_options.hpp"
+#include "stopwatch.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+struct PlanCommand {
+  std::string map;
+  std::string start;
+  std::string goal;
+  std::string corridor;
+  std::optional<double> clearance;
+  std::optional<double> inward_offset;
+  std::optional<double> robot_radius;
+  int repeats = 5;
+  std::string json;
+  std::string picture;
+  SettingsOptions settings;
+
+  [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<void> apply_options(Settings& target) const;
+};
+
+// One query and its answer.
+struct Query {
+  PointArgument start;
+  PointArgument goal;
+  Settings settings;
+  PlannerHooks hooks;
+};
+
+struct Answer {
+  Plan plan;
+  double prepare_seconds = 0.0;
+};
+
+// A contracted rectangle holds a path point for sure when a square of side 2 Delta_s fits round it.
+double workspace_margin(double inward_offset) {
+  return (std::numbers::sqrt2 - 1.0) * inward_offset;
+}
+
+Expected<void> PlanCommand::apply_options(Settings& target) const {
+  if (robot_radius) target.robot.radius = *robot_radius;
+  if (inward_offset) {
+    target.corridor.space = CorridorSpace::Workspace;
+    target.corridor.inward_offset = *inward_offset;
+    if (!robot_radius) target.robot.radius = *inward_offset;
+  } else if (robot_radius) {
+    target.corridor.space = CorridorSpace::Configuration;
+  }
+  const bool in_workspace = target.corridor.space == CorridorSpace::Workspace;
+  if (clearance) {
+    if (!robot_radius && !inward_offset) {
+      target.robot.radius = std::min(target.robot.radius, *clearance);
+    }
+    const double least = in_workspace ? std::max(target.robot.radius, target.corridor.inward_offset)
+                                      : target.robot.radius;
+    if (*clearance < least) {
+      return fail(fmt::format("--clearance: expected at least {}, the {}, found {}", least,
+                              in_workspace ? "room inside the rectangles" : "robot's radius",
+                              *clearance));
+    }
+    target.path.margin = *clearance - least;
+  } else if (in_workspace) {
+    target.path.margin =
+        std::max(target.path.margin, workspace_margin(target.corridor.inward_offset));
+  }
+  return validate(target);
+}
+
+Answer answer(const OccupancyGrid& grid, const Query& query, int repeats) {
+  Answer best;
+  Planner planner;
+  // Each stage counts with its fastest repeat: others may use the machine meanwhile.
+  for (int i = 0; i < repeats; ++i) {
+    const Stopwatch prepare;
+    const PreparedMap map(grid, unknown_cells(query.settings.map));
+    const double seconds = prepare.seconds();
+    Plan plan = planner.plan(map, query.start.position,
+                             {.position = query.goal.position, .heading = query.goal.heading},
+                             query.settings, query.hooks);
+    if (i > 0) {
+      plan.path_seconds = std::min(plan.path_seconds, best.plan.path_seconds);
+      plan.corridor_seconds = std::min(plan.corridor_seconds, best.plan.corridor_seconds);
+    }
+    best = {.plan = std::move(plan),
+            .prepare_seconds = i > 0 ? std::min(seconds, best.prepare_seconds) : seconds};
+  }
+  return best;
+}
+
+Json point_json(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); }
+
+Json plan_json(const Answer& answer, const Query& query, const char* method) {
+  const Plan& plan = answer.plan;
+  Json json;
+  json["success"] = plan.usable();
+  if (!plan.usable()) json["reason"] = plan.reason();
+  json["method"] = method;
+  json["start"] = point_json(query.start.position);
+  json["goal"] = point_json(query.goal.position);
+  json["length"] = plan.path.length();
+  Json path = Json::array();
+  for (const Eigen::Vector2d& p : plan.path.waypoints)
+    path.push_back(point_json(p));
+  json["path"] = std::move(path);
+  Json rectangles = Json::array();
+  for (const OrientedRectangle& r : plan.corridor.rectangles) {
+    rectangles.push_back(Json{{"seed", point_json(r.seed)},
+                              {"orientation", r.orientation},
+                              {"min", point_json(r.min)},
+                              {"max", point_json(r.max)},
+                              {"area", r.area()}});
+  }
+  json["rectangles"] = std::move(rectangles);
+  json["space"] = to_text(query.settings.corridor.space);
+  json["inward_offset"] = query.settings.corridor.space == CorridorSpace::Workspace
+                              ? query.settings.corridor.inward_offset
+                              : 0.0;
+  json["robot_radius"] = query.settings.robot.radius;
+  json["margin"] = plan.margin;
+  json["count"] = plan.corridor.rectangles.size();
+  json["mean_area"] = plan.corridor.mean_area();
+  json["seconds"] = Json{{"prepare", answer.prepare_seconds},
+                         {"path", plan.path_seconds},
+                         {"corridor", plan.corridor_seconds}};
+  return json;
+}
+
+std::string summary(const Answer& answer) {
+  const Plan& plan = answer.plan;
+  if (!plan.usable()) return "";
+  return fmt::format(
+      "path      {:.2f} m, {} waypoints\ncorridor  {} rectangles, {:.2f} m^2 each in the mean\n"
+      "time      map {:.2f} ms, path {:.2f} ms, corridor {:.2f} ms\n",
+      plan.path.length(), plan.path.waypoints.size(), plan.corridor.rectangles.size(),
+      plan.corridor.mean_area(), 1e3 * answer.prepare_seconds, 1e3 * plan.path_seconds,
+      1e3 * plan.corridor_seconds);
+}
+
+Expected<void> write_picture(const std::string& file,
+                             const OccupancyGrid& grid,
+                             const Query& query,
+                             const Plan& plan) {
+  if (file.empty()) return {};
+  const double heading = query.start.heading.value_or(
+      plan.path.waypoints.size() > 1
+          ? std::atan2(plan.path.waypoints[1].y() - plan.path.waypoints[0].y(),
+                       plan.path.waypoints[1].x() - plan.path.waypoints[0].x())
+          : 0.0);
+  const io::WorldDrawing drawing{
+      .map = &grid,
+      .robots = {{.name = "robot",
+                  .radius = query.settings.robot.radius,
+                  .start = {.position = query.start.position, .heading = heading},
+                  .goal = query.goal.position,
+                  .path = plan.path,
+                  .corridor = plan.corridor,
+                  .track = {}}},
+      .bodies = {}};
+  const Expected<std::string> bytes = io::draw_world(drawing, *io::picture_format(file));
+  return bytes ? write_output(file, *bytes) : tl::unexpected(bytes.error());
+}
+
+Expected<int> PlanCommand::run() const {
+  for (const auto& checked : {check_output(json), check_picture_output(picture)}) {
+    if (!checked) return tl::unexpected(checked.error());
+  }
+  Query query;
+  const Expected<PointArgument> from = parse_point(start, "--start");
+  if (!from) return tl::unexpected(from.error());
+  const Expected<PointArgument> to = parse_point(goal, "--goal");
+  if (!to) return tl::unexpected(to.error());
+  query.start = *from;
+  query.goal = *to;
+  const Expected<Settings> loaded = load_settings(settings);
+  if (!loaded) return tl::unexpected(loaded.error());
+  query.settings = *loaded;
+  const Expected<CorridorChoice> choice = choose_corridor(corridor, query.settings.corridor);
+  if (!choice) return tl::unexpected(choice.error());
+  if (const auto applied = apply_options(query.settings); !applied) {
+    return tl::unexpected(applied.error());
+  }
+  const Expected<OccupancyGrid> grid = io::read_map(map);
+  if (!grid) return tl::unexpected(grid.error());
+  for (const auto& inside : {check_inside(*grid, query.start.position, "--start"),
+                             check_inside(*grid, query.goal.position, "--goal")}) {
+    if (!inside) return tl::unexpected(inside.error());
+  }
+  query.hooks = {.clock = steady_seconds,
+                 // For exactly the radius asked for; the navigator adds half of the path's margin.
+                 .build =
+                     [&](const BitGrid& obstacles, const Path& path, double /*radius*/,
+                         const CorridorSettings& corridor_settings) {
+                       return choice->build(obstacles, path, query.settings.robot.radius,
+                                            corridor_settings);
+                     },
+                 .fixed_margin = clearance.has_value()};
+  const Answer found = answer(*grid, query, repeats);
+  if (const auto drawn = write_picture(picture, *grid, query, found.plan); !drawn) {
+    return tl::unexpected(drawn.error());
+  }
+  const std::string text = json_text(plan_json(found, query, choice->name));
+  if (const auto written = write_output(json, text); !written) {
+    return tl::unexpected(written.error());
+  }
+  if (!found.plan.usable()) {
+    print_error(found.plan.reason());
+    return kFailed;
+  }
+  if (json != "-") {
+    if (const auto printed = print(summary(found)); !printed)
+      return tl::unexpected(printed.error());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& tool, Command& chosen) {
+  const auto command = std::make_shared<PlanCommand>();
+  CLI::App* sub = tool.add_subcommand("plan", "Find a path and the safe corridor along it");
+  sub->add_option("MAP", command->map, "map_server YAML file")->required();
+  sub->add_option("--start", command->start, "Where the robot is [m, rad]")
+      ->required()
+      ->type_name("X,Y[,HEADING]");
+  sub->add_option("--goal", command->goal, "Where it shall go [m, rad]")
+      ->required()
+      ->type_name("X,Y[,HEADING]");
+  sub->add_option("--corridor", command->corridor,
+                  "src, fsrc, mdsrc (the paper's, made sound) or fewest (the default)");
+  sub->add_option("--clearance", command->clearance,
+                  "Distance that the path keeps from every obstacle, the robot's radius included "
+                  "[m]; without it the radius and path.margin, which gives way in narrow places")
+      ->check(number_between(0.0, 20.0));
+  sub->add_option("--inward-offset", command->inward_offset,
+                  "Build rectangles in the workspace, for a robot that stays this far inside [m]")
+      ->check(number_between(0.0, 10.0));
+  sub->add_option("--robot-radius", command->robot_radius,
+                  "Build rectangles in configuration space, for the centre of a disc [m]")
+      ->check(number_between(0.01, 10.0));
+  sub->add_option("--repeat", command->repeats, "Times are those of the fastest of N runs")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  sub->add_option("--json", command->json, "Write the plan as JSON; - is standard output")
+      ->type_name("FILE");
+  sub->add_option("--picture", command->picture, "Draw the plan; .svg, .png or .pdf")
+      ->type_name("FILE");
+  add_settings_options(*sub, command->settings);
+  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "command.hpp"
+#include "fairway/io/settings_file.hpp"
+#include "output.hpp"
+#include "settings_options.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+struct SettingsCommand {
+  SettingsOptions settings;
+  bool markdown = false;
+
+  [[nodiscard]] Expected<int> run() const {
+    const Expected<Settings> loaded = load_settings(settings);
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (const auto valid = validate(*loaded); !valid) return tl::unexpected(valid.error());
+    const auto printed = print(markdown ? io::settings_markdown() : io::settings_yaml(*loaded));
+    if (!printed) return tl::unexpected(printed.error());
+    return kDone;
+  }
+};
+
+}  // namespace
+
+void add_settings_command(CLI::App& tool, Command& chosen) {
+  const auto command = std::make_shared<SettingsCommand>();
+  CLI::App* sub =
+      tool.add_subcommand("settings", "Print every setting as YAML that --settings reads back");
+  add_settings_options(*sub, command->settings);
+  sub->add_flag("--markdown", command->markdown, "Print the page docs/settings.md instead");
+  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+}
+
+}  // namespace fairway::app

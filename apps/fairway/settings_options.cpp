@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings_options.hpp"
+
+#include <fmt/format.h>
+
+#include "fairway/io/number_text.hpp"
+#include "fairway/io/settings_file.hpp"
+
+namespace fairway::app {
+
+void add_settings_options(CLI::App& command, SettingsOptions& options) {
+  command.add_option("--preset", options.preset, "Start from 'default' or 'paper' (Table I)");
+  command.add_option("--settings", options.file, "Read settings from a YAML file")
+      ->type_name("FILE.yaml");
+  command
+      .add_option("--set", options.assignments,
+                  "Set one setting, e.g. robot.radius=0.3; may be given several times")
+      ->type_name("GROUP.NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+Expected<Settings> load_settings(const SettingsOptions& options, const Settings& base) {
+  Settings settings = base;
+  if (!options.preset.empty()) {
+    const std::optional<Settings> preset = io::preset_settings(options.preset);
+    if (!preset) {
+      return fail(fmt::format("--preset: expected default or paper, found {}",
+                              io::excerpt(options.preset)));
+    }
+    settings = *preset;
+  }
+  if (!options.file.empty()) {
+    const Expected<Settings> read = io::read_settings(options.file, settings);
+    if (!read) return read;
+    settings = *read;
+  }
+  for (const std::string& assignment : options.assignments) {
+    if (const Expected<void> done = io::assign_setting(settings, assignment); !done) {
+      return fail(fmt::format("--set: {}", done.error().message));
+    }
+  }
+  return settings;
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "episode_output.hpp"
+#include "fairway/io/map_file.hpp"
+#include "fairway/io/scenario_file.hpp"
+#include "fairway/io/trace_file.hpp"
+#include "map_bounds.hpp"
+#include "number_option.hpp"
+#include "output.hpp"
+#include "point_argument.hpp"
+#include "progress.hpp"
+#include "settings_options.hpp"
+#include "stopwatch.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+struct SimulateCommand {
+  std::string scenario;
+  std::string map;
+  std::string start;
+  std::string goal;
+  std::optional<int> seed;
+  std::optional<double> time_limit;
+  std::string json;
+  std::string trace;
+  std::string picture;
+  std::string speeds;
+  SettingsOptions settings;
+
+  [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<Scenario> load() const;
+  [[nodiscard]] Expected<Scenario> scenario_of_options() const;
+  [[nodiscard]] Expected<void> write(const Scenario& world, const EpisodeResult& result) const;
+};
+
+Expected<Scenario> SimulateCommand::scenario_of_options() const {
+  const Expected<PointArgument> from = parse_point(start, "--start");
+  if (!from) return tl::unexpected(from.error());
+  const Expected<PointArgument> to = parse_point(goal, "--goal");
+  if (!to) return tl::unexpected(to.error());
+  const Expected<OccupancyGrid> grid = io::read_map(map);
+  if (!grid) return tl::unexpected(grid.error());
+  for (const auto& inside : {check_inside(*grid, from->position, "--start"),
+                             check_inside(*grid, to->position, "--goal")}) {
+    if (!inside) return tl::unexpected(inside.error());
+  }
+  Scenario result;
+  result.name = map;
+  result.map = *grid;
+  // Without a heading it looks towards its goal.
+  const Eigen::Vector2d way = to->position - from->position;
+  const double towards = way.isZero() ? 0.0 : std::atan2(way.y(), way.x());
+  result.robots = {
+      {.name = "robot",
+       .start = {.position = from->position, .heading = from->heading.value_or(towards)},
+       .goal = {.position = to->position, .heading = to->heading}}};
+  return result;
+}
+
+Expected<Scenario> SimulateCommand::load() const {
+  const bool by_options = !map.empty() || !start.empty() || !goal.empty();
+  if (by_options != scenario.empty() ||
+      (by_options && (map.empty() || start.empty() || goal.empty()))) {
+    return fail("simulate: expected either SCENARIO.yaml or all of --map, --start and --goal");
+  }
+  Expected<Scenario> loaded = by_options ? scenario_of_options() : io::read_scenario(scenario);
+  if (!loaded) return loaded;
+  const Expected<Settings> own = load_settings(settings, loaded->settings);
+  if (!own) return tl::unexpected(own.error());
+  if (const auto valid = validate(*own); !valid) return tl::unexpected(valid.error());
+  loaded->settings = *own;
+  if (seed) loaded->seed = static_cast<std::uint64_t>(*seed);
+  if (time_limit) loaded->time_limit = *time_limit;
+  return loaded;
+}
+
+Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult& result) const {
+  if (!picture.empty()) {
+    const Expected<std::string> bytes = world_picture(world, result, picture);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (const auto done = write_output(picture, *bytes); !done) return done;
+  }
+  if (!speeds.empty()) {
+    const Expected<std::string> bytes = speed_picture(world, result, speeds);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (const auto done = write_output(speeds, *bytes); !done) return done;
+  }
+  if (!trace.empty()) {
+    if (const auto done = write_output(trace, io::trace_csv(result)); !done) return done;
+  }
+  if (!json.empty()) {
+    if (const auto done = write_output(json, json_text(episode_json(result))); !done) return done;
+  }
+  // The table gives way to whatever was asked for on standard output.
+  if (json == "-" || trace == "-") return {};
+  return print(episode_table(result));
+}
+
+Expected<int> SimulateCommand::run() const {
+  for (const auto& checked : {check_output(json), check_output(trace),
+                              check_picture_output(picture), check_picture_output(speeds)}) {
+    if (!checked) return tl::unexpected(checked.error());
+  }
+  const Expected<Scenario> world = load();
+  if (!world) return tl::unexpected(world.error());
+  Progress progress(world->name);
+  const EpisodeHooks hooks{.clock = steady_seconds,
+                           .on_cycle =
+                               [&](double time) {
+                                 progress.show(fmt::format("{:.1f} s of at most {:.0f} s driven",
+                                                           time, world->time_limit));
+                                 return true;
+                               },
+                           .solver = nullptr};
+  const EpisodeResult result = run_episode(*world, hooks);
+  if (const auto written = write(*world, result); !written) {
+    return tl::unexpected(written.error());
+  }
+  if (!result.success) print_error(failure_text(result));
+  return result.success ? kDone : kFailed;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& tool, Command& chosen) {
+  const auto command = std::make_shared<SimulateCommand>();
+  CLI::App* sub = tool.add_subcommand("simulate", "Drive through a scenario and judge the run");
+  sub->add_option("SCENARIO", command->scenario, "Scenario YAML file; or give the three below");
+  sub->add_option("--map", command->map, "map_server YAML file")->type_name("FILE.yaml");
+  sub->add_option("--start", command->start, "Where the robot starts [m, rad]")
+      ->type_name("X,Y[,HEADING]");
+  sub->add_option("--goal", command->goal, "Where it shall go [m, rad]")
+      ->type_name("X,Y[,HEADING]");
+  sub->add_option("--seed", command->seed, "Seed of everything random")
+      ->check(CLI::NonNegativeNumber);
+  sub->add_option("--time-limit", command->time_limit, "Longest run [s]")
+      ->check(number_between(0.001, 1e5));
+  sub->add_option("--json", command->json, "Write the result as JSON; - is standard output")
+      ->type_name("FILE");
+  sub->add_option("--trace", command->trace, "Write every cycle as CSV; - is standard output")
+      ->type_name("FILE.csv");
+  sub->add_option("--picture", command->picture, "Draw the run; .svg, .png or .pdf")
+      ->type_name("FILE");
+  sub->add_option("--speeds", command->speeds, "Draw speeds over time; .svg, .png or .pdf")
+      ->type_name("FILE");
+  add_settings_options(*sub, command->settings);
+  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/scenario_file.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "fairway/io/map_file.hpp"
+#include "fairway/io/settings_mapping.hpp"
+#include "fairway/io/whole_file.hpp"
+
+namespace fairway::io {
+
+namespace {
+
+constexpr std::size_t kLongestFile = 16U << 20;  // [bytes]; key frames can be many
+constexpr double kFurthest = 1e7;                // [m]
+constexpr double kLongestTime = 1e5;             // [s]
+
+void require_on_map(YamlMapping& mapping,
+                    const char* key,
+                    const Eigen::Vector2d& point,
+                    const OccupancyGrid& map) {
+  const GridFrame& frame = map.frame();
+  if (frame.contains(frame.cell_at(point))) return;
+  mapping.complain(
+      key, fmt::format("expected a point on the map, found [{}, {}]", point.x(), point.y()));
+}
+
+std::string read_name(YamlMapping& mapping,
+                      const std::string& fallback,
+                      std::set<std::string>& seen) {
+  std::string name = mapping.text("name", fallback);
+  if (!seen.insert(name).second) {
+    mapping.complain("name", fmt::format("expected a name of its own, found '{}' again", name));
+  }
+  return name;
+}
+
+std::vector<RobotTask> read_robots(YamlMapping& root, const OccupancyGrid& map) {
+  std::vector<RobotTask> robots;
+  std::set<std::string> names;
+  if (!root.has("robots")) root.complain("robots", "expected a list of robots, found no such key");
+  for (YamlMapping& mapping : root.mappings("robots")) {
+    RobotTask robot;
+    robot.name = read_name(mapping, fmt::format("robot {}", robots.size() + 1), names);
+    const std::vector<double> start = mapping.numbers("start", 3, 3);
+    const std::vector<double> goal = mapping.numbers("goal", 2, 3);
+    mapping.finish();
+    if (start.size() == 3) {
+      robot.start = {.position = {start[0], start[1]}, .heading = start[2]};
+      require_on_map(mapping, "start", robot.start.position, map);
+    }
+    if (goal.size() >= 2) {
+      robot.goal.position = {goal[0], goal[1]};
+      if (goal.size() == 3) robot.goal.heading = goal[2];
+      require_on_map(mapping, "goal", robot.goal.position, map);
+    }
+    robots.push_back(std::move(robot));
+  }
+  if (robots.empty()) root.complain("robots", "expected at least one robot, found none");
+  return robots;
+}
+
+std::vector<MovingBody> read_bodies(YamlMapping& root) {
+  std::vector<MovingBody> bodies;
+  std::set<std::string> names;
+  for (YamlMapping& mapping : root.mappings("obstacles")) {
+    MovingBody body;
+    body.name = read_name(mapping, fmt::format("obstacle {}", bodies.size() + 1), names);
+    body.radius = mapping.number("radius", {.min = 0.01, .max = 100.0}, body.radius);
+    body.loop = mapping.boolean("loop", body.loop);
+    for (const std::vector<double>& row : mapping.rows("key_frames", 3)) {
+      const MovingBody::KeyFrame frame{.time = row[0], .position = {row[1], row[2]}};
+      if (frame.position.cwiseAbs().maxCoeff() > kFurthest || std::abs(frame.time) > kLongestTime) {
+        mapping.complain("key_frames", fmt::format("expected times to {:g} s and places to {:g} m",
+                                                   kLongestTime, kFurthest));
+      }
+      if (!body.key_frames.empty() && frame.time <= body.key_frames.back().time) {
+        mapping.complain("key_frames", fmt::format("expected increasing times, found {} after {}",
+                                                   frame.time, body.key_frames.back().time));
+      }
+      body.key_frames.push_back(frame);
+    }
+    if (body.key_frames.empty()) {
+      mapping.complain("key_frames", "expected at least one [time, x, y], found none");
+    }
+    mapping.finish();
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+}  // namespace
+
+Expected<Scenario> read_scenario(const std::string& path) {
+  const Expected<std::string> text = read_whole_file(path, kLongestFile);
+  if (!text) return tl::unexpected(text.error());
+  YamlFile file{.name = path, .error = {}};
+  YamlMapping root = parse_yaml_mapping(file, *text);
+  Scenario scenario;
+  const std::filesystem::path map_path = root.text("map");
+  if (file.error) return tl::unexpected(*file.error);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const Expected<OccupancyGrid> map =
+      read_map((map_path.is_absolute() ? map_path : folder / map_path).string());
+  if (!map) {
+    root.complain("map", map.error().message);
+    return tl::unexpected(*file.error);
+  }
+  scenario.map = *map;
+  scenario.name = root.text("name", std::filesystem::path(path).stem().string());
+  scenario.time_limit = root.number(
+      "time_limit", {.min = 0.0, .max = kLongestTime, .min_allowed = false}, scenario.time_limit);
+  scenario.seed = static_cast<std::uint64_t>(root.integer("seed", {.min = 0.0}, 1));
+  if (std::optional<YamlMapping> settings = root.mapping("settings")) {
+    scenario.settings = read_settings_mapping(*settings, scenario.settings);
+    complain_unless_valid(scenario.settings, *settings);
+  }
+  scenario.robots = read_robots(root, scenario.map);
+  scenario.bodies = read_bodies(root);
+  root.finish();
+  if (file.error) return tl::unexpected(*file.error);
+  return scenario;
+}
+
+}  // namespace fairway::io

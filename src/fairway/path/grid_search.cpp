@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/path/grid_search.hpp"
+
+#include <algorithm>
+
+namespace fairway {
+
+namespace {
+
+// Half of what a step costs, for either of its nodes.
+constexpr std::array<std::uint32_t, 8> kHalfStep{29, 41, 29, 41, 29, 41, 29, 41};
+constexpr std::uint32_t kDiagonalExtra = 82 - GridSearch::kStep;
+
+constexpr std::uint32_t kFlooded = kUnreached - 1;  // unreached too, but seen by the flood
+constexpr std::uint32_t kTooFar = kUnreached / 2;   // below it no sum overflows
+
+constexpr std::uint8_t kStart = 8;    // arrived from nowhere
+constexpr std::uint8_t kClosed = 16;  // expanded since its cost last fell
+
+constexpr std::uint32_t pack(int x, int y) {
+  return static_cast<std::uint32_t>(y) << 16U | static_cast<std::uint32_t>(x);
+}
+constexpr CellIndex unpack(std::uint32_t packed) {
+  return {.x = static_cast<int>(packed & 0xFFFFU), .y = static_cast<int>(packed >> 16U)};
+}
+
+// The octile distance to the goals' box at the lowest cost there is. Consistent: a step changes it
+// by no more than the step costs.
+struct Estimate {
+  CellIndex min;
+  CellIndex max;
+  std::uint32_t unit;
+
+  Estimate(std::span<const Terminal> goals, int lowest_cost)
+      : min(goals[0].node),
+        max(goals[0].node),
+        unit(static_cast<std::uint32_t>(lowest_cost)) {
+    for (const Terminal& goal : goals) {
+      min = {.x = std::min(min.x, goal.node.x), .y = std::min(min.y, goal.node.y)};
+      max = {.x = std::max(max.x, goal.node.x), .y = std::max(max.y, goal.node.y)};
+    }
+  }
+
+  [[nodiscard]] std::uint32_t operator()(int x, int y) const noexcept {
+    const auto dx = static_cast<std::uint32_t>(std::max({min.x - x, x - max.x, 0}));
+    const auto dy = static_cast<std::uint32_t>(std::max({min.y - y, y - max.y, 0}));
+    return unit * (GridSearch::kStep * std::max(dx, dy) + kDiagonalExtra * std::min(dx, dy));
+  }
+};
+
+}  // namespace
+
+bool GridSearch::find(BlockGrid& grid,
+                      std::span<const Terminal> starts,
+                      std::span<const Terminal> goals) {
+  return find_on(grid, starts, goals);
+}
+
+bool GridSearch::find(CellGrid& grid,
+                      std::span<const Terminal> starts,
+                      std::span<const Terminal> goals) {
+  return find_on(grid, starts, goals);
+}
+
+template <typename Grid>
+bool GridSearch::find_on(Grid& grid,
+                         std::span<const Terminal> starts,
+                         std::span<const Terminal> goals) {
+  best_ = kUnreached;
+  expanded_ = 0;
+  nodes_.clear();
+  if (starts.empty() || goals.empty()) return false;
+  const auto size =
+      static_cast<std::size_t>(grid.stride()) * (static_cast<std::size_t>(grid.height()) + 2);
+  if (so_far_.size() < size) {
+    so_far_.resize(size);
+    arrivals_.resize(size);
+  }
+  for (const auto& terminals : {starts, goals}) {
+    for (const Terminal& terminal : terminals)
+      grid.prepare_rows(terminal.node.y - 1, terminal.node.y + 1, so_far_.data());
+  }
+  if (is_pocket(grid, starts, goals)) return false;
+  const Estimate estimate(goals, grid.unit());
+  lowest_ = kUnreached;
+  queued_ = 0;
+  for (const Terminal& start : starts)
+    lowest_ = std::min(lowest_, start.cost + estimate(start.node.x, start.node.y));
+  for (const Terminal& start : starts) {
+    const auto i = static_cast<std::size_t>(grid.index(start.node));
+    if (grid.nodes()[i] == 0 || start.cost >= so_far_[i]) continue;
+    so_far_[i] = start.cost;
+    arrivals_[i] = kStart;
+    // Starts may be spread further than the ring is long: too early is no harm.
+    const std::uint32_t total = start.cost + estimate(start.node.x, start.node.y);
+    const std::uint32_t bucket =
+        std::min(total >> kBucketShift, (lowest_ >> kBucketShift) + kBuckets - 1);
+    buckets_[bucket % kBuckets].push_back(pack(start.node.x, start.node.y));
+    ++queued_;
+  }
+  run(grid, goals);
+  for (std::vector<std::uint32_t>& bucket : buckets_)
+    bucket.clear();
+  if (best_ == kUnreached) return false;
+  collect_nodes(grid);
+  return true;
+}
+
+// Whether the goals lie in a small pocket without a start: most failed searches fail for that, and
+// so it is found before the whole rest of the map is searched for a way in.
+template <typename Grid>
+bool GridSearch::is_pocket(Grid& grid,
+                           std::span<const Terminal> starts,
+                           std::span<const Terminal> goals) {
+  constexpr std::size_t kBudget = 2048;
+  flood_.clear();
+  const auto visit = [&](CellIndex node) {
+    const auto i = static_cast<std::size_t>(grid.index(node));
+    if (grid.nodes()[i] == 0 || so_far_[i] == kFlooded) return;
+    so_far_[i] = kFlooded;
+    flood_.push_back(pack(node.x, node.y));
+  };
+  for (const Terminal& goal : goals)
+    visit(goal.node);
+  for (std::size_t i = 0; i < flood_.size(); ++i) {
+    if (i == kBudget) return false;
+    const CellIndex node = unpack(flood_[i]);
+    grid.prepare_rows(node.y - 1, node.y + 1, so_far_.data());
+    for (unsigned d = 0; d < 8; ++d) {
+      const CellIndex next{.x = node.x + kStepX[d], .y = node.y + kStepY[d]};
+      if (grid.nodes()[grid.index(next)] != 0 && grid.linked(node, d)) visit(next);
+    }
+  }
+  return std::none_of(starts.begin(), starts.end(), [&](const Terminal& start) {
+    return so_far_[static_cast<std::size_t>(grid.index(start.node))] == kFlooded;
+  });
+}
+
+// At an open node, steps that cannot be on a cheapest way are left out. With p the node before x,
+// c the cost of a node, straight steps 29 (c + c') and diagonal ones 41 (c + c'), s the most that
+// costs of straight neighbours differ by and u the least cost:
+// - back to p and to the neighbours of p on its side of x: p reaches them directly for less;
+// - after a straight step the square turns: p reaches those nodes n diagonally, and
+//   41 (c_p + c_n) < 29 (c_p + 2 c_x + c_n) when 24 s < 34 u;
+// - after a diagonal step the square turns: over y beside p and n it is less, since
+//   29 (c_p + 2 c_y + c_n) < 41 (c_p + 2 c_x + c_n) when 58 s < 48 u.
+// Each is strictly dearer, so no tie is decided here and the cost found is the grid's least.
+template <typename Grid>
+void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {
+  // Copies: a store to a byte may alias every member.
+  const Estimate estimate(goals, grid.unit());
+  const std::uint8_t* const nodes = grid.nodes();
+  std::uint32_t* const so_far = so_far_.data();
+  std::uint8_t* const arrivals = arrivals_.data();
+  const int stride = grid.stride();
+  std::array<int, 8> offsets{};
+  for (std::size_t d = 0; d < 8; ++d)
+    offsets[d] = kStepY[d] * stride + kStepX[d];
+  std::size_t queued = queued_;
+  int expanded = 0;
+  std::uint32_t best = kUnreached;
+  for (std::uint32_t turn = lowest_ >> kBucketShift; queued > 0; ++turn) {
+    if (turn << kBucketShift >= std::min(best, kTooFar)) break;
+    std::vector<std::uint32_t>& bucket = buckets_[turn % kBuckets];
+    while (!bucket.empty()) {
+      const CellIndex node = unpack(bucket.back());
+      bucket.pop_back();
+      --queued;
+      const int index = (node.y + 1) * stride + node.x + 1;
+      const unsigned arrival = arrivals[index];
+      if ((arrival & kClosed) != 0) continue;
+      arrivals[index] = static_cast<std::uint8_t>(arrival | kClosed);
+      ++expanded;
+      const std::uint32_t here = so_far[index];
+      if (estimate(node.x, node.y) == 0) {
+        for (const Terminal& goal : goals) {
+          if (goal.node == node && here + goal.cost < best) {
+            best = here + goal.cost;
+            best_goal_ = node;
+          }
+        }
+      }
+      grid.prepare_rows(node.y - 1, node.y + 1, so_far);
+      const std::uint32_t cost_here = nodes[index] & SearchGrid::kCost;
+      const bool open = (nodes[index] & SearchGrid::kOpen) != 0;
+      const auto relax = [&](unsigned direction) {
+        const int next = index + offsets[direction];
+        const std::uint32_t byte = nodes[next];
+        const std::uint32_t cost =
+            here + kHalfStep[direction] * (cost_here + (byte & SearchGrid::kCost));
+        if (cost >= so_far[next] || byte == 0) return;
+        if (!open && !grid.linked(node, direction)) return;
+        so_far[next] = cost;
+        arrivals[next] = static_cast<std::uint8_t>(direction);
+        const int x = node.x + kStepX[direction];
+        const int y = node.y + kStepY[direction];
+        buckets_[(cost + estimate(x, y)) >> kBucketShift & (kBuckets - 1)].push_back(pack(x, y));
+        ++queued;
+      };
+      if (open && arrival != kStart) {
+        relax(arrival);
+        relax((arrival + 1) % 8);
+        relax((arrival + 7) % 8);
+      } else {
+        for (unsigned d = 0; d < 8; ++d)
+          relax(d);
+      }
+    }
+  }
+  best_ = best;
+  expanded_ = expanded;
+}
+
+void GridSearch::collect_nodes(const SearchGrid& grid) {
+  CellIndex node = best_goal_;
+  while (true) {
+    nodes_.push_back(node);
+    const std::size_t arrival =
+        arrivals_[static_cast<std::size_t>(grid.index(node))] & ~unsigned{kClosed};
+    if (arrival == kStart) break;
+    node = {.x = node.x - kStepX[arrival], .y = node.y - kStepY[arrival]};
+  }
+  std::reverse(nodes_.begin(), nodes_.end());
+}
+
+}  // namespace fairway

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fairway/path/search_grid.hpp"
+
+namespace fairway {
+
+/// A node where a search may begin or end, and what it costs to get to it from the true start, or
+/// from it to the true goal, in the search's own unit (see GridSearch::kStep).
+struct Terminal {
+  CellIndex node;
+  std::uint32_t cost = 0;
+};
+
+/// A*: the cheapest way over linked neighbours of a grid, on one grid after another.
+class GridSearch {
+ public:
+  /// Cost of a straight step between nodes that cost 1; a diagonal one costs 82, and 82 / 58 is
+  /// 0.03 % below sqrt 2. A step costs the mean of its two nodes.
+  static constexpr int kStep = 58;
+
+  /// Searches from all of `starts` to the best of `goals`. False when there is no way, or when it
+  /// is too long: more than about a million straight steps at the lowest cost.
+  /// @pre the grid has begun; terminals' costs are below 2^28. Terminals that are no nodes are left
+  ///      out.
+  [[nodiscard]] bool find(BlockGrid& grid,
+                          std::span<const Terminal> starts,
+                          std::span<const Terminal> goals);
+  [[nodiscard]] bool find(CellGrid& grid,
+                          std::span<const Terminal> starts,
+                          std::span<const Terminal> goals);
+
+  /// The nodes of the way found, from start to goal.
+  [[nodiscard]] std::span<const CellIndex> nodes() const noexcept { return nodes_; }
+  [[nodiscard]] std::uint32_t cost() const noexcept { return best_; }  ///< terminals included
+  [[nodiscard]] int expanded() const noexcept { return expanded_; }  ///< nodes taken from the queue
+
+ private:
+  template <typename Grid>
+  bool find_on(Grid& grid, std::span<const Terminal> starts, std::span<const Terminal> goals);
+  template <typename Grid>
+  [[nodiscard]] bool is_pocket(Grid& grid,
+                               std::span<const Terminal> starts,
+                               std::span<const Terminal> goals);
+  template <typename Grid>
+  void run(Grid& grid, std::span<const Terminal> goals);
+  void collect_nodes(const SearchGrid& grid);
+
+  // Buckets of about equal estimated total cost, in a ring: no entry lies a full turn ahead.
+  static constexpr unsigned kBucketShift = 7;
+  static constexpr std::uint32_t kBuckets = 256;
+
+  std::array<std::vector<std::uint32_t>, kBuckets> buckets_;
+  std::uint32_t lowest_ = 0;  // least estimate of a start
+  std::size_t queued_ = 0;
+  std::uint32_t best_ = 0;
+  CellIndex best_goal_;
+  int expanded_ = 0;
+  std::vector<std::uint32_t> so_far_;   // cost from the start, by index
+  std::vector<std::uint8_t> arrivals_;  // direction of the last step, by index
+  std::vector<std::uint32_t> flood_;
+  std::vector<CellIndex> nodes_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/path/travel_cost.hpp"
+
+#include <cmath>
+
+#include "fairway/base/contract.hpp"
+#include "fairway/map/free_space.hpp"
+
+namespace fairway {
+
+long LC=0,LL=0;
+namespace {
+
+// When two allowed cells touch at a corner, which obstacles can come nearer to the line between
+// their centres than to the centres?
+//
+// From (1/2, 1/2) to (3/2, 3/2) the squared distance to a cell with the corner (1 + k, 1 - k) is
+// 2 k^2 + 1/2 at both ends and 2 k^2 in the middle; for every other cell it is least at an end. So
+// with R the required distance in cells only k with 2 k^2 < R^2 <= 2 k^2 + 1/2 matters: the
+// largest k below R / sqrt 2, and for most R none. k = 0 is the rule not to cut corners.
+int critical_corner(double required_low, double required_high) {
+  const int k = static_cast<int>(std::min(1e6, required_high / std::sqrt(2.0)));
+  return required_low * required_low > 2.0 * k * k + 0.5 ? -1 : k;
+}
+
+}  // namespace
+
+TravelCost::TravelCost(const BitGrid& obstacles,
+                       const DistanceField& distances,
+                       double required,
+                       const PathSettings& settings)
+    : obstacles_(obstacles),
+      distances_(distances),
+      required_(required) {
+  FAIRWAY_EXPECTS(required >= 0.0);
+  const GridFrame& frame = obstacles.frame();
+  FAIRWAY_EXPECTS(distances.frame().width == frame.width &&
+                  distances.frame().height == frame.height);
+  // Twice the skin of is_free, and the field's rounding: what is allowed here is free there.
+  const double allowed = (required + 2.0 * kFreeSpaceSkin) * (1.0 + 3e-7);
+  allowed_ = static_cast<float>(allowed);
+  roomy_ = static_cast<float>(allowed + frame.resolution * std::sqrt(0.5));
+  corner_ = critical_corner(required / frame.resolution, allowed / frame.resolution);
+  const bool graded = settings.comfort_distance > 0.0 && settings.comfort_weight > 0.0;
+  const double rise = graded ? settings.comfort_weight / settings.comfort_distance : 0.0;
+  rise_ = static_cast<float>(rise);
+  at_zero_ = static_cast<float>(1.0 + rise * (allowed + settings.comfort_distance));
+  dearest_ = graded ? static_cast<float>(1.0 + settings.comfort_weight) : 1.0F;
+}
+
+TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
+                                  const Eigen::Vector2d& b,
+                                  double limit) const noexcept {
+  const GridFrame& grid = frame();
+  const auto inside = [&](const Eigen::Vector2d& p) {
+    return p.x() >= 0.0 && p.x() < grid.width && p.y() >= 0.0 && p.y() < grid.height;
+  };
+  if (!inside(a) || !inside(b)) return {};
+  constexpr double kFar = std::numeric_limits<double>::max();
+  const float* const cells = distances_.cells().data();
+  // Goes along the longer axis u, a column of cells at a time; in each the line meets one cell or
+  // two neighbours across, v. Free of branches that depend on the line: they would be mispredicted.
+  const bool steep = std::abs(b.y() - a.y()) > std::abs(b.x() - a.x());
+  const int u_axis = steep ? 1 : 0;
+  const std::ptrdiff_t u_stride = steep ? grid.width : 1;
+  const std::ptrdiff_t v_stride = steep ? 1 : grid.width;
+  const Eigen::Vector2d& from = a[u_axis] <= b[u_axis] ? a : b;
+  const Eigen::Vector2d& to = a[u_axis] <= b[u_axis] ? b : a;
+  const double u0 = from[u_axis];
+  const double u1 = to[u_axis];
+  const double v0 = from[1 - u_axis];
+  const double v1 = to[1 - u_axis];
+  const double length = (b - a).norm(); extern long LC, LL; ++LC; LL += long(u1-u0)+1;
+  if (length == 0.0) return {.cost = 0.0, .roomy = false};
+  const double slope = (v1 - v0) / (u1 - u0);
+  const int v_last = static_cast<int>(v1);
+  const double per_slope = slope != 0.0 ? 1.0 / std::abs(slope) : kFar;
+  const double scale = length / (u1 - u0);  // of the line's length to that of its shadow on u
+  const double bound = limit / scale;
+  double sum = 0.0;
+  float least = std::numeric_limits<float>::infinity();
+  double u = u0;
+  double v = v0;
+  int v_cell = static_cast<int>(v0);
+  const int u_last = static_cast<int>(u1);
+  for (int u_cell = static_cast<int>(u0); u_cell <= u_last; ++u_cell) {
+    const double u_next = std::min(u_cell + 1.0, u1);
+    const double v_next = v0 + (u_next - u0) * slope;
+    int next_cell = static_cast<int>(v_next);
+    next_cell = slope >= 0.0 ? std::min(next_cell, v_last) : std::max(next_cell, v_last);
+    // How far along u the line stays in the first of the two cells.
+    const double rest = slope >= 0.0 ? v_cell + 1.0 - v : v - v_cell;
+    const double width = u_next - u;
+    const double in_first = next_cell == v_cell ? width : std::min(rest * per_slope, width);
+    const float* column = cells + u_cell * u_stride;
+    const float d0 = column[v_cell * v_stride];
+    const float d1 = column[next_cell * v_stride];
+    sum += in_first * static_cast<double>(at_distance(d0)) +
+           (width - in_first) * static_cast<double>(at_distance(d1));
+    least = std::min(least, std::min(d0, d1));
+    if (sum > bound) return {};
+    u = u_next;
+    v = v_next;
+    v_cell = next_cell;
+  }
+  return {.cost = sum * scale, .roomy = least >= roomy_};
+}
+
+bool TravelCost::fits(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const noexcept {
+  return is_free(obstacles_, frame().to_world(a), frame().to_world(b), required_);
+}
+
+}  // namespace fairway

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a settings file: what is read is valid, and comes back from its own print-out.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "fairway/io/settings_file.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(data, data + size);
+  const auto settings = fairway::io::parse_settings(text, "s.yaml");
+  if (!settings) {
+    if (settings.error().message.find('\n') != std::string::npos) std::abort();
+    return 0;
+  }
+  if (!fairway::validate(*settings)) std::abort();
+  const std::string printed = fairway::io::settings_yaml(*settings);
+  const auto again = fairway::io::parse_settings(printed, "s.yaml");
+  if (!again || fairway::io::settings_yaml(*again) != printed) std::abort();
+  return 0;
+}

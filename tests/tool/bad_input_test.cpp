@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "tool_run.hpp"
+
+namespace fairway::test {
+namespace {
+
+constexpr const char* kEnds = " --start 1,2 --goal 7,2 ";
+constexpr const char* kOutputs = " --json out.json --picture out.svg";
+
+// Bad input: exit code 2, one line that starts with "fairway: ", and no file more than before.
+void expect_refused(const TemporaryFolder& folder,
+                    const std::string& arguments,
+                    const std::string& part) {
+  const std::size_t files = folder.count_files();
+  const ToolRun run = run_tool(folder, arguments);
+  EXPECT_EQ(run.code, 2) << arguments << '\n' << run.err;
+  EXPECT_TRUE(run.err.starts_with("fairway: ")) << arguments << '\n' << run.err;
+  EXPECT_EQ(count_lines(run.err), 1) << arguments << '\n' << run.err;
+  EXPECT_NE(run.err.find(part), std::string::npos) << arguments << '\n' << run.err;
+  EXPECT_EQ(run.out, "") << arguments;
+  EXPECT_EQ(folder.count_files(), files) << arguments;
+}
+
+void expect_plan_refused(const TemporaryFolder& folder,
+                         const std::string& map,
+                         const std::string& part) {
+  expect_refused(folder, "plan " + map + kEnds + kOutputs, part);
+}
+
+// The room's YAML file with one line replaced.
+std::string with_line(const TemporaryFolder& folder,
+                      const std::string& key,
+                      const std::string& line) {
+  std::string text = content_of(folder.path("room.yaml"));
+  const std::size_t begin = text.find(key + ":");
+  return folder.write("bad.yaml", text.replace(begin, text.find('\n', begin) - begin, line));
+}
+
+class BadInput : public testing::Test {
+ protected:
+  BadInput() { write_room(folder_); }
+  TemporaryFolder folder_;
+};
+
+TEST_F(BadInput, MissingFilesAreNamed) {
+  expect_plan_refused(folder_, "none.yaml", "none.yaml: expected a file");
+  expect_plan_refused(folder_, ".", "found a folder");
+  with_line(folder_, "image", "image: none.pgm");
+  expect_plan_refused(folder_, "bad.yaml", "none.pgm");
+  with_line(folder_, "image", "image: .");
+  expect_plan_refused(folder_, "bad.yaml", "found a folder");
+  expect_refused(folder_, "simulate none.yaml", "none.yaml");
+}
+
+TEST_F(BadInput, PicturesThatAreNotWholeAreRefused) {
+  const std::string good = content_of(folder_.path("room.pgm"));
+  folder_.write("room.pgm", good.substr(0, good.size() - 1));
+  expect_plan_refused(folder_, "room.yaml", "truncated");
+  folder_.write("room.pgm", "");
+  expect_plan_refused(folder_, "room.yaml", "empty");
+  folder_.write("room.pgm", "GIF89a not a map");
+  expect_plan_refused(folder_, "room.yaml", "PGM");
+  folder_.write("room.pgm", "P5\n1000000 1000000\n255\n");
+  expect_plan_refused(folder_, "room.yaml", "1000000 x 1000000");
+}
+
+TEST_F(BadInput, WrongMapValuesAreNamedWithFileAndLine) {
+  for (const char* value : {"0", "-0.05", "nan", ".nan", "inf", "1e400", "abc", "[1]"}) {
+    with_line(folder_, "resolution", std::string("resolution: ") + value);
+    expect_plan_refused(folder_, "bad.yaml", "bad.yaml:3: resolution: expected");
+  }
+  with_line(folder_, "origin", "origin: [.nan, 0, 0]");
+  expect_plan_refused(folder_, "bad.yaml", "bad.yaml:4: origin: expected");
+  with_line(folder_, "free_thresh", "free_thresh: 0.9");
+  expect_plan_refused(folder_, "bad.yaml", "bad.yaml:7: free_thresh: expected");
+  with_line(folder_, "negate", "negatee: 0");
+  expect_plan_refused(folder_, "bad.yaml", "negate");
+  with_line(folder_, "mode", "mode: trinary\ncolour: red");
+  expect_plan_refused(folder_, "bad.yaml", "bad.yaml:3: 'colour': expected");
+}
+
+TEST_F(BadInput, WhatIsNoYamlIsRefused) {
+  for (const std::string& text :
+       {std::string(), std::string("\x7f\x45LF\0\1\2", 7), std::string("a: [1"), std::string("- 1"),
+        std::string(100000, '[')}) {
+    folder_.write("bad.yaml", text);
+    expect_plan_refused(folder_, "bad.yaml", "bad.yaml");
+    expect_refused(folder_, "plan room.yaml --settings bad.yaml" + std::string(kEnds), "bad.yaml");
+    expect_refused(folder_, "simulate bad.yaml", "bad.yaml");
+  }
+}
+
+TEST_F(BadInput, PlacesOffTheMapAreToldItsBounds) {
+  expect_refused(folder_, "plan room.yaml --start 1,2 --goal 9,2" + std::string(kOutputs),
+                 "--goal: expected a point on the map, x from 0 to 8 and y from 0 to 4, found 9,2");
+  expect_refused(folder_, "plan room.yaml --start -1,-2 --goal 7,2", "--start");
+  expect_refused(folder_, "simulate --map room.yaml --start 1,2 --goal 1e9,2", "--goal");
+}
+
+TEST_F(BadInput, WhatIsNoPlaceIsRefused) {
+  for (const char* text : {"1", "1,2,3,4", "1,,2", "1,2,", ",1,2", "nan,1", "1,inf", "1e400,2",
+                           "a,b", "''", "'1;2'", "'1, 2'", "0x1,2"}) {
+    expect_refused(folder_, std::string("plan room.yaml --goal 7,2 --start ") + text, "--start");
+  }
+}
+
+TEST_F(BadInput, WrongSettingsAreNamed) {
+  const std::string plan = std::string("plan room.yaml") + kEnds;
+  expect_refused(folder_, plan + "--set robot.radius=-1", "robot.radius: expected a number from");
+  expect_refused(folder_, plan + "--set robot.radius=nan", "robot.radius");
+  expect_refused(folder_, plan + "--set robot.size=1", "'robot.size'");
+  expect_refused(folder_, plan + "--set robo.radius=1", "'robo.radius'");
+  expect_refused(folder_, plan + "--set robot.radius", "group.name=value");
+  expect_refused(folder_, plan + "--preset fastest", "--preset");
+  expect_refused(folder_, plan + "--set mpc.decay_rate=50", "mpc.decay_rate");
+  folder_.write("bad.yaml", "mpc:\n  horizon: 1000\n");
+  expect_refused(folder_, plan + "--settings bad.yaml", "bad.yaml:2: mpc.horizon: expected");
+  expect_refused(folder_, "settings --settings bad.yaml", "bad.yaml:2: mpc.horizon: expected");
+}
+
+TEST_F(BadInput, WrongOptionsAreNamed) {
+  const std::string plan = std::string("plan room.yaml") + kEnds;
+  expect_refused(folder_, plan + "--corridor best", "--corridor");
+  expect_refused(folder_, plan + "--clearance nan", "--clearance");
+  expect_refused(folder_, plan + "--clearance -1", "--clearance");
+  expect_refused(folder_, plan + "--robot-radius 1e400", "--robot-radius");
+  expect_refused(folder_, plan + "--robot-radius 0.3 --clearance 0.1", "--clearance");
+  expect_refused(folder_, plan + "--inward-offset x", "--inward-offset");
+  expect_refused(folder_, plan + "--repeat 0", "--repeat");
+  expect_refused(folder_, plan + "--no-such-option", "--no-such-option");
+  expect_refused(folder_, "plan", "MAP");
+  expect_refused(folder_, "plan room.yaml --start 1,2", "--goal");
+  expect_refused(folder_, "", "subcommand");
+  expect_refused(folder_, "fly", "fly");
+  expect_refused(folder_, "simulate", "SCENARIO");
+  expect_refused(folder_, "simulate room.yaml --map room.yaml", "SCENARIO");
+  expect_refused(folder_, "simulate --map room.yaml --start 1,2", "--goal");
+}
+
+TEST_F(BadInput, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork) {
+  const std::string plan = std::string("plan room.yaml") + kEnds;
+  expect_refused(folder_, plan + "--picture out.jpg --json out.json", "out.jpg");
+  expect_refused(folder_, plan + "--picture out --json out.json", "out: expected");
+  expect_refused(folder_, plan + "--json none/out.json --picture out.png", "none/out.json");
+  expect_refused(folder_, plan + "--json .", "folder");
+  expect_refused(folder_, "plan room.yaml --json /dev/full" + std::string(kEnds), "/dev/full");
+}
+
+TEST_F(BadInput, WrongScenariosAreNamedWithFileAndLine) {
+  const auto refuse = [&](const std::string& text, const std::string& part) {
+    folder_.write("s.yaml", text);
+    expect_refused(folder_, "simulate s.yaml --trace t.csv --json j.json --picture p.png", part);
+  };
+  const std::string map = "map: room.yaml\n";
+  const std::string robots = "robots:\n  - {start: [1, 2, 0], goal: [7, 2]}\n";
+  refuse(robots, "map: expected");
+  refuse(map, "robots: expected");
+  refuse(map + "robots: []\n", "robots: expected at least one");
+  refuse(map + robots + "speed: 3\n", "s.yaml:4: 'speed': expected one of");
+  refuse(map + "robots:\n  - {start: [1, 2], goal: [7, 2]}\n",
+         "s.yaml:3: robots[0].start: expected");
+  refuse(map + "robots:\n  - {start: [1, 2, 0], goal: [70, 2]}\n",
+         "robots[0].goal: expected a point");
+  refuse(map + "robots:\n  - {start: [1, 2, nan], goal: [7, 2]}\n", "robots[0].start");
+  refuse(map + "robots:\n  - {start: [1, 2, 0], goal: [7, 2], size: 1}\n", "robots[0].'size'");
+  refuse(map + robots + "time_limit: -1\n", "s.yaml:4: time_limit: expected");
+  refuse(map + robots + "time_limit: .inf\n", "time_limit");
+  refuse(map + robots + "seed: 1.5\n", "seed");
+  refuse(map + robots + "settings: {mpc: {horizon: 0}}\n", "settings.mpc.horizon: expected");
+  refuse(map + robots + "settings:\n  mpc:\n    decay_rate: 50\n",
+         "s.yaml:6: settings.mpc.decay_rate");
+  refuse(map + robots + "obstacles:\n  - {radius: 0.3}\n", "obstacles[0].key_frames: expected");
+  refuse(map + robots + "obstacles:\n  - {key_frames: [[0, 1, 1], [0, 2, 2]]}\n", "increasing");
+  refuse(map + robots + "obstacles:\n  - {key_frames: [[0, 1]]}\n",
+         "key_frames: expected lists of 3");
+  refuse(map + robots + "obstacles: 3\n", "obstacles: expected a list");
+  refuse("map: none.yaml\n" + robots, "s.yaml:1: map: ");
+}
+
+}  // namespace
+}  // namespace fairway::test

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tool_run.hpp"
+
+namespace fairway::test {
+namespace {
+
+using nlohmann::json;
+
+TEST(Simulate, DrivesThroughTheGapAndReports) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  const ToolRun run = run_tool(folder,
+                               "simulate --map room.yaml --start 1,1 --goal 7,3 --json r.json "
+                               "--trace t.csv --picture p.svg --speeds v.svg");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const json result = json::parse(content_of(folder.path("r.json")));
+  EXPECT_TRUE(result.at("success").get<bool>());
+  const json& robot = result.at("robots").at(0);
+  EXPECT_TRUE(robot.at("reached").get<bool>());
+  EXPECT_FALSE(robot.at("collided").get<bool>());
+  EXPECT_GT(robot.at("length").get<double>(), 6.0);
+  EXPECT_GT(robot.at("min_clearance").get<double>(), 0.0);
+  EXPECT_TRUE(robot.at("min_separation").is_null());
+  for (const char* times : {"cycle_us", "solve_us"}) {
+    EXPECT_GT(robot.at(times).at("median").get<double>(), 0.0);
+    EXPECT_GE(robot.at(times).at("max"), robot.at(times).at("p99"));
+  }
+  int cycles = 0;
+  for (const auto& [name, count] : robot.at("status_counts").items())
+    cycles += count.get<int>();
+  EXPECT_EQ(cycles, robot.at("cycles").get<int>());
+  const std::string trace = content_of(folder.path("t.csv"));
+  EXPECT_TRUE(trace.starts_with("time,robot,x,y,heading,linear,angular,status,"));
+  EXPECT_EQ(count_lines(trace), cycles + 1);
+  EXPECT_GT(content_of(folder.path("p.svg")).size(), 1000U);
+  EXPECT_GT(content_of(folder.path("v.svg")).size(), 1000U);
+}
+
+TEST(Simulate, ReadsAScenario) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write(
+      "s.yaml",
+      "map: room.yaml\ntime_limit: 60\n"
+      "robots:\n  - {name: a, start: [1, 1, 0], goal: [7, 3, 0]}\n"
+      "obstacles:\n  - {radius: 0.2, loop: true, key_frames: [[0, 6, 3.5], [9, 6, 3.2]]}\n");
+  const ToolRun run = run_tool(folder, "simulate s.yaml --json -");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json robot = json::parse(run.out).at("robots").at(0);
+  EXPECT_EQ(robot.at("name"), "a");
+  EXPECT_GT(robot.at("min_separation").get<double>(), 0.0);
+}
+
+TEST(Simulate, FailsWithAReasonWhereThereIsNoWay) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  const ToolRun run = run_tool(folder,
+                               "simulate --map room.yaml --start 1,1 --goal 7,3 --time-limit 3 "
+                               "--set robot.radius=0.6 --json -");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(count_lines(run.err), 1) << run.err;
+  EXPECT_TRUE(run.err.starts_with("fairway: ")) << run.err;
+  EXPECT_FALSE(json::parse(run.out).at("success").get<bool>());
+}
+
+TEST(Simulate, IsTheSameEveryTime) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  const std::string run = "simulate --map room.yaml --start 1,1 --goal 7,3 --trace ";
+  ASSERT_EQ(run_tool(folder, run + "a.csv").code, 0);
+  ASSERT_EQ(run_tool(folder, run + "b.csv").code, 0);
+  EXPECT_EQ(content_of(folder.path("a.csv")), content_of(folder.path("b.csv")));
+}
+
+}  // namespace
+}  // namespace fairway::test
