@@ -6,3 +6,5 @@ library_packages=(libeigen3-dev libexpected-dev)
 tool_packages=(libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libgraphicsmagick++1-dev)
 reference_packages=(coinor-libipopt-dev)
 test_packages=(libgtest-dev libbenchmark-dev python3)
+# physics: MuJoCo, optional; its CMake config asks for qhull. OSMesa draws its pictures off-screen.
+physics_packages=(libmujoco-dev libqhull-dev libosmesa6-dev)

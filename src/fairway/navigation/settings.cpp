@@ -58,6 +58,9 @@ Expected<void> validate(const Settings& settings) {
     });
   });
   if (!error.empty()) return fail(error);
+  if ((settings.robot.length > 0.0) != (settings.robot.width > 0.0)) {
+    return fail("robot.width: expected both robot.length and robot.width, or neither");
+  }
   if (settings.mpc.linear_min > settings.mpc.linear_max) {
     return fail("mpc.linear_min: expected at most mpc.linear_max");
   }
