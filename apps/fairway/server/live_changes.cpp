@@ -70,7 +70,7 @@ void LiveWorld::apply(EpisodeControl& /*control*/, const PauseCommand& command) 
 
 void LiveWorld::apply(EpisodeControl& /*control*/, const StepCommand& /*command*/) {
   state_.paused = true;
-  ++steps_;
+  step_ = true;
   tell_state();
 }
 

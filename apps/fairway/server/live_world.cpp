@@ -21,6 +21,7 @@ constexpr std::size_t kMostWaiting = 256;         // commands of clients
 constexpr std::size_t kMostDownloads = 300;       // commands and downloads
 constexpr std::size_t kMostRecords = 64U << 20U;  // for a report [bytes]
 constexpr double kBeginningPeriod = 60.0;  // who joins late sees at least as much of the past [s]
+constexpr double kMostLate = 0.2;          // for what is asked between two cycles [s]
 constexpr double kFarBehind = 0.5;         // then it does not try to catch up [s]
 
 }  // namespace
@@ -100,33 +101,32 @@ bool LiveWorld::play(EpisodeControl& control) {
     listener_.on_beginning(stream_.beginning(told_beginning_));
   }
   due_ = std::max(due_ + scenario_.settings.mpc.dt / state_.speed, steady_seconds() - kFarBehind);
-  for (;;) {
-    std::deque<Request> taken;
-    {
-      std::unique_lock lock(mutex_);
-      const auto asked = [this] { return stopping_ || !requests_.empty(); };
-      if (state_.paused && steps_ == 0) {
-        wake_.wait(lock, asked);
-      } else if (steps_ == 0) {
-        wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
-      }
-      if (stopping_) return false;
-      taken.swap(requests_);
-    }
-    for (Request& request : taken) {
-      carry_out(control, request);
-      if (again_) return false;
-    }
-    if (!taken.empty()) {
-      stream_.tell_true_map(control.world().time(), control.world().obstacles());
-      publish();
-    }
-    if (steps_ > 0) {
-      --steps_;
-      return true;
-    }
-    if (!state_.paused && steady_seconds() >= due_) return true;
+  while (std::optional<Request> request = next_request()) {
+    carry_out(control, *request);
+    stream_.tell_true_map(control.world().time(), control.world().obstacles());
+    publish();
+    if (again_) return false;
+    if (std::exchange(step_, false)) return true;
   }
+  const std::lock_guard lock(mutex_);
+  return !stopping_;
+}
+
+// Waits for somebody to ask for something; none when the next cycle is due, or at the end.
+std::optional<LiveWorld::Request> LiveWorld::next_request() {
+  std::unique_lock lock(mutex_);
+  const auto asked = [this] { return stopping_ || !requests_.empty(); };
+  if (state_.paused) {
+    wake_.wait(lock, asked);
+  } else {
+    wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
+  }
+  // However much is asked, the world goes on.
+  const bool late = !state_.paused && steady_seconds() > due_ + kMostLate;
+  if (stopping_ || requests_.empty() || late) return std::nullopt;
+  Request request = std::move(requests_.front());
+  requests_.pop_front();
+  return request;
 }
 
 void LiveWorld::publish() {

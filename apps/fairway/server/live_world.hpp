@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <variant>
@@ -75,6 +76,7 @@ class LiveWorld {
   void run();
   void run_once();
   bool play(EpisodeControl& control);
+  [[nodiscard]] std::optional<Request> next_request();
   void publish();
   void tell_state();
   void carry_out(EpisodeControl& control, Request& request);
@@ -101,7 +103,7 @@ class LiveWorld {
   LiveState state_;
   Scenario scenario_;   // as it would be saved: with everything that was changed
   bool again_ = false;  // begin a new run
-  int steps_ = 0;       // to go although paused
+  bool step_ = false;   // one cycle although paused
   double due_ = 0.0;    // when the next cycle is [s]
   double told_beginning_ = 0.0;
   bool fresh_ = true;  // nothing of this run has been told
