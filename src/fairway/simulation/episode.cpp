@@ -7,6 +7,7 @@
 
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/simulation/robot_driver.hpp"
 
 namespace fairway {
 
@@ -43,7 +44,7 @@ class Episode {
   Episode(const Scenario& scenario, const EpisodeHooks& hooks)
       : scenario_(scenario),
         hooks_(hooks),
-        world_(scenario),
+        world_(scenario, hooks.physics ? hooks.physics(scenario) : nullptr),
         map_(scenario.map) {
     if (hooks_.solver == nullptr) {
       own_solver_ = std::make_unique<RealTimeSolver>(scenario.settings.mpc);
@@ -53,70 +54,66 @@ class Episode {
       timed_solver_ = std::make_unique<TimedSolver>(*hooks_.solver, hooks_.clock);
       hooks_.solver = timed_solver_.get();
     }
-    for (const RobotTask& task : scenario.robots) {
-      navigators_.emplace_back(scenario.settings, *hooks_.solver);
+    for (const RobotTask& task : scenario.robots)
       result_.robots.push_back({.name = task.name, .status_counts = std::vector<int>(kStatuses)});
-    }
-    commands_.resize(navigators_.size());
-    done_.resize(navigators_.size());
-    for (std::size_t i = 0; i < navigators_.size(); ++i)
-      replan(i);
+    const DriverContext context{.scenario = scenario_,
+                                .map = map_,
+                                .planner = planner_,
+                                .solver = *hooks_.solver,
+                                .clock = hooks_.clock};
+    for (std::size_t i = 0; i < result_.robots.size(); ++i)
+      drivers_.push_back(make_driver(context, world_, i, result_.robots[i]));
+    commands_.resize(drivers_.size());
+    done_.resize(drivers_.size());
   }
 
   EpisodeResult run() {
     const double dt = scenario_.settings.mpc.dt;
     for (int cycle = 0;; ++cycle) {
       const bool time_left = cycle * dt < scenario_.time_limit;
-      for (std::size_t i = 0; i < navigators_.size(); ++i)
+      for (std::size_t i = 0; i < drivers_.size(); ++i)
         control(i);
       const bool all_done = std::all_of(done_.begin(), done_.end(), [](bool done) { return done; });
       if (all_done || !time_left || (hooks_.on_cycle && !hooks_.on_cycle(world_.time()))) break;
-      world_.advance(commands_, dt);
+      advance(dt);
     }
     finish();
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] double now() const { return hooks_.clock ? hooks_.clock() : 0.0; }
-
-  void replan(std::size_t i) {
-    const double before = now();
-    navigators_[i].follow(planner_.plan(map_, world_.robots()[i].pose.position,
-                                        scenario_.robots[i].goal, scenario_.settings));
-    if (hooks_.clock) result_.robots[i].plan_seconds.push_back(now() - before);
+  // Lets the world go on for one cycle, with stops where something is measured.
+  void advance(double dt) {
+    constexpr double kSameTime = 1e-9;  // [s]
+    const double end = world_.time() + dt;
+    while (true) {
+      double next = end;
+      for (const auto& driver : drivers_)
+        next = std::min(next, driver->next_measurement());
+      if (next >= end - kSameTime) break;
+      world_.advance(commands_, next - world_.time());
+      for (const auto& driver : drivers_)
+        driver->measure(world_);
+    }
+    world_.advance(commands_, end - world_.time());
   }
 
   void control(std::size_t i) {
     RobotResult& result = result_.robots[i];
-    const UnicycleRobot& robot = world_.robots()[i];
     if (done_[i] || world_.encounters()[i].collided) {
       done_[i] = true;
       commands_[i] = {};
+      drivers_[i]->measure(world_);
       return;
     }
-    world_.moving_around(i, seen_);
-    const NavigationInput input{.time = world_.time(),
-                                .pose = robot.pose,
-                                .pose_time = world_.time(),
-                                .obstacles = seen_,
-                                .obstacles_time = world_.time(),
-                                .map = &world_.obstacles(),
-                                .map_time = world_.time()};
-    const double before = now();
-    const NavigationStep step = navigators_[i].update(input);
-    if (hooks_.clock) {
-      result.cycle_seconds.push_back(now() - before);
-      result.solve_seconds.push_back(timed_solver_->take_seconds());
-    }
+    const NavigationStep step = drivers_[i]->drive(world_);
+    if (hooks_.clock) result.solve_seconds.push_back(timed_solver_->take_seconds());
     commands_[i] = step.command;
     record(i, step);
     if (step.status == NavigationStatus::GoalReached) {
       result.reached = true;
       result.time = world_.time();
       done_[i] = true;
-    } else if (step.wants_plan) {
-      replan(i);
     }
   }
 
@@ -156,7 +153,7 @@ class Episode {
       robot.collided = met.collided;
       robot.min_clearance = met.min_clearance;
       robot.min_separation = met.min_separation;
-      robot.plan = navigators_[i].plan();
+      robot.plan = drivers_[i]->plan();
       if (!robot.reached) robot.time = met.collided ? met.collision_time : world_.time();
       result_.success = result_.success && robot.reached && !robot.collided;
     }
@@ -169,10 +166,9 @@ class Episode {
   World world_;
   PreparedMap map_;
   Planner planner_;
-  std::vector<Navigator> navigators_;
+  std::vector<std::unique_ptr<RobotDriver>> drivers_;
   std::vector<Twist2> commands_;
   std::vector<bool> done_;
-  std::vector<MovingObstacle> seen_;
   EpisodeResult result_;
 };
 
