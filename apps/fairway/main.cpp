@@ -29,6 +29,8 @@ int run(int argc, char** argv) {
   add_serve_command(tool, chosen);
 #endif
   add_settings_command(tool, chosen);
+  add_barn_command(tool, chosen);
+  add_dynabarn_command(tool, chosen);
   if (argc > 1 && names_no_command(tool, argv[1])) {
     print_error(std::string("expected a command, see fairway --help; found ") + argv[1]);
     return kBadInput;

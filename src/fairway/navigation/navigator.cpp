@@ -253,6 +253,15 @@ StopSurroundings Navigator::surroundings(const NavigationInput& input) const noe
                           .static_margin = settings_.navigation.stop_margin,
                           .moving = input.obstacles,
                           .moving_margin = 0.0};
+  // While the covering disc has room it must keep it, so that the robot can always turn; the body
+  // alone counts where it stands too narrow for the disc already.
+  const double radius = settings_.robot.radius;
+  if (radius >= body_.circumscribed_radius() &&
+      is_free(*input.map, input.pose.position, input.pose.position,
+              radius + around.static_margin)) {
+    around.body = Footprint::disc(radius);
+    return around;
+  }
   const double room =
       footprint_clearance(*input.map, body_, input.pose, around.static_margin + kFreeSpaceSkin);
   if (room < around.static_margin + kFreeSpaceSkin) {

@@ -11,6 +11,7 @@
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/path/path_settings.hpp"
+#include "fairway/perception/perception_settings.hpp"
 
 namespace fairway {
 
@@ -77,6 +78,7 @@ struct Settings {
   CorridorSettings corridor;
   MpcSettings mpc;
   NavigationSettings navigation;
+  PerceptionSettings perception;
 };
 
 template <typename S, typename Visitor>
@@ -147,6 +149,7 @@ void visit_settings(S& s, GroupVisitor&& group) {
   group("corridor", [&](auto&& field) { visit_corridor(s.corridor, field); });
   group("mpc", [&](auto&& field) { visit_mpc(s.mpc, field); });
   group("navigation", [&](auto&& field) { visit_navigation(s.navigation, field); });
+  group("perception", [&](auto&& field) { visit_perception(s.perception, field); });
 }
 
 /// Table I of the paper, with docs/paper_notes.md where the table is silent.
