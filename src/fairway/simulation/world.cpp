@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fairway/base/contract.hpp"
+#include "fairway/map/free_space.hpp"
 #include "fairway/map/footprint_clearance.hpp"
 
 namespace fairway {
