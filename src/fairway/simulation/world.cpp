@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "fairway/base/contract.hpp"
-#include "fairway/map/free_space.hpp"
 #include "fairway/map/footprint_clearance.hpp"
+#include "fairway/map/free_space.hpp"
 
 namespace fairway {
 

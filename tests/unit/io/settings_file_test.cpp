@@ -114,7 +114,7 @@ TEST(SettingsFile, SaysWhatIsWrongWithAnAssignment) {
   EXPECT_EQ(complaint_about("robot.radius=-1"),
             "robot.radius: expected a number from 0.01 to 10, found '-1'");
   EXPECT_EQ(complaint_about("robot.breadth=1"),
-            "'robot.breadth': expected one of length, radius, width, found an unknown key");
+            "'robot.breadth': expected one of radius, length, width, found an unknown key");
   EXPECT_NE(complaint_about("body.width=1").find("found an unknown group"), std::string::npos);
   EXPECT_EQ(complaint_about("radius=1"), "expected group.name=value, found 'radius=1'");
   for (const char* text : {"", "=", ".", "robot.radius", "robot.radius=", "robot.radius=nan",
