@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "corridor_paths.hpp"
 #include "corridor_timing.hpp"
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/corridor/largest_rectangle.hpp"
 #include "fairway/corridor/path_piece.hpp"
 #include "fairway/corridor/rectangle_growth.hpp"
+#include "fairway/map/distance_field.hpp"
+#include "fairway/path/path_planner.hpp"
 #include "fairway/simulation/generated_maps.hpp"
 #include "sampled_rectangles.hpp"
 #include "sound_baselines.hpp"
@@ -32,18 +33,35 @@ constexpr double kPathClearance = 0.45;  // [m]
 
 struct Scene {
   BitGrid obstacles;
-  Path path;  // from cell to cell, as A* gives it
+  Path path;       // the library's own
+  Path waypoints;  // the same, a point every 0.1 m, for the methods that take path points as seeds
 };
+
+Path resampled(const Path& path, double spacing) {
+  Path points;
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+    const Vector2d way = path.waypoints[i] - path.waypoints[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(way.norm() / spacing)));
+    for (int k = 0; k < pieces; ++k)
+      points.waypoints.push_back(path.waypoints[i - 1] + way * k / pieces);
+  }
+  points.waypoints.push_back(path.waypoints.back());
+  return points;
+}
 
 std::vector<Scene> make_scenes(MapKind kind, int count) {
   std::vector<Scene> scenes;
+  PathPlanner planner;
   const double side = side_length(kind);
   for (std::uint64_t seed = 0; static_cast<int>(scenes.size()) < count; ++seed) {
-    Scene scene{.obstacles = BitGrid(generate_map(kind, seed)), .path = {}};
-    const GridFrame& frame = scene.obstacles.frame();
-    scene.path = grid_path(inflated(scene.obstacles, kPathClearance), frame.cell_at({1.5, 1.5}),
-                           frame.cell_at({side - 1.5, side - 1.5}));
-    if (!scene.path.waypoints.empty()) scenes.push_back(std::move(scene));
+    BitGrid obstacles(generate_map(kind, seed));
+    const DistanceField distances(obstacles);
+    PathSettings settings;
+    settings.margin = kPathClearance - kRadius;
+    const PathResult found =
+        planner.find(obstacles, distances, {1.5, 1.5}, {side - 1.5, side - 1.5}, kRadius, settings);
+    if (found.status != PathStatus::Found) continue;
+    scenes.push_back({std::move(obstacles), found.path, resampled(found.path, 0.1)});
   }
   return scenes;
 }
@@ -87,7 +105,7 @@ void run_sampled(const std::vector<Scene>& scenes, const char* name, const Sampl
   for (const Scene& scene : scenes) {
     std::vector<OrientedRectangle> built;
     const double spent = best_time(
-        3, [&] { built = baselines::build_sampled(scene.obstacles, scene.path, growth); });
+        3, [&] { built = baselines::build_sampled(scene.obstacles, scene.waypoints, growth); });
     tally.add(scene, built, 0.0, kRadius, spent);
   }
   tally.print(name);
@@ -216,8 +234,8 @@ void compare_rectangles(MapKind kind, int maps) {
   for (const Scene& scene : scenes) {
     const BitGrid& map = scene.obstacles;
     std::vector<Vector2d> seeds;
-    for (std::size_t i = 10; i < scene.path.waypoints.size(); i += 60)
-      seeds.push_back(scene.path.waypoints[i]);
+    for (std::size_t i = 10; i < scene.waypoints.waypoints.size(); i += 30)
+      seeds.push_back(scene.waypoints.waypoints[i]);
     std::vector<double> area(seeds.size());
     const auto timed = [&](const auto& area_at) {
       return best_time(5, [&] {
@@ -297,9 +315,10 @@ void time_updates(int maps) {
   for (Scene& scene : make_scenes(MapKind::UnstructuredLarge, maps)) {
     CorridorBuilder builder;
     builds += best_time(3, [&] { builder.build(scene.obstacles, scene.path, kRadius, {}); });
-    const BitGrid keep_clear = inflated(path_cells(scene.obstacles.frame(), scene.path), 0.45);
-    for (std::size_t i = 50; i + 50 < scene.path.waypoints.size(); i += 25) {
-      const CellIndex at = scene.obstacles.frame().cell_at(scene.path.waypoints[i]);
+    const BitGrid keep_clear =
+        inflated(path_cells(scene.obstacles.frame(), resampled(scene.path, 0.03)), 0.45);
+    for (std::size_t i = 20; i + 20 < scene.waypoints.waypoints.size(); i += 12) {
+      const CellIndex at = scene.obstacles.frame().cell_at(scene.waypoints.waypoints[i]);
       const int dx = static_cast<int>(i * 7 % 41) - 20;
       const int dy = static_cast<int>(i * 13 % 37) - 18;
       const CellBlock block{.min = {.x = at.x + dx, .y = at.y + dy},

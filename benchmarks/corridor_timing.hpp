@@ -56,6 +56,27 @@ inline std::vector<Eigen::Vector2d> free_points(const BitGrid& map, int count, u
   return points;
 }
 
+/// The cells whose centre is less than `radius` [m] from the centre of a blocked cell, blocked.
+inline BitGrid inflated(const BitGrid& obstacles, double radius) {
+  BitGrid result = obstacles;
+  const GridFrame& frame = obstacles.frame();
+  const int n = static_cast<int>(radius / frame.resolution);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      const bool inside = obstacles.blocked({x - 1, y}) && obstacles.blocked({x + 1, y}) &&
+                          obstacles.blocked({x, y - 1}) && obstacles.blocked({x, y + 1});
+      if (!obstacles.blocked({x, y}) || inside) continue;
+      for (int dy = -n; dy <= n; ++dy) {
+        for (int dx = -n; dx <= n; ++dx) {
+          const CellIndex cell{.x = x + dx, .y = y + dy};
+          if (dx * dx + dy * dy <= n * n && frame.contains(cell)) result.set(cell, true);
+        }
+      }
+    }
+  }
+  return result;
+}
+
 /// A grid of which only the cells on the path are blocked.
 inline BitGrid path_cells(const GridFrame& frame, const Path& path) {
   BitGrid cells(frame, false);
