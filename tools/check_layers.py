@@ -5,7 +5,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ["base", "geometry", "map", "path", "corridor", "prediction", "mpc", "navigation", "simulation", "io"]
+ORDER = ["base", "geometry", "map", "path", "corridor", "prediction", "perception", "mpc", "navigation", "simulation", "physics", "io"]
 INCLUDE = re.compile(r'^\s*#include\s+"fairway/([a-z_0-9]+)/', re.MULTILINE)
 
 

@@ -21,6 +21,8 @@ inline constexpr int kBadInput = 2;  ///< bad usage or bad input; an Error tells
 using Command = std::function<Expected<int>()>;
 
 /// Each adds one command to the tool; parsing the command line then puts its work into `chosen`.
+void add_barn_command(CLI::App& tool, Command& chosen);
+void add_dynabarn_command(CLI::App& tool, Command& chosen);
 void add_plan_command(CLI::App& tool, Command& chosen);
 void add_settings_command(CLI::App& tool, Command& chosen);
 void add_solve_command(CLI::App& tool, Command& chosen);

@@ -23,12 +23,14 @@ int run(int argc, char** argv) {
   Command chosen;
   add_plan_command(tool, chosen);
   add_simulate_command(tool, chosen);
+  add_solve_command(tool, chosen);
   add_replay_command(tool, chosen);
 #ifdef FAIRWAY_HAS_SERVER
   add_serve_command(tool, chosen);
 #endif
-  add_solve_command(tool, chosen);
   add_settings_command(tool, chosen);
+  add_barn_command(tool, chosen);
+  add_dynabarn_command(tool, chosen);
   if (argc > 1 && names_no_command(tool, argv[1])) {
     print_error(std::string("expected a command, see fairway --help; found ") + argv[1]);
     return kBadInput;

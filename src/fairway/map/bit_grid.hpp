@@ -39,6 +39,9 @@ class BitGrid {
   /// @pre the cell lies in the grid.
   void set(CellIndex cell, bool blocked) noexcept;
 
+  /// Puts the same cells to another place: `origin` is the new world pose of the lower-left corner.
+  void move_to(const Pose2& origin) noexcept { frame_.origin = origin; }
+
   /// Column of the first blocked cell of row `y` in columns `first` to `last`, inclusive; -1 when
   /// there is none. @pre 0 <= first, last < width, 0 <= y < height; an empty range has none.
   [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept {

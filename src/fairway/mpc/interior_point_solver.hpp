@@ -26,7 +26,7 @@ struct InteriorPointSettings {
 ///
 /// Every answer is finite and obeys the command and change bounds exactly; `status` tells what else
 /// it is. The same input gives the same bits, whatever was solved before. Does not allocate, lock
-/// or throw. About 0.4 MB, so keep it out of small stacks. One solver per thread.
+/// or throw. About 0.3 MB, so keep it out of small stacks. One solver per thread.
 ///
 /// Where hard rows contradict each other, the change bound wins: from a previous command outside
 /// its range the commands head back as fast as it allows; a stop that is out of reach is

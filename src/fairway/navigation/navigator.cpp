@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
 #include "fairway/navigation/problem_setup.hpp"
@@ -48,11 +49,13 @@ double merit(const MpcSolution& solution, const ControlProblem& problem) noexcep
 
 Navigator::Navigator(const Settings& settings)
     : settings_(checked(settings)),
+      body_(footprint_of(settings.robot)),
       own_solver_(std::make_unique<RealTimeSolver>(settings.mpc)),
       solver_(own_solver_.get()) {}
 
 Navigator::Navigator(const Settings& settings, ControlSolver& solver)
     : settings_(checked(settings)),
+      body_(footprint_of(settings.robot)),
       solver_(&solver) {}
 
 void Navigator::follow(Plan plan) {
@@ -245,12 +248,27 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
 StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
   // A robot that measures itself (a little) inside an obstacle must still be able to leave: then
   // what counts is to come no nearer.
-  const double radius = settings_.robot.radius + settings_.navigation.stop_margin;
-  const double room = distance_to_blocked(*input.map, input.pose.position, radius);
-  return {.obstacles = input.map,
-          .robot_radius = std::min(radius, std::max(0.0, room - 2.0 * kFreeSpaceSkin)),
-          .moving = input.obstacles,
-          .moving_margin = 0.0};
+  StopSurroundings around{.obstacles = input.map,
+                          .body = body_,
+                          .static_margin = settings_.navigation.stop_margin,
+                          .moving = input.obstacles,
+                          .moving_margin = 0.0};
+  // While the covering disc has room it must keep it, so that the robot can always turn; the body
+  // alone counts where it stands too narrow for the disc already.
+  const double radius = settings_.robot.radius;
+  if (radius >= body_.circumscribed_radius() &&
+      is_free(*input.map, input.pose.position, input.pose.position,
+              radius + around.static_margin)) {
+    around.body = Footprint::disc(radius);
+    return around;
+  }
+  const double room =
+      footprint_clearance(*input.map, body_, input.pose, around.static_margin + kFreeSpaceSkin);
+  if (room < around.static_margin + kFreeSpaceSkin) {
+    around.static_margin = std::max(0.0, room - 2.0 * kFreeSpaceSkin);
+    if (room < 2.0 * kFreeSpaceSkin) around.body = body_.shrunk(2.0 * kFreeSpaceSkin - room);
+  }
+  return around;
 }
 
 // Takes the command if it and the braking after it stay free. Then that braking is the stop to fall

@@ -79,6 +79,7 @@ class Navigator {
   [[nodiscard]] StopSurroundings surroundings(const NavigationInput& input) const noexcept;
 
   Settings settings_;
+  Footprint body_;
   std::unique_ptr<ControlSolver> own_solver_;
   ControlSolver* solver_;
   Plan plan_;

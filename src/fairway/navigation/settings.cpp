@@ -58,6 +58,13 @@ Expected<void> validate(const Settings& settings) {
     });
   });
   if (!error.empty()) return fail(error);
+  constexpr double kMostCells = 4096.0;  // along a side of the rolling map
+  if (settings.perception.window > kMostCells * settings.perception.resolution) {
+    return fail("perception.window: expected at most 4096 cells of perception.resolution");
+  }
+  if ((settings.robot.length > 0.0) != (settings.robot.width > 0.0)) {
+    return fail("robot.width: expected both robot.length and robot.width, or neither");
+  }
   if (settings.mpc.linear_min > settings.mpc.linear_max) {
     return fail("mpc.linear_min: expected at most mpc.linear_max");
   }

@@ -7,16 +7,29 @@
 #include "fairway/base/error.hpp"
 #include "fairway/base/setting.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/geometry/footprint.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/path/path_settings.hpp"
+#include "fairway/perception/perception_settings.hpp"
 
 namespace fairway {
 
-/// The body of the robot.
+/// The body of the robot: a disc, or a rectangle along its heading.
+///
+/// Paths, corridors and plans keep the disc free, whatever the heading. The check before a command
+/// leaves tests the true body.
 struct RobotSettings {
   double radius = 0.25;  ///< of the disc that covers it [m]
+  double length = 0.0;   ///< of the rectangle [m]; 0: the body is the disc
+  double width = 0.0;    ///< of the rectangle [m]; 0: the body is the disc
 };
+
+/// The outline that must never touch anything.
+[[nodiscard]] inline Footprint footprint_of(const RobotSettings& robot) noexcept {
+  return robot.length > 0.0 && robot.width > 0.0 ? Footprint::rectangle(robot.length, robot.width)
+                                                 : Footprint::disc(robot.radius);
+}
 
 /// How the map is read.
 struct MapSettings {
@@ -65,6 +78,7 @@ struct Settings {
   CorridorSettings corridor;
   MpcSettings mpc;
   NavigationSettings navigation;
+  PerceptionSettings perception;
 };
 
 template <typename S, typename Visitor>
@@ -76,6 +90,10 @@ void visit_map(S& s, Visitor&& field) {
 template <typename S, typename Visitor>
 void visit_robot(S& s, Visitor&& field) {
   field(s.radius, SettingInfo{"radius", "m", "radius of the disc that covers the robot", 0.01, 10});
+  field(s.length,
+        SettingInfo{"length", "m", "length of a rectangular body; 0: the body is the disc", 0, 20});
+  field(s.width,
+        SettingInfo{"width", "m", "width of a rectangular body; 0: the body is the disc", 0, 20});
 }
 
 template <typename S, typename Visitor>
@@ -131,6 +149,7 @@ void visit_settings(S& s, GroupVisitor&& group) {
   group("corridor", [&](auto&& field) { visit_corridor(s.corridor, field); });
   group("mpc", [&](auto&& field) { visit_mpc(s.mpc, field); });
   group("navigation", [&](auto&& field) { visit_navigation(s.navigation, field); });
+  group("perception", [&](auto&& field) { visit_perception(s.perception, field); });
 }
 
 /// Table I of the paper, with docs/paper_notes.md where the table is silent.

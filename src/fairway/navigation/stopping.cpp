@@ -38,33 +38,115 @@ class StopCheck {
       const double share = (i + 0.5) / kPieces;
       const Twist2 mean{.linear = from.linear + share * (to.linear - from.linear),
                         .angular = from.angular + share * (to.angular - from.angular)};
-      const Pose2 next = step(pose_, mean, h, Integration::Midpoint);
-      if (const StopVerdict verdict = piece(next, mean, h); verdict != StopVerdict::Free)
-        return verdict;
-      pose_ = next;
+      if (const StopVerdict verdict = piece(mean, h); verdict != StopVerdict::Free) return verdict;
+      pose_ = step(pose_, mean, h, Integration::Midpoint);
       time_ += h;
     }
     return StopVerdict::Free;
   }
 
  private:
-  [[nodiscard]] StopVerdict piece(const Pose2& next, const Twist2& mean, double h) const noexcept {
-    // An arc leaves its chord by at most length * turn / 8.
+  // First with the disc that covers the body; where that touches, with the body itself.
+  [[nodiscard]] StopVerdict piece(const Twist2& mean, double h) const noexcept {
+    const Footprint& body = surroundings_.body;
+    const Pose2 next = step(pose_, mean, h, Integration::Midpoint);
+    const Sweep whole{.from = pose_, .to = next, .start = time_, .duration = h};
+    const double radius = body.circumscribed_radius();
     const double sagitta = std::abs(mean.linear * h * mean.angular * h) / 8.0;
+    StopVerdict verdict = StopVerdict::Free;
     if (!is_free(*surroundings_.obstacles, pose_.position, next.position,
-                 surroundings_.robot_radius + sagitta)) {
-      return StopVerdict::HitsStatic;
+                 radius + surroundings_.static_margin + sagitta)) {
+      verdict = StopVerdict::HitsStatic;
+    } else if (disc_meets_moving(whole, radius + sagitta)) {
+      verdict = StopVerdict::HitsMoving;
     }
-    for (const MovingObstacle& obstacle : surroundings_.moving) {
-      const Vector2d before = pose_.position - predicted_position(obstacle, time_);
-      const Vector2d after = next.position - predicted_position(obstacle, time_ + h);
-      const double keep =
-          surroundings_.robot_radius + obstacle.radius + surroundings_.moving_margin + sagitta;
-      const double nearest = nearest_approach(before, after);
-      // Already too near: what counts is not to come nearer.
-      if (nearest < keep && after.norm() < before.norm()) return StopVerdict::HitsMoving;
+    if (verdict == StopVerdict::Free || body.inscribed_radius() >= radius) return verdict;
+
+    constexpr double kTurn = 0.02;  // [rad] per part
+    const int parts = 1 + static_cast<int>(std::abs(mean.angular) * h / kTurn);
+    Pose2 from = pose_;
+    for (int i = 0; i < parts; ++i) {
+      const Sweep part{.from = from,
+                       .to = step(from, mean, h / parts, Integration::Midpoint),
+                       .start = time_ + i * h / parts,
+                       .duration = h / parts};
+      if (!body_is_free(part)) return StopVerdict::HitsStatic;
+      if (body_meets_moving(part)) return StopVerdict::HitsMoving;
+      from = part.to;
     }
     return StopVerdict::Free;
+  }
+
+  // An even motion along an arc.
+  struct Sweep {
+    Pose2 from;
+    Pose2 to;
+    double start;     // [s]
+    double duration;  // [s]
+
+    [[nodiscard]] double turn() const noexcept { return std::abs(to.heading - from.heading); }
+    // An arc leaves its chord by at most length * turn / 8.
+    [[nodiscard]] double sagitta() const noexcept {
+      return (to.position - from.position).norm() * turn() / 8.0;
+    }
+  };
+
+  [[nodiscard]] bool body_is_free(const Sweep& sweep) const noexcept {
+    const Footprint& body = surroundings_.body;
+    const double grown = surroundings_.static_margin + sweep.sagitta();
+    if (body.is_rectangle()) {
+      // Along the middle heading the robot moves straight; at its ends it is turned by half.
+      const Pose2 middle{.position = 0.5 * (sweep.from.position + sweep.to.position),
+                         .heading = 0.5 * (sweep.from.heading + sweep.to.heading)};
+      OrientedRectangle swept = body.rectangle_at(middle);
+      const double half_way = 0.5 * (sweep.to.position - sweep.from.position).norm();
+      swept.min.x() -= half_way;
+      swept.max.x() += half_way;
+      const double corner = body.circumscribed_radius() * 0.5 * sweep.turn();
+      return is_free(*surroundings_.obstacles, swept, grown + corner);
+    }
+    for (int i = 0; i < body.num_discs(); ++i) {
+      const Footprint::Disc& disc = body.disc_at(i);
+      // The disc's own arc is longer than the robot's by at most its distance times the turn.
+      const double more = disc.center.norm() * sweep.turn() * sweep.turn() / 8.0;
+      if (!is_free(*surroundings_.obstacles, transform(sweep.from, disc.center),
+                   transform(sweep.to, disc.center), disc.radius + grown + more)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool disc_meets_moving(const Sweep& sweep, double radius) const noexcept {
+    for (const MovingObstacle& obstacle : surroundings_.moving) {
+      const Vector2d before = sweep.from.position - predicted_position(obstacle, sweep.start);
+      const Vector2d after =
+          sweep.to.position - predicted_position(obstacle, sweep.start + sweep.duration);
+      const double keep = radius + obstacle.radius + surroundings_.moving_margin;
+      // Already too near: what counts is not to come nearer.
+      if (nearest_approach(before, after) < keep && after.norm() < before.norm()) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool body_meets_moving(const Sweep& sweep) const noexcept {
+    const Footprint& body = surroundings_.body;
+    for (const MovingObstacle& obstacle : surroundings_.moving) {
+      const Vector2d first = predicted_position(obstacle, sweep.start);
+      const Vector2d last = predicted_position(obstacle, sweep.start + sweep.duration);
+      const double before = body.distance(inverse_transform(sweep.from, first));
+      const double after = body.distance(inverse_transform(sweep.to, last));
+      // Seen from the robot it moves along a curve of at most this length, and the distance changes
+      // no faster than it moves.
+      const double length =
+          (sweep.to.position - sweep.from.position - (last - first)).norm() + sweep.sagitta() +
+          sweep.turn() *
+              std::max((first - sweep.from.position).norm(), (last - sweep.to.position).norm());
+      const double nearest = 0.5 * (before + after - length);
+      const double keep = obstacle.radius + surroundings_.moving_margin;
+      if (nearest < keep && after < before) return true;
+    }
+    return false;
   }
 
   Pose2 pose_;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "fairway/geometry/footprint.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
@@ -28,7 +29,8 @@ struct StopSequence {
 /// What a stop is checked against.
 struct StopSurroundings {
   const BitGrid* obstacles = nullptr;  ///< the newest static obstacles
-  double robot_radius = 0.0;           ///< of the true body [m]
+  Footprint body;                      ///< the true one
+  double static_margin = 0.0;          ///< room kept from static obstacles beyond the body [m]
   MovingObstacles moving;              ///< assumed to keep their velocity until the robot stands
   double moving_margin = 0.0;          ///< room kept from them beyond both radii [m]
 };
@@ -40,9 +42,12 @@ enum class StopVerdict : std::uint8_t { Free, HitsStatic, HitsMoving };
 /// then `stop`, and keep free until it stands.
 ///
 /// The robot is taken to ramp linearly from each command to the next during a cycle, as a base with
-/// these acceleration limits does. Static obstacles are tested with the exact disc along the chords
-/// of quarter cycles, each grown by its sagitta; moving ones at those instants and in between by
-/// the nearest approach of two straight motions.
+/// these acceleration limits does. First the disc that covers it
+/// is tested along the chords of quarter cycles, grown by their sagittas: static obstacles exactly,
+/// moving ones by the nearest approach of two straight motions. Where that disc touches and the
+/// body is no disc, the body itself is swept along pieces in which it turns by no more than 0.02
+/// rad, a rectangle as the exact rectangle that it covers while it moves straight, grown by as much
+/// as its furthest corner moves in half of the turn (3 mm for a corner at 0.3 m).
 [[nodiscard]] StopVerdict check_stop(const Pose2& pose,
                                      const Twist2& current,
                                      const Twist2& command,

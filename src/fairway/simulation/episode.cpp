@@ -8,6 +8,7 @@
 #include "fairway/base/contract.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/simulation/sensed_episode.hpp"
 
 namespace fairway {
 
@@ -272,6 +273,9 @@ class Episode final : public EpisodeControl {
 }  // namespace
 
 EpisodeResult run_episode(const Scenario& scenario, const EpisodeHooks& hooks) {
+  if (scenario.sensing.sensing != Sensing::Map || hooks.physics) {
+    return run_sensed_episode(scenario, hooks);
+  }
   return Episode(scenario, hooks).run();
 }
 

@@ -28,6 +28,7 @@ struct RobotResult {
   std::vector<double> cycle_seconds{};  ///< per cycle, when a clock was given [s]
   std::vector<double> solve_seconds{};  ///< of these in the solver, when a clock was given [s]
   std::vector<double> plan_seconds{};   ///< per plan made, when a clock was given [s]
+  std::vector<double> sense_seconds{};  ///< per cycle with a lidar, when a clock was given [s]
   Plan plan{};                          ///< the last one followed
 };
 
@@ -45,6 +46,8 @@ struct EpisodeHooks {
   std::function<double()> clock;
   /// Called after every cycle with the simulated time [s]; returning false ends the run.
   std::function<bool(double)> on_cycle;
+  /// Makes the engine that moves the robots; the unicycle when empty.
+  PhysicsMaker physics{};
   /// The solver for all robots; the structured one when null.
   ControlSolver* solver = nullptr;
   /// Told all that happens; may be null.

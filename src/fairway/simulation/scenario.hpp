@@ -8,6 +8,7 @@
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/navigation/planner.hpp"
 #include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/sensing.hpp"
 
 namespace fairway {
 
@@ -25,6 +26,7 @@ struct Scenario {
   Settings settings;  ///< of every robot
   std::vector<RobotTask> robots;
   std::vector<MovingBody> bodies;
+  SensingModel sensing;       ///< what each robot knows of all this
   double time_limit = 120.0;  ///< [s]
   std::uint64_t seed = 1;     ///< of everything random
 };

@@ -4,19 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fairway/base/contract.hpp"
+#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
 
 namespace fairway {
 
-World::World(const Scenario& scenario)
+World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
     : obstacles_(scenario.map, unknown_cells(scenario.settings.map)),
-      robot_radius_(scenario.settings.robot.radius),
-      bodies_(scenario.bodies) {
+      footprint_(footprint_of(scenario.settings.robot)),
+      bodies_(scenario.bodies),
+      physics_(std::move(physics)) {
   for (const RobotTask& task : scenario.robots)
     robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
   set_robots(scenario.settings);
+  touched_.assign(robots_.size(), 0);
   encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
                                       .min_separation = std::numeric_limits<double>::infinity()});
   for (std::size_t i = 0; i < robots_.size(); ++i)
@@ -29,35 +33,59 @@ void World::advance(const std::vector<Twist2>& commands, double dt) {
   const double start = time_;
   for (int n = 1; n <= steps; ++n) {
     time_ = start + dt * n / steps;
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      if (!encounters_[i].collided) robots_[i].advance(commands[i], dt / steps);
-    }
+    move(commands, dt / steps);
     for (std::size_t i = 0; i < robots_.size(); ++i)
       judge(i);
   }
 }
 
-void World::judge(std::size_t robot) {
-  Encounter& met = encounters_[robot];
-  if (met.collided) return;
-  const Eigen::Vector2d& position = robots_[robot].pose.position;
-  const double room =
-      distance_to_blocked(obstacles_, position, robot_radius_ + kClearanceLimit) - robot_radius_;
-  met.min_clearance = std::min(met.min_clearance, room);
+void World::move(const std::vector<Twist2>& commands, double dt) {
+  if (physics_) {
+    bodies_now_.clear();
+    for (const MovingBody& body : bodies_)
+      bodies_now_.push_back(body.at(time_));
+    commands_now_ = commands;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (encounters_[i].collided) commands_now_[i] = {};
+    }
+    physics_->advance(commands_now_, bodies_now_, dt, robots_, touched_);
+    return;
+  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!encounters_[i].collided) robots_[i].advance(commands[i], dt);
+  }
+}
+
+// From the robot's footprint to the nearest body or other robot; another robot counts as the disc
+// that covers it.
+double World::gap_to_moving(std::size_t robot) const {
+  const Pose2& pose = robots_[robot].pose;
   double gap = std::numeric_limits<double>::infinity();
   for (const MovingBody& body : bodies_) {
     const MovingObstacle now = body.at(time_);
-    gap = std::min(gap, (now.position - position).norm() - now.radius - robot_radius_);
+    gap = std::min(gap, footprint_.distance(inverse_transform(pose, now.position)) - now.radius);
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
     if (other == robot) continue;
-    gap = std::min(gap, (robots_[other].pose.position - position).norm() - 2.0 * robot_radius_);
+    gap = std::min(gap, footprint_.distance(inverse_transform(pose, robots_[other].pose.position)) -
+                            footprint_.circumscribed_radius());
   }
-  met.min_separation = std::min(met.min_separation, gap);
-  if (room < 0.0 || gap < 0.0) {
+  return gap;
+}
+
+void World::judge(std::size_t robot) {
+  Encounter& met = encounters_[robot];
+  if (met.collided) return;
+  const Pose2& pose = robots_[robot].pose;
+  if (!is_free(obstacles_, footprint_, pose, met.min_clearance)) {
+    met.min_clearance = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
+  }
+  met.min_separation = std::min(met.min_separation, gap_to_moving(robot));
+  const bool touches = met.min_clearance < 0.0 || met.min_separation < 0.0;
+  if (physics_ ? touched_[robot] != 0 : touches) {
     met.collided = true;
     met.collision_time = time_;
-    robots_[robot].twist = {};
+    if (!physics_) robots_[robot].twist = {};
   }
 }
 
@@ -70,7 +98,8 @@ bool World::set_blocked(CellIndex cell, bool blocked) {
       const Eigen::Vector2d corner(cell.x, cell.y);
       const Eigen::Vector2d nearest =
           center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
-      if ((nearest - center).norm() * frame.resolution <= robot_radius_ + kFreeSpaceSkin) {
+      if ((nearest - center).norm() * frame.resolution <=
+          footprint_.circumscribed_radius() + kFreeSpaceSkin) {
         return false;
       }
     }
@@ -91,7 +120,7 @@ void World::remove_body(std::size_t index) {
 }
 
 void World::set_robots(const Settings& settings) {
-  robot_radius_ = settings.robot.radius;
+  footprint_ = footprint_of(settings.robot);
   for (UnicycleRobot& robot : robots_) {
     robot.limits = {.linear_acceleration = settings.mpc.linear_acceleration_max,
                     .angular_acceleration = settings.mpc.angular_acceleration_max};
@@ -107,7 +136,7 @@ void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) 
     const UnicycleRobot& r = robots_[other];
     seen.push_back({.position = r.pose.position,
                     .velocity = r.twist.linear * direction(r.pose.heading),
-                    .radius = robot_radius_});
+                    .radius = footprint_.circumscribed_radius()});
   }
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/physics.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 
@@ -18,8 +20,8 @@ struct Encounter {
   double min_separation;        ///< least distance to another body, infinite without any [m]
 };
 
-/// The true world: robots and bodies that move, obstacles that stand. It judges contact; no
-/// controller does.
+/// The true world: robots and bodies that move, obstacles that stand. It judges contact, with the
+/// robots' true footprints (or the engine's, where one moves them); no controller does.
 class World {
  public:
   /// The integration and contact step; a control cycle is cut into whole steps of at most this [s].
@@ -27,7 +29,8 @@ class World {
   /// Static clearance is measured up to here [m].
   static constexpr double kClearanceLimit = 2.0;
 
-  explicit World(const Scenario& scenario);
+  /// @param physics  The engine that moves the robots; null for the unicycle.
+  explicit World(const Scenario& scenario, std::unique_ptr<Physics> physics = nullptr);
 
   /// Moves everything for `dt` [s] while each robot executes its command. A robot that has touched
   /// something stays where it is.
@@ -54,17 +57,25 @@ class World {
   /// Takes over the radius and the acceleration limits of the robots.
   void set_robots(const Settings& settings);
 
+  [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
+
   /// What robot `robot` sees moving: every body, and every other robot.
   void moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const;
 
  private:
+  void move(const std::vector<Twist2>& commands, double dt);
   void judge(std::size_t robot);
+  [[nodiscard]] double gap_to_moving(std::size_t robot) const;
 
   BitGrid obstacles_;
-  double robot_radius_;
+  Footprint footprint_;
   std::vector<UnicycleRobot> robots_;
   std::vector<Encounter> encounters_;
   std::vector<MovingBody> bodies_;
+  std::unique_ptr<Physics> physics_;
+  std::vector<std::uint8_t> touched_;       // per robot, as the engine says
+  std::vector<MovingObstacle> bodies_now_;  // for the engine
+  std::vector<Twist2> commands_now_;        // likewise
   double time_ = 0.0;
 };
 

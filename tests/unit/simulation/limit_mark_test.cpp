@@ -17,7 +17,10 @@ Plan straight_plan() {
   // The second one is turned by a quarter, so its side 0 (least x) is the lowest in the world.
   plan.corridor.rectangles = {
       {.seed = {0.0, 0.0}, .orientation = 0.0, .min = {-1.0, -1.0}, .max = {5.0, 1.0}},
-      {.seed = {6.0, 0.0}, .orientation = 0.5 * std::numbers::pi, .min = {-2.0, -3.0}, .max = {2.0, 3.0}}};
+      {.seed = {6.0, 0.0},
+       .orientation = 0.5 * std::numbers::pi,
+       .min = {-2.0, -3.0},
+       .max = {2.0, 3.0}}};
   return plan;
 }
 

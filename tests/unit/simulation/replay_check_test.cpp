@@ -23,11 +23,11 @@ Scenario meeting() {
                      {.name = "two",
                       .start = {.position = {9.0, 3.0}, .heading = 3.0},
                       .goal = {.position = {1.0, 3.0}, .heading = {}}}};
-  scenario.bodies = {{.name = "person",
-                      .radius = 0.3,
-                      .key_frames = {{.time = 0.0, .position = {3.0, 3.5}},
-                                     {.time = 6.0, .position = {3.0, 0.5}}},
-                      .loop = false}};
+  scenario.bodies = {
+      {.name = "person",
+       .radius = 0.3,
+       .key_frames = {{.time = 0.0, .position = {3.0, 3.5}}, {.time = 6.0, .position = {3.0, 0.5}}},
+       .loop = false}};
   scenario.time_limit = 20.0;
   return scenario;
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "physics_choice.hpp"
+
+#ifdef FAIRWAY_WITH_MUJOCO
+#include "fairway/physics/mujoco_physics.hpp"
+#endif
+
+namespace fairway::app {
+
+Expected<PhysicsMaker> choose_physics(const std::string& name) {
+  if (name == "unicycle") return PhysicsMaker();
+#ifdef FAIRWAY_WITH_MUJOCO
+  if (name == "mujoco") return PhysicsMaker(make_mujoco_physics);
+#endif
+  return fail("--physics: expected unicycle, found " + name +
+              " (this tool was built without MuJoCo: libmujoco-dev, libqhull-dev)");
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "fairway/base/error.hpp"
+#include "fairway/simulation/physics.hpp"
+
+namespace fairway::app {
+
+/// The engine of that name: "unicycle" (an empty maker) or "mujoco". An error where the tool was
+/// built without it.
+[[nodiscard]] Expected<PhysicsMaker> choose_physics(const std::string& name);
+
+}  // namespace fairway::app

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "fairway/geometry/oriented_rectangle.hpp"
+#include "fairway/geometry/pose2.hpp"
+
+namespace fairway {
+
+/// The outline of a robot, in its own frame: a few discs, or one rectangle. Closed.
+class Footprint {
+ public:
+  static constexpr int kMaxDiscs = 8;
+
+  struct Disc {
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< in the robot's frame [m]
+    double radius = 0.0;                               ///< [m]
+  };
+
+  /// A disc about the robot's centre.
+  [[nodiscard]] static Footprint disc(double radius) noexcept;
+
+  /// Several discs. @pre 1 to kMaxDiscs.
+  [[nodiscard]] static Footprint discs(const Disc* discs, int count) noexcept;
+
+  /// A rectangle along the robot's axes: `length` along its heading, `width` across.
+  /// @param offset  Its centre, in the robot's frame [m].
+  [[nodiscard]] static Footprint rectangle(
+      double length,
+      double width,
+      const Eigen::Vector2d& offset = Eigen::Vector2d::Zero()) noexcept;
+
+  [[nodiscard]] bool is_rectangle() const noexcept { return count_ == 0; }
+  [[nodiscard]] int num_discs() const noexcept { return count_; }  ///< 0 for a rectangle
+
+  /// Disc `i` in the robot's frame. @pre i < num_discs().
+  [[nodiscard]] const Disc& disc_at(int i) const noexcept {
+    return discs_[static_cast<std::size_t>(i)];
+  }
+
+  /// The rectangle where the robot stands at `pose`. @pre is_rectangle().
+  [[nodiscard]] OrientedRectangle rectangle_at(const Pose2& pose) const noexcept {
+    return {.seed = pose.position, .orientation = pose.heading, .min = low_, .max = high_};
+  }
+
+  /// Radius of the smallest disc about the robot's centre that covers it [m].
+  [[nodiscard]] double circumscribed_radius() const noexcept { return circumscribed_; }
+
+  /// Radius of the largest disc about the robot's centre that lies inside it; 0 when the centre
+  /// does not [m]. Of several discs, the best single one counts.
+  [[nodiscard]] double inscribed_radius() const noexcept;
+
+  /// Every side and radius made smaller by `amount` [m], at most down to a point.
+  [[nodiscard]] Footprint shrunk(double amount) const noexcept;
+
+  /// Distance from a point in the robot's frame to the footprint; 0 inside [m].
+  [[nodiscard]] double distance(const Eigen::Vector2d& local) const noexcept;
+
+ private:
+  void measure() noexcept;
+
+  int count_ = 0;
+  std::array<Disc, kMaxDiscs> discs_;
+  Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d high_ = Eigen::Vector2d::Zero();
+  double circumscribed_ = 0.0;
+};
+
+}  // namespace fairway

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/map/footprint_clearance.hpp"
+
+#include <algorithm>
+
+#include "fairway/map/free_space.hpp"
+
+namespace fairway {
+
+namespace {
+
+constexpr double kResolution = 1e-4;  // [m], of the bisections
+
+// The largest value in [low, high] up to which `holds`, which must hold at `low`.
+template <typename Predicate>
+double bisect(double low, double high, Predicate&& holds) noexcept {
+  while (high - low > kResolution) {
+    const double middle = 0.5 * (low + high);
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+bool is_free(const BitGrid& obstacles,
+             const Footprint& footprint,
+             const Pose2& pose,
+             double clearance) noexcept {
+  if (footprint.is_rectangle()) return is_free(obstacles, footprint.rectangle_at(pose), clearance);
+  for (int i = 0; i < footprint.num_discs(); ++i) {
+    const Footprint::Disc& disc = footprint.disc_at(i);
+    const Eigen::Vector2d center = transform(pose, disc.center);
+    if (!is_free(obstacles, center, center, disc.radius + clearance)) return false;
+  }
+  return true;
+}
+
+double footprint_clearance(const BitGrid& obstacles,
+                           const Footprint& footprint,
+                           const Pose2& pose,
+                           double limit) noexcept {
+  if (!footprint.is_rectangle()) {
+    double least = limit;
+    for (int i = 0; i < footprint.num_discs(); ++i) {
+      const Footprint::Disc& disc = footprint.disc_at(i);
+      const double room =
+          distance_to_blocked(obstacles, transform(pose, disc.center), disc.radius + limit);
+      least = std::min(least, room - disc.radius);
+    }
+    return least;
+  }
+  const OrientedRectangle body = footprint.rectangle_at(pose);
+  if (is_free(obstacles, body, 0.0)) {
+    if (is_free(obstacles, body, limit)) return limit;
+    return bisect(0.0, limit, [&](double c) { return is_free(obstacles, body, c); });
+  }
+  const double most = 0.5 * (body.max - body.min).minCoeff();
+  return -bisect(0.0, most, [&](double shrink) {
+    return !is_free(obstacles, footprint.shrunk(shrink).rectangle_at(pose), 0.0);
+  }) - kResolution;
+}
+
+}  // namespace fairway

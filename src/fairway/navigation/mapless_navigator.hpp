@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/navigation/navigator.hpp"
+#include "fairway/perception/perception.hpp"
+
+namespace fairway {
+
+/// Drives one robot to a goal without a map: on what its lidar has seen so far.
+///
+/// What nobody has seen may be planned through, but the stop check treats it as blocked, so the
+/// robot is never faster than it can stop inside what it has seen. Path and corridor are made anew
+/// when something new stands in the corridor, when the navigator asks, and after a while without
+/// success; so a dead end is left as soon as it shows. All poses are in one frame that need not be
+/// true far away: odometry will do.
+class MaplessNavigator {
+ public:
+  /// @param solver  Must outlive it.
+  /// @param position  Where the robot is at first [m].
+  MaplessNavigator(const Settings& settings,
+                   ControlSolver& solver,
+                   std::size_t max_beams,
+                   const Eigen::Vector2d& position);
+
+  void set_goal(const Goal& goal);
+
+  /// Takes in one scan; several may come between two cycles.
+  /// @param position  Where the robot was at the scan's time [m].
+  void observe(const LidarScan& scan, const Eigen::Vector2d& position) noexcept;
+
+  /// One control cycle: plans if there is need, then navigates.
+  [[nodiscard]] NavigationStep update(double time, const Pose2& pose);
+
+  [[nodiscard]] const Perception& perception() const noexcept { return perception_; }
+  [[nodiscard]] const Navigator& navigator() const noexcept { return navigator_; }
+  [[nodiscard]] bool planned() const noexcept { return planned_; }  ///< in the last cycle
+
+ private:
+  void refresh_map() noexcept;
+  [[nodiscard]] bool corridor_is_free() const noexcept;
+  [[nodiscard]] Goal reachable_goal(const Eigen::Vector2d& position) const noexcept;
+  void plan(double time, const Pose2& pose);
+
+  Settings settings_;
+  Perception perception_;
+  Navigator navigator_;
+  Planner planner_;
+  PreparedMap map_;
+  Goal goal_;
+  CellWindow changed_;  // since the map was refreshed
+  bool rolled_ = true;  // likewise
+  bool wants_plan_ = true;
+  bool planned_ = false;
+  double plan_time_ = 0.0;
+};
+
+}  // namespace fairway

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/perception/moving_object_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fairway/perception/circle_fit.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kPointSigma = 0.03;     // of a point against the disc it is taken from [m]
+constexpr double kSmallestRadius = 0.1;  // [m]
+constexpr std::size_t kFewestPoints = 3;
+constexpr double kGate = 0.25;  // [m]; and so many standard deviations more:
+constexpr double kGateSigmas = 2.0;
+constexpr double kWidestGate = 0.8;       // [m]
+constexpr double kSeenThroughFor = 0.25;  // [s]; then it is not there
+constexpr double kStandingFor = 1.0;      // [s]; then it no longer counts as moving
+constexpr int kFewestSightings = 4;
+
+double gate(const MovingTrack& track) noexcept {
+  return std::min(kWidestGate, kGate + kGateSigmas * track.position_sigma());
+}
+
+// How far a point is from the outline of a track's disc.
+double distance_to_outline(const MovingTrack& track, const Vector2d& point) noexcept {
+  return std::abs((point - track.position()).norm() - track.radius);
+}
+
+}  // namespace
+
+MovingObjectTracker::MovingObjectTracker(const PerceptionSettings& settings, std::size_t max_beams)
+    : settings_(settings) {
+  tracks_.reserve(kMaxTracks);
+  obstacles_.reserve(kMaxTracks);
+  owner_.reserve(max_beams);
+  cluster_.reserve(max_beams);
+}
+
+void MovingObjectTracker::update(double time,
+                                 std::span<Beam> beams,
+                                 const RollingGrid& grid) noexcept {
+  const double dt = time_ < 0.0 ? 0.0 : std::clamp(time - time_, 0.0, 1.0);
+  time_ = time;
+  for (MovingTrack& track : tracks_)
+    track.predict(dt, settings_.acceleration_noise);
+  assign(beams);
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    correct(i, time, beams);
+    judge_unseen(tracks_[i], dt, beams);
+    judge_motion(tracks_[i], dt);
+  }
+  begin_tracks(time, beams, grid);
+  mark_moving(beams);
+  drop_lost(time);
+  emit();
+}
+
+// Every hit goes to the track whose outline it is nearest to, if it is near enough.
+void MovingObjectTracker::assign(std::span<const Beam> beams) noexcept {
+  owner_.assign(beams.size(), -1);
+  for (std::size_t b = 0; b < beams.size(); ++b) {
+    if (beams[b].end != BeamEnd::Hit) continue;
+    double least = 1.0;  // in gates
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      const double off = distance_to_outline(tracks_[i], beams[b].to) / gate(tracks_[i]);
+      if (off >= least) continue;
+      least = off;
+      owner_[b] = static_cast<int>(i);
+    }
+  }
+}
+
+void MovingObjectTracker::correct(std::size_t index,
+                                  double time,
+                                  std::span<const Beam> beams) noexcept {
+  MovingTrack& track = tracks_[index];
+  cluster_.clear();
+  Vector2d sensor = Vector2d::Zero();
+  for (std::size_t b = 0; b < beams.size(); ++b) {
+    if (owner_[b] != static_cast<int>(index)) continue;
+    cluster_.push_back(beams[b].to);
+    sensor = beams[b].from;
+  }
+  if (cluster_.size() < kFewestPoints) return;
+  // A good circle tells the size; what is learnt is kept, so that a half hidden disc stays whole.
+  const std::optional<CircleFit> circle = fit_circle(cluster_);
+  const bool behind =
+      circle && (circle->center - sensor).norm() > (cluster_[cluster_.size() / 2] - sensor).norm();
+  if (behind && circle->deviation < kPointSigma && circle->radius < 0.5 * settings_.object_size &&
+      circle->radius > kSmallestRadius) {
+    constexpr double kMostWeight = 20.0;  // [scans]; then the size drifts no faster than 1/20
+    const double share = 1.0 / (track.radius_weight + 1.0);
+    track.radius += share * (circle->radius - track.radius);
+    track.radius_weight = std::min(kMostWeight, track.radius_weight + 1.0);
+  }
+  const double guess_sigma = std::max(0.05, track.position_sigma());
+  const CenterFit fit =
+      fit_center(cluster_, track.radius, track.position(), kPointSigma, guess_sigma);
+  if (fit.deviation > 3.0 * kPointSigma && !behind) return;
+  // The points of a scan err together (the shape is no perfect disc), so they are not averaged out.
+  const Eigen::Matrix2d noise =
+      fit.covariance + kPointSigma * kPointSigma * Eigen::Matrix2d::Identity();
+  track.correct(fit.center, noise);
+  track.last_seen = time;
+  ++track.sightings;
+}
+
+// A track that nothing was seen of: hidden, or gone? Beams that go on behind it say "gone".
+void MovingObjectTracker::judge_unseen(MovingTrack& track,
+                                       double dt,
+                                       std::span<const Beam> beams) const noexcept {
+  if (track.last_seen >= time_) {
+    track.seen_through = 0.0;
+    return;
+  }
+  constexpr int kEnough = 3;  // beams
+  int through = 0;
+  for (const Beam& beam : beams) {
+    if (beam.end == BeamEnd::Nothing) continue;
+    const Vector2d way = beam.to - beam.from;
+    const double length = way.norm();
+    const double along = (track.position() - beam.from).dot(way) / length;
+    const Vector2d nearest = beam.from + along / length * way;
+    if (along > 0.0 && along + track.radius < length &&
+        (track.position() - nearest).norm() < 0.7 * track.radius) {
+      ++through;
+    }
+  }
+  track.seen_through = through >= kEnough ? track.seen_through + dt : 0.0;
+}
+
+void MovingObjectTracker::judge_motion(MovingTrack& track, double dt) const noexcept {
+  const double speed = track.velocity().norm();
+  const bool fast = speed > settings_.moving_speed;
+  track.slow_for = fast ? 0.0 : track.slow_for + dt;
+  if (track.moving) {
+    track.moving = track.slow_for < kStandingFor;
+    if (!track.moving) track.born_at = track.position();
+    return;
+  }
+  const double moved = (track.position() - track.born_at).norm();
+  track.moving = track.sightings >= kFewestSightings && track.last_seen >= time_ && fast &&
+                 speed > track.velocity_sigma() && moved > settings_.moving_distance &&
+                 moved > 3.0 * track.position_sigma();
+}
+
+void MovingObjectTracker::drop_lost(double time) noexcept {
+  const auto lost = [&](const MovingTrack& track) {
+    constexpr double kForgetUnproven = 0.3;  // [s]
+    const double hidden = time - track.last_seen;
+    return !track.state.allFinite() || track.seen_through > kSeenThroughFor ||
+           hidden > (track.moving ? settings_.forget_after : kForgetUnproven);
+  };
+  std::erase_if(tracks_, lost);
+  // Two on the same thing: the one that knows more stays.
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    for (std::size_t j = tracks_.size(); j-- > i + 1;) {
+      const double away = (tracks_[i].position() - tracks_[j].position()).norm();
+      if (away > 0.5 * std::max(tracks_[i].radius, tracks_[j].radius)) continue;
+      const bool later_is_better = tracks_[j].moving && !tracks_[i].moving;
+      if (later_is_better) tracks_[i] = tracks_[j];
+      tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(j));
+    }
+  }
+}
+
+bool MovingObjectTracker::is_new(const Beam& beam, const RollingGrid& grid) const noexcept {
+  const CellIndex cell = grid.frame().cell_at(beam.to);
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (!grid.would_be_new({.x = cell.x + dx, .y = cell.y + dy})) return false;
+    }
+  }
+  return true;
+}
+
+void MovingObjectTracker::begin_tracks(double time,
+                                       std::span<const Beam> beams,
+                                       const RollingGrid& grid) noexcept {
+  constexpr int kMostMissing = 4;  // beams lost between two of one cluster
+  cluster_.clear();
+  int missing = 0;
+  Vector2d sensor = Vector2d::Zero();
+  for (std::size_t b = 0; b < beams.size(); ++b) {
+    const Beam& beam = beams[b];
+    const bool fits = beam.end == BeamEnd::Hit && owner_[b] < 0 && is_new(beam, grid);
+    const bool continues = fits && missing <= kMostMissing && !cluster_.empty() &&
+                           (beam.to - cluster_.back()).norm() < settings_.cluster_gap;
+    if (fits && !continues) {
+      begin_track(time, sensor);
+      cluster_.clear();
+    }
+    missing = fits ? 0 : missing + 1;
+    if (!fits) continue;
+    cluster_.push_back(beam.to);
+    sensor = beam.from;
+  }
+  begin_track(time, sensor);
+}
+
+void MovingObjectTracker::begin_track(double time, const Vector2d& sensor) noexcept {
+  if (cluster_.size() < kFewestPoints || tracks_.size() >= kMaxTracks) return;
+  const Vector2d chord = cluster_.back() - cluster_.front();
+  if (chord.norm() > settings_.object_size) return;
+  const std::optional<CircleFit> circle = fit_circle(cluster_);
+  const Vector2d middle = 0.5 * (cluster_.front() + cluster_.back());
+  double radius = std::max(kSmallestRadius, 0.5 * chord.norm());
+  Vector2d center = middle + 0.5 * radius * (middle - sensor).normalized();
+  if (circle && circle->deviation < kPointSigma && circle->radius > kSmallestRadius &&
+      circle->radius < 0.5 * settings_.object_size &&
+      (circle->center - sensor).norm() > (middle - sensor).norm()) {
+    radius = circle->radius;
+    center = circle->center;
+  }
+  tracks_.push_back(new_track(next_id_++, time, center, 2.0 * kPointSigma, radius));
+}
+
+// Beams that end on a moving disc, or a little inside or outside of it.
+void MovingObjectTracker::mark_moving(std::span<Beam> beams) const noexcept {
+  for (std::size_t b = 0; b < beams.size(); ++b) {
+    beams[b].moving = owner_[b] >= 0 && tracks_[static_cast<std::size_t>(owner_[b])].moving;
+  }
+}
+
+void MovingObjectTracker::emit() noexcept {
+  constexpr double kMostGrowth = 0.5;  // [m]
+  obstacles_.clear();
+  for (const MovingTrack& track : tracks_) {
+    if (!track.moving) continue;
+    const double growth =
+        std::min(kMostGrowth, settings_.uncertainty_share * track.position_sigma());
+    obstacles_.push_back({.position = track.position(),
+                          .velocity = track.velocity(),
+                          .radius = track.radius + growth});
+  }
+}
+
+}  // namespace fairway

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fairway/perception/moving_object_tracker.hpp"
+#include "fairway/perception/rolling_grid.hpp"
+
+namespace fairway {
+
+/// From lidar scans to what a navigator reads: a map of what stands, and what moves.
+///
+/// Allocates in the constructor only; of a scan with more than `max_beams` beams the first are
+/// used. Deterministic.
+class Perception {
+ public:
+  Perception(const PerceptionSettings& settings,
+             std::size_t max_beams,
+             const Eigen::Vector2d& position);
+
+  /// Takes in one scan.
+  /// @param position  Where the robot was at the scan's time, in the same frame.
+  /// @param body_radius  Of the disc that covers the robot [m].
+  void observe(const LidarScan& scan, const Eigen::Vector2d& position, double body_radius) noexcept;
+
+  [[nodiscard]] const RollingGrid& grid() const noexcept { return grid_; }
+  [[nodiscard]] const MovingObjectTracker& tracker() const noexcept { return tracker_; }
+  [[nodiscard]] std::span<const Beam> beams() const noexcept { return beams_; }  ///< of this scan
+  [[nodiscard]] double time() const noexcept { return time_; }  ///< of the last scan [s]
+
+ private:
+  PerceptionSettings settings_;
+  std::size_t max_beams_;
+  RollingGrid grid_;
+  MovingObjectTracker tracker_;
+  std::vector<Beam> beams_;
+  double time_;
+};
+
+}  // namespace fairway

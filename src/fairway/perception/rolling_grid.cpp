@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/perception/rolling_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/map/grid_traversal.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kWordBits = 64;
+static_assert(RollingGrid::kBlock == kWordBits);
+
+// An odd number of blocks, so that the robot's own block can be the middle one.
+int side_in_cells(const PerceptionSettings& settings) {
+  const auto blocks =
+      static_cast<int>(std::ceil(settings.window / (settings.resolution * RollingGrid::kBlock)));
+  return (blocks | 1) * RollingGrid::kBlock;
+}
+
+GridFrame window_around(const Vector2d& center, int side, double resolution) {
+  // On whole blocks of the world, so that a window that comes back has the same cells.
+  const double block = resolution * RollingGrid::kBlock;
+  const double half = 0.5 * (side / RollingGrid::kBlock - 1);
+  const auto low = [&](double c) { return (std::floor(c / block) - half) * block; };
+  return {.width = side,
+          .height = side,
+          .resolution = resolution,
+          .origin = {.position = {low(center.x()), low(center.y())}, .heading = 0.0}};
+}
+
+// The part of a segment that lies strictly inside the grid, in grid coordinates: Liang-Barsky.
+bool clip(const GridFrame& frame, Vector2d& from, Vector2d& to) noexcept {
+  constexpr double kInside = 1e-6;  // [cells]
+  const Vector2d start = from;
+  const Vector2d way = to - from;
+  double first = 0.0;
+  double last = 1.0;
+  const double limit[2] = {frame.width - kInside, frame.height - kInside};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double enter = kInside - start[axis];
+    const double leave = limit[axis] - start[axis];
+    if (std::abs(way[axis]) < 1e-12) {
+      if (enter > 0.0 || leave < 0.0) return false;
+      continue;
+    }
+    const double a = enter / way[axis];
+    const double b = leave / way[axis];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  if (!(first <= last)) return false;
+  from = start + first * way;
+  to = start + last * way;
+  return true;
+}
+
+}  // namespace
+
+RollingGrid::RollingGrid(const PerceptionSettings& settings, const Vector2d& center)
+    : settings_(settings),
+      side_(side_in_cells(settings)),
+      cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_),
+             Cell{.evidence = 0, .scan = kNever, .newness = 0}),
+      occupied_(window_around(center, side_, settings.resolution), false),
+      not_seen_free_(occupied_.frame(), true) {}
+
+CellState RollingGrid::at(CellIndex cell) const noexcept {
+  if (!frame().contains(cell) || cell_of(cell).scan == kNever) return CellState::Unknown;
+  return cell_of(cell).evidence > 0 ? CellState::Occupied : CellState::Free;
+}
+
+bool RollingGrid::would_be_new(CellIndex cell) const noexcept {
+  return frame().contains(cell) && cell_of(cell).newness > 0;
+}
+
+void RollingGrid::insert(std::span<const Beam> beams,
+                         const Vector2d& robot,
+                         double body_radius) noexcept {
+  follow(robot);
+  next_scan();
+  changed_ = {.first = {.x = side_, .y = side_}, .last = {.x = -1, .y = -1}};
+  for (const Beam& beam : beams) {
+    if (beam.end == BeamEnd::Hit && !beam.moving) mark(beam);
+  }
+  for (const Beam& beam : beams) {
+    if (beam.end != BeamEnd::Nothing) clear(beam);
+  }
+  claim_body(robot, body_radius);
+}
+
+void RollingGrid::follow(const Vector2d& robot) noexcept {
+  // The window moves once the robot is a quarter block outside of the middle one: not at every step
+  // of a robot that moves to and fro over an edge.
+  const Vector2d cell = frame().to_grid(robot);
+  const double middle = 0.5 * (side_ - kBlock);
+  const auto blocks = [&](double c) {
+    const double off = (c - middle) / kBlock;  // 0..1 in the middle block
+    return off < -0.25 || off > 1.25 ? static_cast<int>(std::floor(off)) : 0;
+  };
+  const bool known = std::abs(cell.x()) < 1e8 && std::abs(cell.y()) < 1e8;
+  const int x = known ? blocks(cell.x()) : 0;
+  const int y = known ? blocks(cell.y()) : 0;
+  rolled_ = x != 0 || y != 0;
+  if (rolled_) roll(x, y);
+}
+
+void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
+  const int all = side_ / kBlock;
+  const int dx = std::clamp(blocks_x, -all, all);
+  const int rows = std::clamp(blocks_y, -all, all) * kBlock;
+  const auto kept = static_cast<std::size_t>(all - std::abs(dx));  // blocks of a row
+  // A row is moved by `dx` blocks and filled up; `unit` elements make a block.
+  const auto move_row = [&](auto* to, const auto* from, std::size_t unit, auto fill) {
+    const auto shift = static_cast<std::size_t>(std::abs(dx)) * unit;
+    const std::size_t stay = kept * unit;
+    if (from == nullptr) {
+      std::fill_n(to, stay + shift, fill);
+    } else if (dx >= 0) {
+      std::copy(from + shift, from + shift + stay, to);
+      std::fill_n(to + stay, shift, fill);
+    } else {
+      std::copy_backward(from, from + stay, to + shift + stay);
+      std::fill_n(to, shift, fill);
+    }
+  };
+  const auto width = static_cast<std::size_t>(side_);
+  for (int n = 0; n < side_; ++n) {
+    const int y = rows >= 0 ? n : side_ - 1 - n;  // no row is overwritten before it was moved
+    const int source = y + rows;
+    const bool known = source >= 0 && source < side_;
+    move_row(cells_.data() + static_cast<std::size_t>(y) * width,
+             known ? cells_.data() + static_cast<std::size_t>(source) * width : nullptr, kBlock,
+             Cell{.evidence = 0, .scan = kNever, .newness = 0});
+    move_row(occupied_.mutable_row(y).data(), known ? occupied_.row(source).data() : nullptr, 1,
+             std::uint64_t{0});
+    move_row(not_seen_free_.mutable_row(y).data(),
+             known ? not_seen_free_.row(source).data() : nullptr, 1, ~std::uint64_t{0});
+  }
+  Pose2 origin = frame().origin;
+  const double block = settings_.resolution * kBlock;
+  // Counted in blocks, not summed up, so that the same place always has the same cells.
+  origin.position.x() = (std::round(origin.position.x() / block) + blocks_x) * block;
+  origin.position.y() = (std::round(origin.position.y() / block) + blocks_y) * block;
+  occupied_.move_to(origin);
+  not_seen_free_.move_to(origin);
+}
+
+void RollingGrid::next_scan() noexcept {
+  scan_ = static_cast<std::uint8_t>((scan_ + 1) % kNever);
+  if (scan_ != 0) return;
+  // Numbers start again: no old one may look like a new one.
+  scan_ = 1;
+  for (Cell& cell : cells_) {
+    if (cell.scan != kNever) cell.scan = 0;
+  }
+}
+
+void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
+  const bool known = value.scan != kNever;
+  const bool was_occupied = known && value.evidence > 0;
+  value.scan = scan_;
+  value.evidence = static_cast<std::int8_t>(
+      std::clamp(value.evidence + evidence, settings_.least_evidence, settings_.most_evidence));
+  const bool is_occupied = value.evidence > 0;
+  if (2 * value.evidence <= settings_.least_evidence) {
+    value.newness = kNewScans;
+  } else if (evidence > 0 && value.newness > 0) {
+    --value.newness;
+  }
+  if (known && is_occupied == was_occupied) return;
+  not_seen_free_.set(cell, is_occupied);
+  if (is_occupied == was_occupied) return;
+  occupied_.set(cell, is_occupied);
+  changed_.first = {.x = std::min(changed_.first.x, cell.x),
+                    .y = std::min(changed_.first.y, cell.y)};
+  changed_.last = {.x = std::max(changed_.last.x, cell.x), .y = std::max(changed_.last.y, cell.y)};
+}
+
+void RollingGrid::mark(const Beam& beam) noexcept {
+  const CellIndex cell = frame().cell_at(beam.to);
+  if (!frame().contains(cell)) return;
+  Cell& value = cell_of(cell);
+  if (value.scan != scan_) add(cell, value, settings_.hit_evidence);
+}
+
+void RollingGrid::clear(const Beam& beam) noexcept {
+  Vector2d from = frame().to_grid(beam.from);
+  Vector2d to = frame().to_grid(beam.to);
+  if (!clip(frame(), from, to)) return;
+  walk_cells(from, to, [this](CellIndex cell, double) {
+    Cell& value = cell_of(cell);
+    // The cells that were hit bear this scan's number already.
+    if (value.scan != scan_) add(cell, value, -settings_.miss_evidence);
+    return true;
+  });
+}
+
+void RollingGrid::claim_body(const Vector2d& robot, double radius) noexcept {
+  const double reach = radius / settings_.resolution + 1.5;  // [cells], to centres
+  const Vector2d center = frame().to_grid(robot);
+  const auto low = [&](double c) { return std::max(0, static_cast<int>(std::floor(c - reach))); };
+  const auto high = [&](double c) {
+    return std::min(side_ - 1, static_cast<int>(std::floor(c + reach)));
+  };
+  if (!is_finite(center) || center.cwiseAbs().maxCoeff() > 1e8) return;
+  for (int y = low(center.y()); y <= high(center.y()); ++y) {
+    for (int x = low(center.x()); x <= high(center.x()); ++x) {
+      const double away = (Vector2d(x + 0.5, y + 0.5) - center).norm();
+      Cell& value = cell_of({.x = x, .y = y});
+      if (away <= reach && value.scan == kNever) add({.x = x, .y = y}, value, 0);
+    }
+  }
+}
+
+}  // namespace fairway

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/simulation/lidar_senses.hpp"
+
+namespace fairway {
+
+LidarSenses::LidarSenses(const SensingModel& model,
+                         const World& world,
+                         std::size_t robot,
+                         std::uint64_t seed)
+    : model_(model),
+      robot_(robot),
+      noise_(seed),
+      odometry_(model.odometry, world.robots()[robot].pose, noise_),
+      next_scan_(world.time()) {}
+
+void LidarSenses::measure(const World& world) {
+  const Pose2& truth = world.robots()[robot_].pose;
+  odometry_.move_to(truth);
+  if (world.time() < next_scan_ - 1e-9) return;
+  next_scan_ += 1.0 / model_.lidar.rate;
+  world.moving_around(robot_, around_);
+  const auto sensor = [this](const Pose2& robot) {
+    return Pose2{.position = transform(robot, model_.lidar.mount), .heading = robot.heading};
+  };
+  Pending scan{.taken = world.time(),
+               .known = world.time() + model_.lidar.latency,
+               .sensor = sensor(odometry_.pose()),
+               .robot = odometry_.pose().position,
+               .ranges = {}};
+  scan_surroundings(model_.lidar, world.obstacles(), around_, sensor(truth), noise_, scan.ranges);
+  pending_.push_back(std::move(scan));
+}
+
+}  // namespace fairway

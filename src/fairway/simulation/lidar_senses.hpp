@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+
+#include "fairway/perception/lidar_scan.hpp"
+#include "fairway/simulation/world.hpp"
+
+namespace fairway {
+
+/// The lidar and the odometry of one robot in a world: they measure at their times, and what they
+/// measured becomes known after the latency.
+class LidarSenses {
+ public:
+  LidarSenses(const SensingModel& model, const World& world, std::size_t robot, std::uint64_t seed);
+
+  /// When the next scan is due [s].
+  [[nodiscard]] double next_scan() const noexcept { return next_scan_; }
+
+  /// Looks at the world as it is now: follows the wheels, and takes a scan if one is due.
+  void measure(const World& world);
+
+  /// Where the wheels say that the robot is now.
+  [[nodiscard]] const Pose2& pose() const noexcept { return odometry_.pose(); }
+
+  /// The scans that have become known since the last call, oldest first, each with the pose at
+  /// which it was taken. `take(scan, position)` is called for each.
+  template <typename Take>
+  void deliver(double time, Take&& take) {
+    while (!pending_.empty() && pending_.front().known <= time + 1e-9) {
+      const Pending& scan = pending_.front();
+      take(LidarScan{.time = scan.taken,
+                     .first_pose = scan.sensor,
+                     .last_pose = scan.sensor,
+                     .first_angle = -0.5 * model_.lidar.field_of_view,
+                     .angle_step = model_.lidar.field_of_view / (model_.lidar.beams - 1),
+                     .min_range = model_.lidar.min_range,
+                     .max_range = model_.lidar.max_range,
+                     .ranges = scan.ranges},
+           scan.robot);
+      pending_.pop_front();
+    }
+  }
+
+ private:
+  struct Pending {
+    double taken = 0.0;
+    double known = 0.0;
+    Pose2 sensor;  // as the wheels say
+    Eigen::Vector2d robot = Eigen::Vector2d::Zero();
+    std::vector<float> ranges;
+  };
+
+  SensingModel model_;
+  std::size_t robot_;
+  Noise noise_;
+  Odometry odometry_;
+  double next_scan_;
+  std::deque<Pending> pending_;
+  std::vector<MovingObstacle> around_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace fairway {
+
+/// A seeded source of random numbers that gives the same ones with every standard library.
+class Noise {
+ public:
+  explicit Noise(std::uint64_t seed) : engine_(seed) {}
+
+  /// In [low, high).
+  [[nodiscard]] double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1.0p-53);
+  }
+
+  /// Normal with this standard deviation and mean 0.
+  [[nodiscard]] double normal(double sigma);
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/simulation/robot_driver.hpp"
+
+#include <limits>
+
+#include "fairway/navigation/mapless_navigator.hpp"
+#include "fairway/simulation/episode.hpp"
+#include "fairway/simulation/lidar_senses.hpp"
+
+namespace fairway {
+
+namespace {
+
+double now(const DriverContext& context) { return context.clock ? context.clock() : 0.0; }
+
+// Knows its pose, the map and what moves.
+class MapDriver final : public RobotDriver {
+ public:
+  MapDriver(const DriverContext& context,
+            const World& world,
+            std::size_t robot,
+            RobotResult& result)
+      : context_(context),
+        robot_(robot),
+        result_(result),
+        navigator_(context.scenario.settings, context.solver) {
+    replan(world);
+  }
+
+  [[nodiscard]] double next_measurement() const override {
+    return std::numeric_limits<double>::infinity();
+  }
+  void measure(const World& /*world*/) override {}
+  [[nodiscard]] const Plan& plan() const override { return navigator_.plan(); }
+
+  [[nodiscard]] NavigationStep drive(const World& world) override {
+    world.moving_around(robot_, seen_);
+    const double before = now(context_);
+    const NavigationStep step = navigator_.update({.time = world.time(),
+                                                   .pose = world.robots()[robot_].pose,
+                                                   .pose_time = world.time(),
+                                                   .obstacles = seen_,
+                                                   .obstacles_time = world.time(),
+                                                   .map = &world.obstacles(),
+                                                   .map_time = world.time()});
+    if (context_.clock) result_.cycle_seconds.push_back(now(context_) - before);
+    if (step.wants_plan) replan(world);
+    return step;
+  }
+
+ private:
+  void replan(const World& world) {
+    const double before = now(context_);
+    navigator_.follow(context_.planner.plan(context_.map, world.robots()[robot_].pose.position,
+                                            context_.scenario.robots[robot_].goal,
+                                            context_.scenario.settings));
+    if (context_.clock) result_.plan_seconds.push_back(now(context_) - before);
+  }
+
+  DriverContext context_;
+  std::size_t robot_;
+  RobotResult& result_;
+  Navigator navigator_;
+  std::vector<MovingObstacle> seen_;
+};
+
+// Knows what its lidar and its wheels tell. Its cycle is all from the scans to the command.
+class LidarDriver final : public RobotDriver {
+ public:
+  LidarDriver(const DriverContext& context,
+              const World& world,
+              std::size_t robot,
+              RobotResult& result)
+      : context_(context),
+        result_(result),
+        senses_(context.scenario.sensing, world, robot, context.scenario.seed + robot),
+        navigator_(context.scenario.settings,
+                   context.solver,
+                   static_cast<std::size_t>(context.scenario.sensing.lidar.beams),
+                   world.robots()[robot].pose.position) {
+    navigator_.set_goal(context.scenario.robots[robot].goal);
+    senses_.measure(world);
+  }
+
+  [[nodiscard]] double next_measurement() const override { return senses_.next_scan(); }
+  void measure(const World& world) override { senses_.measure(world); }
+  [[nodiscard]] const Plan& plan() const override { return navigator_.navigator().plan(); }
+
+  [[nodiscard]] NavigationStep drive(const World& world) override {
+    senses_.measure(world);
+    const double before = now(context_);
+    senses_.deliver(world.time(), [this](const LidarScan& scan, const Eigen::Vector2d& position) {
+      navigator_.observe(scan, position);
+    });
+    const double sensed = now(context_);
+    const NavigationStep step = navigator_.update(world.time(), senses_.pose());
+    if (context_.clock) {
+      const double after = now(context_);
+      result_.sense_seconds.push_back(sensed - before);
+      result_.cycle_seconds.push_back(after - before);
+      if (navigator_.planned()) result_.plan_seconds.push_back(after - sensed);
+    }
+    return step;
+  }
+
+ private:
+  DriverContext context_;
+  RobotResult& result_;
+  LidarSenses senses_;
+  MaplessNavigator navigator_;
+};
+
+}  // namespace
+
+std::unique_ptr<RobotDriver> make_driver(const DriverContext& context,
+                                         const World& world,
+                                         std::size_t robot,
+                                         RobotResult& result) {
+  if (context.scenario.sensing.sensing == Sensing::Lidar) {
+    return std::make_unique<LidarDriver>(context, world, robot, result);
+  }
+  return std::make_unique<MapDriver>(context, world, robot, result);
+}
+
+}  // namespace fairway

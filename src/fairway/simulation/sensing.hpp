@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "fairway/simulation/lidar.hpp"
+#include "fairway/simulation/odometry.hpp"
+
+namespace fairway {
+
+/// What a robot knows.
+enum class Sensing : std::uint8_t {
+  Map,    ///< its pose, the map, and all that moves, exactly
+  Lidar,  ///< what its lidar and its wheels tell, from the start on
+};
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Sensing) noexcept {
+  return {"map", "lidar"};
+}
+
+/// How a robot of a scenario senses.
+struct SensingModel {
+  Sensing sensing = Sensing::Map;
+  LidarModel lidar;
+  OdometryModel odometry;
+};
+
+/// The errors that "--noise standard" stands for: range sigma 0.01 m, 1 % of beams lost, 50 ms of
+/// latency, up to 1 % of scale error and up to 0.2 degrees of heading drift per metre.
+inline void use_standard_noise(SensingModel& model) noexcept {
+  model.lidar.range_sigma = 0.01;
+  model.lidar.dropout = 0.01;
+  model.lidar.latency = 0.05;
+  model.odometry.most_scale_error = 0.01;
+  model.odometry.most_drift = 0.2 * std::numbers::pi / 180.0;
+}
+
+}  // namespace fairway

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/perception/moving_object_tracker.hpp"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "fairway/geometry/oriented_rectangle.hpp"
+#include "fairway/perception/perception.hpp"
+#include "fairway/simulation/lidar.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+using Eigen::Vector2d;
+
+// A hall of 24 m with posts, a lidar with errors, discs that move as told, and a robot likewise.
+class Hall {
+ public:
+  explicit Hall(std::uint64_t seed)
+      : obstacles_(GridFrame{.width = 480,
+                             .height = 480,
+                             .resolution = 0.05,
+                             .origin = {.position = {-12, -12}, .heading = 0.0}},
+                   false),
+        noise_(seed),
+        perception_(settings(), 720, {0, 0}) {
+    lidar_.range_sigma = 0.01;
+    lidar_.dropout = 0.01;
+  }
+
+  static PerceptionSettings settings() { return {}; }
+
+  void put_post(const Vector2d& at, double radius) {
+    const GridFrame& frame = obstacles_.frame();
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
+        if ((frame.center({x, y}) - at).norm() < radius) obstacles_.set({x, y}, true);
+      }
+    }
+  }
+
+  const Perception& scan(const std::vector<MovingObstacle>& discs, const Pose2& robot) {
+    const Pose2 sensor{.position = transform(robot, lidar_.mount), .heading = robot.heading};
+    scan_surroundings(lidar_, obstacles_, discs, sensor, noise_, ranges_);
+    const LidarScan scan{.time = time_,
+                         .first_pose = sensor,
+                         .last_pose = sensor,
+                         .first_angle = -0.5 * lidar_.field_of_view,
+                         .angle_step = lidar_.field_of_view / (lidar_.beams - 1),
+                         .min_range = lidar_.min_range,
+                         .max_range = lidar_.max_range,
+                         .ranges = ranges_};
+    perception_.observe(scan, robot.position, 0.3);
+    time_ += 0.05;
+    return perception_;
+  }
+
+  [[nodiscard]] double time() const { return time_; }
+
+ private:
+  BitGrid obstacles_;
+  LidarModel lidar_;
+  Noise noise_;
+  Perception perception_;
+  std::vector<float> ranges_;
+  double time_ = 0.0;
+};
+
+MovingObstacle disc_at(double time, const Vector2d& start, const Vector2d& velocity) {
+  return {.position = start + time * velocity, .velocity = velocity, .radius = 0.5};
+}
+
+TEST(MovingObjectTracker, FollowsADiscThatCrosses) {
+  test::Random random(1);
+  for (int trial = 0; trial < 6; ++trial) {
+    Hall hall(static_cast<std::uint64_t>(trial) + 1);
+    const double speed = random.uniform(0.5, 2.0);
+    const Vector2d velocity(0.0, random.chance(0.5) ? speed : -speed);
+    const Vector2d start(random.uniform(2.5, 5.0), -velocity.y());
+    int followed = 0;
+    int scans = 0;
+    while (hall.time() < 2.0) {
+      const MovingObstacle truth = disc_at(hall.time(), start, velocity);
+      const MovingObstacles seen = hall.scan({truth}, {}).tracker().obstacles();
+      if (hall.time() < 0.75) continue;  // it must have moved to be told from a post
+      ++scans;
+      if (seen.size() != 1) continue;
+      ++followed;
+      EXPECT_NEAR((seen[0].position - truth.position).norm(), 0.0, 0.15);
+      EXPECT_NEAR(seen[0].radius, 0.5, 0.2);
+      if (hall.time() > 1.2) {
+        EXPECT_NEAR((seen[0].velocity - truth.velocity).norm(), 0.0, 0.45);
+      }
+    }
+    EXPECT_GE(followed, scans - 3) << "speed " << speed;
+  }
+}
+
+TEST(MovingObjectTracker, SeesNothingMoveWhereNothingMoves) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Hall hall(seed);
+    test::Random random(seed);
+    for (int i = 0; i < 60; ++i) {
+      const Vector2d at(random.uniform(-8, 8), random.uniform(-8, 8));
+      if (at.norm() > 1.5 && std::abs(at.y()) > 0.6) hall.put_post(at, random.uniform(0.075, 0.4));
+    }
+    Pose2 robot;
+    int seen = 0;
+    while (hall.time() < 5.0) {
+      robot.position.x() = 1.2 * hall.time();
+      robot.heading = 0.6 * std::sin(2.0 * hall.time());
+      seen += static_cast<int>(hall.scan({}, robot).tracker().obstacles().size());
+    }
+    EXPECT_EQ(seen, 0);
+  }
+}
+
+TEST(MovingObjectTracker, GoesOnWhereADiscIsHidden) {
+  Hall hall(7);
+  hall.put_post({2.0, 0.0}, 0.5);
+  const Vector2d start(4.5, -3.0);
+  bool was_hidden = false;
+  while (hall.time() < 5.0) {
+    const MovingObstacle truth = disc_at(hall.time(), start, {0.0, 1.2});
+    const Perception& seen = hall.scan({truth}, {});
+    if (hall.time() < 1.0) continue;
+    const bool hidden = std::abs(truth.position.y()) < 0.3;
+    was_hidden = was_hidden || hidden;
+    ASSERT_EQ(seen.tracker().obstacles().size(), 1U) << hall.time();
+    const MovingObstacle& track = seen.tracker().obstacles()[0];
+    EXPECT_LT((track.position - truth.position).norm(), 0.5);
+    EXPECT_LT((track.position - truth.position).norm(), track.radius);
+    EXPECT_EQ(seen.tracker().tracks()[0].id, seen.tracker().tracks().front().id);
+  }
+  EXPECT_TRUE(was_hidden);
+}
+
+TEST(MovingObjectTracker, WhatStopsBecomesPartOfTheMap) {
+  Hall hall(9);
+  const Vector2d start(3.0, -2.0);
+  Vector2d stopped;
+  while (hall.time() < 5.0) {
+    const bool stands = hall.time() > 1.5;
+    const MovingObstacle truth = disc_at(std::min(hall.time(), 1.5), start, {0.0, 1.0});
+    stopped = truth.position;
+    hall.scan({{.position = truth.position,
+                .velocity = stands ? Vector2d(0, 0) : truth.velocity,
+                .radius = 0.5}},
+              {});
+  }
+  const Perception& seen =
+      hall.scan({{.position = stopped, .velocity = {0, 0}, .radius = 0.5}}, {});
+  EXPECT_EQ(seen.tracker().obstacles().size(), 0U);
+  const RollingGrid& grid = seen.grid();
+  const Vector2d front = stopped + 0.5 * (-stopped).normalized();
+  bool near = false;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const CellIndex cell = grid.frame().cell_at(front);
+      near = near || grid.occupied().blocked({cell.x + dx, cell.y + dy});
+    }
+  }
+  EXPECT_TRUE(near);
+}
+
+TEST(MovingObjectTracker, AMovingDiscLeavesNoTrailInTheMap) {
+  Hall hall(11);
+  while (hall.time() < 4.0)
+    hall.scan({disc_at(hall.time(), {3.0, -3.0}, {0.0, 1.5})}, {});
+  const Perception& seen = hall.scan({disc_at(hall.time(), {3.0, -3.0}, {0.0, 1.5})}, {});
+  const OrientedRectangle passed{
+      .seed = {3.0, 0.0}, .orientation = 0.0, .min = {-0.6, -3.5}, .max = {0.6, 2.0}};
+  int left = 0;
+  for (int y = 0; y < seen.grid().frame().height; ++y) {
+    for (int x = 0; x < seen.grid().frame().width; ++x) {
+      if (passed.contains(seen.grid().frame().center({x, y})) &&
+          seen.grid().occupied().blocked({x, y})) {
+        ++left;
+      }
+    }
+  }
+  EXPECT_EQ(left, 0);
+}
+
+TEST(MovingObjectTracker, SeveralAreToldApart) {
+  Hall hall(13);
+  std::size_t most = 0;
+  while (hall.time() < 2.5) {
+    const std::vector<MovingObstacle> truth = {disc_at(hall.time(), {2.5, -2.0}, {0.0, 1.2}),
+                                               disc_at(hall.time(), {4.5, 3.0}, {0.2, -1.0}),
+                                               disc_at(hall.time(), {-0.5, 4.0}, {1.0, 0.3}),
+                                               disc_at(hall.time(), {1.0, -4.5}, {-0.9, 0.4})};
+    const MovingObstacles seen = hall.scan(truth, {}).tracker().obstacles();
+    most = std::max(most, seen.size());
+    if (hall.time() < 1.0) continue;
+    int found = 0;
+    for (const MovingObstacle& t : truth) {
+      for (const MovingObstacle& s : seen)
+        found += (s.position - t.position).norm() < 0.25 ? 1 : 0;
+    }
+    EXPECT_GE(found, 3) << hall.time();
+  }
+  EXPECT_EQ(most, 4U);
+}
+
+}  // namespace
+}  // namespace fairway
