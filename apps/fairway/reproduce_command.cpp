@@ -8,6 +8,7 @@
 
 #include "output.hpp"
 #include "progress.hpp"
+#include "reproduction/case1.hpp"
 #include "reproduction/case2.hpp"
 #include "reproduction/report.hpp"
 #include "thread_clock.hpp"
@@ -58,6 +59,9 @@ Expected<int> ReproduceCommand::run() const {
   {
     Progress progress("reproduce");
     options->progress = [&](const std::string& state) { progress.show(state); };
+    if (which == "case1" || which == "all") {
+      chapters.push_back(reproduction::run_case1(*options));
+    }
     if (which == "case2" || which == "all") {
       chapters.push_back(reproduction::run_case2(*options));
     }
