@@ -265,7 +265,7 @@ std::vector<io::LegendEntry> stuck_legend() {
                            .fill = color.faded(0.12)};
   };
   const io::Stroke rim{.width = 0.6};
-  return {{.kind = Kind::Dot, .text = "ISMPC stays here", .stroke = rim, .fill = kMdsrcColor},
+  return {{.kind = Kind::Dot, .text = "ISMPC after 120 s", .stroke = rim, .fill = kMdsrcColor},
           {.kind = Kind::Dot, .text = "first target", .stroke = rim, .fill = io::palette::kYellow},
           {.kind = Kind::Dot, .text = "second target", .stroke = rim, .fill = io::palette::kWhite},
           {.kind = Kind::Cross,
@@ -287,7 +287,7 @@ Figure trajectory_figure(const std::shared_ptr<const DriveRuns>& runs) {
           "map "
           "(seed {}). (a) ISMPC with dual targets at the seeds; (b) SMPC with one target at the "
           "centroid of the next overlap; (c) our default, whose targets move along the taut string "
-          "(seeds shown); (d) the three trajectories.",
+          "(rectangles for the robot's centre, seeds shown); (d) the three trajectories.",
           runs->maps.front().seed),
       .draw = [runs](io::PictureFormat format) {
         const auto grid = std::make_shared<const OccupancyGrid>(
@@ -330,7 +330,7 @@ Figure speed_figure(const std::shared_ptr<const DriveRuns>& runs) {
             for (const DriverKind kind : kDrivers)
               end = std::max(end, runs->maps.front().of(kind).rows.back().time);
             PanelPicture picture{.columns = 2,
-                                 .ratio = 0.42,
+                                 .ratio = 0.52,
                                  .legend = {{.kind = Kind::Line,
                                              .text = "bound",
                                              .stroke = {.width = 1.0, .dash = {5.0, 3.0}}}},
@@ -383,9 +383,11 @@ std::optional<Figure> stuck_figure(const std::vector<std::shared_ptr<const Drive
                     "their weighted "
                     "mean, 0.8 of the first and 0.2 of the second. Where that lies outside the "
                     "overlap with the "
-                    "next corridor, the robot comes to rest at the edge of the current one and "
-                    "never switches. "
-                    "The first such map of each course.",
+                    "next corridor, the robot reaches the edge of the current one beside the "
+                    "overlap and never "
+                    "switches; since its least speed is 0.05 m/s it cannot even wait there. Shown "
+                    "at 120 s: the "
+                    "first such map of each course.",
                 .draw = [found](io::PictureFormat format) {
                   PanelPicture picture{.columns = 2, .legend = stuck_legend(), .panels = {}};
                   for (const Stuck& stuck : found)
