@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +25,16 @@ void add_barn_command(CLI::App& tool, Command& chosen);
 void add_dynabarn_command(CLI::App& tool, Command& chosen);
 void add_plan_command(CLI::App& tool, Command& chosen);
 void add_settings_command(CLI::App& tool, Command& chosen);
+void add_solve_command(CLI::App& tool, Command& chosen);
 void add_simulate_command(CLI::App& tool, Command& chosen);
+
+/// Whether a first argument is neither an option nor a command. (CLI11 then tells of a missing
+/// command, not of the wrong one.)
+[[nodiscard]] inline bool names_no_command(const CLI::App& tool, const std::string& word) {
+  if (word.starts_with('-')) return false;
+  const auto commands = tool.get_subcommands([](const CLI::App* /*command*/) { return true; });
+  return std::none_of(commands.begin(), commands.end(),
+                      [&](const CLI::App* command) { return command->check_name(word); });
+}
 
 }  // namespace fairway::app

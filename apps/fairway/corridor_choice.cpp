@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "fairway/io/number_text.hpp"
+#include "sound_baselines.hpp"
 
 namespace fairway::app {
 
@@ -14,6 +15,8 @@ Expected<CorridorChoice> choose_corridor(const std::string& name, CorridorSettin
     const bool fewest = settings.method == CorridorMethod::Fewest;
     return CorridorChoice{.name = fewest ? "fewest" : "mdsrc", .build = build_corridor};
   }
+  if (name == "src") return CorridorChoice{.name = "src", .build = baselines::build_src};
+  if (name == "fsrc") return CorridorChoice{.name = "fsrc", .build = baselines::build_fsrc};
   return fail(
       fmt::format("--corridor: expected src, fsrc, mdsrc or fewest, found {}", io::excerpt(name)));
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -12,14 +11,6 @@ namespace {
 
 using namespace fairway::app;
 
-// CLI11 tells of a missing command where a wrong one was given.
-bool names_no_command(const CLI::App& tool, const std::string& word) {
-  if (word.starts_with('-')) return false;
-  const auto commands = tool.get_subcommands([](const CLI::App* /*command*/) { return true; });
-  return std::none_of(commands.begin(), commands.end(),
-                      [&](const CLI::App* command) { return command->check_name(word); });
-}
-
 int run(int argc, char** argv) {
   CLI::App tool("Safe corridors and model predictive control for wheeled robots.", "fairway");
   tool.set_version_flag("--version", "fairway " FAIRWAY_VERSION);
@@ -28,6 +19,7 @@ int run(int argc, char** argv) {
   Command chosen;
   add_plan_command(tool, chosen);
   add_simulate_command(tool, chosen);
+  add_solve_command(tool, chosen);
   add_settings_command(tool, chosen);
   add_barn_command(tool, chosen);
   add_dynabarn_command(tool, chosen);

@@ -135,7 +135,7 @@ Json plan_json(const Answer& answer, const Query& query, const char* method) {
   json["inward_offset"] = query.settings.corridor.space == CorridorSpace::Workspace
                               ? query.settings.corridor.inward_offset
                               : 0.0;
-  json["robot_radius"] = query.settings.robot.radius;
+  json["robot_radius"] = plan.usable() ? plan.corridor.robot_radius : query.settings.robot.radius;
   json["margin"] = plan.margin;
   json["count"] = plan.corridor.rectangles.size();
   json["mean_area"] = plan.corridor.mean_area();
@@ -206,11 +206,13 @@ Expected<int> PlanCommand::run() const {
     if (!inside) return tl::unexpected(inside.error());
   }
   query.hooks = {.clock = steady_seconds,
-                 // For exactly the radius asked for; the navigator adds half of the path's margin.
+                 // For the radius asked for, or what room start and goal have, if that is less; the
+                 // navigator adds a part of the path's margin.
                  .build =
-                     [&](const BitGrid& obstacles, const Path& path, double /*radius*/,
+                     [&](const BitGrid& obstacles, const Path& path, double radius,
                          const CorridorSettings& corridor_settings) {
-                       return choice->build(obstacles, path, query.settings.robot.radius,
+                       return choice->build(obstacles, path,
+                                            std::min(radius, query.settings.robot.radius),
                                             corridor_settings);
                      },
                  .fixed_margin = clearance.has_value()};

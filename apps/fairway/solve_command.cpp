@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "fairway/io/number_text.hpp"
 #include "fairway/io/ocp_instances.hpp"
 #include "fairway/mpc/evaluation.hpp"
 #include "instance_solver.hpp"
@@ -23,6 +24,26 @@ namespace {
 
 using io::OcpInstance;
 using io::OcpResult;
+
+// Accepts an integer from 1 to `most`.
+CLI::Validator count_up_to(int most) {
+  return CLI::Validator(
+      [most](std::string& text) {
+        const std::optional<int> value = io::parse_integer(text);
+        if (value && *value >= 1 && *value <= most) return std::string();
+        return fmt::format("expected an integer from 1 to {}, found {}", most, io::excerpt(text));
+      },
+      "");
+}
+
+CLI::Validator solver_name() {
+  return CLI::Validator(
+      [](std::string& text) {
+        if (text == "interior_point" || text == "ipopt") return std::string();
+        return "expected interior_point or ipopt, found " + io::excerpt(text);
+      },
+      "");
+}
 
 // The guess for instance `index`: the result at the same place if it has the same id, else the
 // first result with this id; cold where there is none.
@@ -96,6 +117,9 @@ OcpResult as_result(const SolvedInstance& solved) {
 }
 
 Expected<int> SolveCommand::run() const {
+  if (out.empty()) return fail("--out: expected a file name, found an empty one");
+  if (out == "-" && json == "-")
+    return fail("--json: expected another place than --out, found standard output for both");
   const auto instances = io::read_ocp_instances(instances_file);
   if (!instances) return tl::unexpected(instances.error());
   std::vector<OcpResult> warm;
@@ -146,14 +170,14 @@ void add_solve_command(CLI::App& tool, Command& chosen) {
       ->required();
   sub->add_option("--solver", command->solver, "interior_point or ipopt")
       ->capture_default_str()
-      ->check(CLI::IsMember({"interior_point", "ipopt"}));
+      ->check(solver_name());
   sub->add_option("--warm", command->warm_file, "Result file whose commands to start from");
   sub->add_option("--starts", command->starts, "Different starts per instance; the best is kept")
       ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
+      ->check(count_up_to(1000));
   sub->add_option("--repeat", command->repeat, "Solve as often and write the fastest time")
       ->capture_default_str()
-      ->check(CLI::Range(1, 1000000));
+      ->check(count_up_to(1000000));
   sub->add_option("--json", command->json, "Write a report as JSON; - is standard output");
   sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
 }

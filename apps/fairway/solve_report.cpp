@@ -35,9 +35,16 @@ ClassSummary summary_of(const std::string& kind,
   return summary;
 }
 
+// Times to a nanosecond, without the noise of binary fractions.
+double rounded(double time_us) { return std::round(1e3 * time_us) / 1e3; }
+
 Json as_json(const ClassSummary& summary) {
-  return {{"class", summary.kind},          {"count", summary.count},   {"solved", summary.solved},
-          {"median_us", summary.median_us}, {"p99_us", summary.p99_us}, {"max_us", summary.max_us}};
+  return {{"class", summary.kind},
+          {"count", summary.count},
+          {"solved", summary.solved},
+          {"median_us", rounded(summary.median_us)},
+          {"p99_us", rounded(summary.p99_us)},
+          {"max_us", rounded(summary.max_us)}};
 }
 
 Json as_json(const SolvedInstance& instance) {
@@ -46,7 +53,7 @@ Json as_json(const SolvedInstance& instance) {
           {"class", instance.kind},
           {"status", to_text(solution.status)},
           {"iterations", solution.iterations},
-          {"time_us", instance.time_us},
+          {"time_us", rounded(instance.time_us)},
           {"cost", solution.cost},
           {"max_violation", solution.max_violation},
           {"sum_violation", solution.sum_violation},

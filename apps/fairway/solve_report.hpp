@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "fairway/mpc/solution.hpp"
 #include "output.hpp"

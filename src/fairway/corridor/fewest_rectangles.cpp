@@ -172,16 +172,24 @@ bool FewestRectangles::fill(const BitGrid& obstacles) {
   return true;
 }
 
+// Says where and why the chain that ends at `begin` goes no further. A path that is blocked a
+// little further on, where joints have no room any more, is blocked there; else the joint fails.
 void FewestRectangles::note_stuck(const BitGrid& obstacles, const Joint& begin) {
-  const double stuck = begin.to;
+  const double nearby = 2.0 * begin.margin + 2.0;
+  double stuck = begin.to;
+  const auto plain_reach = [&](double from) {
+    const Joint joint{.from = from, .to = from, .margin = reach_settings_.margin};
+    const Reach reach =
+        reach_.find(obstacles, track_, joint, reach_settings_.margin, 0.0, reach_settings_);
+    return reach.found ? reach.end.to : from;
+  };
+  const double first = plain_reach(stuck);
+  const bool blocked = first < track_.length() && first - stuck < nearby &&
+                       plain_reach(first) - first < reach_settings_.precision;
+  result_.status = blocked ? CorridorStatus::SeedBlocked : CorridorStatus::NoOverlap;
+  if (blocked) stuck = first;
   result_.stuck_at = stuck * obstacles.frame().resolution;
   result_.stuck_waypoint = waypoint_before(path_, result_.stuck_at);
-  // Without a joint to make, would a rectangle continue? Then it is the joint that fails.
-  const Reach onward =
-      reach_.find(obstacles, track_, {.from = stuck, .to = stuck, .margin = reach_settings_.margin},
-                  reach_settings_.margin, 0.0, reach_settings_);
-  result_.status = onward.found && onward.end.to > stuck + 1.0 ? CorridorStatus::NoOverlap
-                                                               : CorridorStatus::SeedBlocked;
 }
 
 // Replaces links `first` to `last` - 1, and later ones where the new links reach further. When

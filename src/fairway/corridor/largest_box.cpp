@@ -63,11 +63,7 @@ struct Quadrants {
   Caps caps;
   bool core_hit = false;
 
-  void add(float x, float y, const Box& core) noexcept {
-    const auto left = static_cast<float>(core.min.x());
-    const auto right = static_cast<float>(core.max.x());
-    const auto bottom = static_cast<float>(core.min.y());
-    const auto top = static_cast<float>(core.max.y());
+  void add(float x, float y, float left, float right, float bottom, float top) noexcept {
     if (x > right) {
       if (y > top) {
         upper_right.add(x, y);
@@ -205,10 +201,14 @@ std::optional<Box> largest_box(const ObstaclePoints& points,
                     .top = static_cast<float>(core.min.y() + longest_side)};
   // From the turned x-axis once around, so that each quadrant sees its points in order.
   const std::size_t start = points.first_from(along.x(), along.y());
+  const auto left = static_cast<float>(core.min.x());
+  const auto right = static_cast<float>(core.max.x());
+  const auto bottom = static_cast<float>(core.min.y());
+  const auto top = static_cast<float>(core.max.y());
   for (std::size_t i = start; i < n; ++i)
-    quadrants.add(x[i], y[i], core);
+    quadrants.add(x[i], y[i], left, right, bottom, top);
   for (std::size_t i = 0; i < start; ++i)
-    quadrants.add(x[i], y[i], core);
+    quadrants.add(x[i], y[i], left, right, bottom, top);
   if (quadrants.core_hit) return std::nullopt;
 
   const Caps& caps = quadrants.caps;

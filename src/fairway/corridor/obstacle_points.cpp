@@ -37,25 +37,34 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
                                  double radius,
                                  double reach) noexcept {
   static const Rays rays;
-  constexpr double kFirstStep = 0.9;  // [cells]
-  constexpr double kStretch = 1.05;   // each sample lies this much further out
+  constexpr double kFirstStep = 1.0;  // [cells]
+  constexpr double kStretch = 1.08;   // each sample lies this much further out
   size_ = 0;
-  added_ = 0;
+  const GridFrame& frame = obstacles.frame();
+  const Vector2d low = Vector2d::Constant(radius) - origin;
+  const Vector2d high = Vector2d(frame.width, frame.height) - Vector2d::Constant(radius) - origin;
   CellIndex last{.x = -1, .y = -1};
   for (const Vector2d& ray : rays.directions) {
-    for (double t = radius + 0.5; t < reach; t = std::max(t + kFirstStep, t * kStretch)) {
-      const Vector2d sample = origin + t * ray;
-      const CellIndex cell{.x = static_cast<int>(std::floor(sample.x())),
-                           .y = static_cast<int>(std::floor(sample.y()))};
-      if (!obstacles.blocked(cell)) continue;
+    // Where the disc's centre has to turn back before the outside of the map.
+    const double end_x = (ray.x() > 0.0 ? high : low).x() / ray.x();
+    const double end_y = (ray.y() > 0.0 ? high : low).y() / ray.y();
+    const double end = std::min(end_x, end_y);
+    const double stop = std::min(end, reach);
+    double t = radius + 0.5;
+    for (; t < stop; t = std::max(t + kFirstStep, t * kStretch)) {
+      const CellIndex cell{.x = static_cast<int>(origin.x() + t * ray.x()),
+                           .y = static_cast<int>(origin.y() + t * ray.y())};
+      const std::uint64_t word = obstacles.row(cell.y)[static_cast<std::size_t>(cell.x) / 64];
+      if ((word >> (static_cast<unsigned>(cell.x) % 64) & 1U) == 0) continue;
       if (cell == last) break;
       last = cell;
-      const Vector2d low = Vector2d(cell.x, cell.y) - origin;
-      const Vector2d nearest = low.cwiseMax((low + Vector2d::Ones()).cwiseMin(0.0));
+      const Vector2d corner = Vector2d(cell.x, cell.y) - origin;
+      const Vector2d nearest = corner.cwiseMax((corner + Vector2d::Ones()).cwiseMin(0.0));
       const double distance = nearest.norm();
       if (distance > radius) add(nearest * (1.0 - radius / distance));
       break;
     }
+    if (t >= end && end < reach) add(end * ray);
   }
   added_ = 0;
 }

@@ -102,7 +102,7 @@ void PlotAxes::draw(Canvas& canvas,
                   {.anchor = {0.5, 0.0}});
     }
   }
-  const double y_about = std::max(2.0, area_.size().y() / (0.8 * kPointsPerTick));
+  const double y_about = std::max(4.0, area_.size().y() / kPointsPerTick);
   const double y_step = tick_step(data_.min.y(), data_.max.y(), y_about);
   for (const double y : ticks(data_.min.y(), data_.max.y(), y_step)) {
     const double cy = at(Vector2d(data_.min.x(), y)).y();

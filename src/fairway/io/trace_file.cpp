@@ -28,8 +28,9 @@ std::string trace_csv(const EpisodeResult& episode) {
       "clearance\n";
   auto out = std::back_inserter(text);
   for (const TraceRow& row : episode.trace.rows) {
-    fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time,
-                   field(episode.robots[row.robot].name), row.pose.position.x(),
+    fmt::format_to(out,
+                   "{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{:.9g},{:.9g},{},{},{:.9g}\n",
+                   row.time, field(episode.robots[row.robot].name), row.pose.position.x(),
                    row.pose.position.y(), row.pose.heading, row.twist.linear, row.twist.angular,
                    to_text(row.status), row.command.linear, row.command.angular, to_text(row.limit),
                    row.rectangle, row.clearance);

@@ -11,7 +11,8 @@ namespace fairway::io {
 ///
 /// Columns: time [s], robot (its name), x, y [m], heading [rad], linear [m/s] and angular [rad/s]
 /// as driven at that time, status, then command_linear and command_angular as sent for the cycle,
-/// limit (what holds the robot back most), rectangle (index in its corridor), clearance [m].
+/// limit (what holds the robot back most), rectangle (index in its corridor), clearance [m]. Nine
+/// digits.
 [[nodiscard]] std::string trace_csv(const EpisodeResult& episode);
 
 }  // namespace fairway::io

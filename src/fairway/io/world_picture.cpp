@@ -25,7 +25,7 @@ constexpr double kTallest = 1.15;      // and at most, in a picture of full widt
 constexpr double kThinnest = 2.5;      // and at most in a narrower one
 constexpr double kSmallestView = 4.0;  // [m]
 
-const Stroke kBodyStroke{.color = palette::kPurple, .width = 1.2, .dash = {1.5, 1.5}};
+const Stroke kBodyStroke{.color = palette::kPurple, .width = 1.0};
 
 class Bounds {
  public:
@@ -255,6 +255,16 @@ Box shown_region(const WorldDrawing& world) {
     }
   }
   Box box = bounds.box();
+  // What moves is shown where it came near; it must not make the robots small.
+  const Vector2d near = Vector2d::Constant(0.25 * box.size().maxCoeff());
+  for (const BodyDrawing& body : world.bodies) {
+    for (const Vector2d& p : body.track) {
+      const bool close =
+          (p - box.min + near).minCoeff() >= 0.0 && (box.max + near - p).minCoeff() >= 0.0;
+      if (close) bounds.add(p, body.radius);
+    }
+  }
+  box = bounds.box();
   const double margin = std::max(0.5, 0.04 * box.size().maxCoeff());
   box.min -= Vector2d::Constant(margin);
   box.max += Vector2d::Constant(margin);

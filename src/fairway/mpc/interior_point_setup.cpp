@@ -11,8 +11,9 @@ namespace {
 
 // Bounds of rows that are not needed: far enough to weigh nothing.
 constexpr double kFar = 1e8;
-// How far a guess is drawn to the middle of the hard rows.
+// How far a guess is drawn to the middle of the hard rows, and the pursuit that replaces one.
 constexpr double kInwards = 0.005;
+constexpr double kPursuitInwards = 0.3;
 // Rows that stay this far from being violated are left out [m or m^2].
 constexpr double kNeverActive = 1e-6;
 
@@ -137,6 +138,48 @@ void load_obstacles(const ControlProblem& problem, const PoseArray& reach, Works
   }
 }
 
+// Drives towards the target of each step: what to begin with when there is no guess. Sharp turns
+// are cheap to correct later, the wrong way round is not.
+void pursue(const Workspace& w, Point& point) noexcept {
+  constexpr double kStepsAhead = 5.0;  // the speed that reaches the target in so many steps
+  constexpr double kStepsToTurn = 3.0;
+  constexpr double kArrived = 0.1;  // nearer than this, only the heading matters [m]
+  const double dt = w.problem->dt;
+  const auto limited = [&](std::size_t j, std::size_t k, double command) {
+    return std::clamp(command, w.limits[j].reach_low[k], w.limits[j].reach_high[k]);
+  };
+  double x = 0.0;
+  double y = 0.0;
+  double heading = w.problem->start.heading - w.full_turns;
+  double cosine = w.start_cosine;
+  double sine = w.start_sine;
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    const double dx = w.target_x[k + 1] - x;
+    const double dy = w.target_y[k + 1] - y;
+    const double along = cosine * dx + sine * dy;
+    const double across = cosine * dy - sine * dx;
+    const double distance = std::sqrt(dx * dx + dy * dy);
+    double turn = w.target_heading[k + 1] - heading;
+    if (distance > kArrived) turn = along > 0.0 ? across / distance : std::copysign(1.0, across);
+    point.linear[k] = limited(0, k, along / (kStepsAhead * dt));
+    point.angular[k] = limited(1, k, turn / (kStepsToTurn * dt));
+    x += dt * point.linear[k] * cosine;
+    y += dt * point.linear[k] * sine;
+    heading += dt * point.angular[k];
+    cosine = std::cos(heading);
+    sine = std::sin(heading);
+  }
+}
+
+// Among obstacles the middle alone is the better start: a pursuit can lead into a place behind them
+// that has no way out.
+double cold_inwards(const Workspace& w) noexcept {
+  for (std::size_t s = 0; s < w.elastic.num_segments; ++s) {
+    if (w.elastic.segments[s].kind == RowKind::Barrier) return 1.0;
+  }
+  return kPursuitInwards;
+}
+
 }  // namespace
 
 void load_problem(const ControlProblem& problem, Workspace& w) noexcept {
@@ -160,20 +203,21 @@ void load_problem(const ControlProblem& problem, Workspace& w) noexcept {
 
 void load_guess(const InitialGuess& guess, const Workspace& w, Point& point) noexcept {
   const auto given = static_cast<std::size_t>(std::clamp(guess.count, 0, kMaxHorizon));
-  const double inwards = given > 0 ? kInwards : 1.0;
-  const int horizon = static_cast<int>(w.horizon);
+  for (std::size_t k = 0; k < w.horizon && given > 0; ++k) {
+    const Twist2& command = guess.commands[std::min(k, given - 1)];
+    point.linear[k] = command.linear;
+    point.angular[k] = command.angular;
+  }
+  const double inwards = given > 0 ? kInwards : cold_inwards(w);
+  if (given == 0) pursue(w, point);
   for (std::size_t j = 0; j < 2; ++j) {
     CommandArray& commands = j == 0 ? point.linear : point.angular;
     const CommandLimits& limits = w.limits[j];
-    for (std::size_t k = 0; k < w.horizon && given > 0; ++k) {
-      const Twist2& command = guess.commands[std::min(k, given - 1)];
-      commands[k] = j == 0 ? command.linear : command.angular;
-    }
-    if (given > 0) clip_to_reach(limits, horizon, commands.data());
+    clip_to_reach(limits, static_cast<int>(w.horizon), commands.data());
     for (std::size_t k = 0; k < w.horizon; ++k) {
       const double middle = 0.5 * (limits.reach_low[k] + limits.reach_high[k]);
-      const double from = given > 0 ? commands[k] : middle;
-      commands[k] = limits.fixed[k] ? limits.low[k] : from + inwards * (middle - from);
+      commands[k] += inwards * (middle - commands[k]);
+      if (limits.fixed[k]) commands[k] = limits.low[k];
     }
   }
 }

@@ -10,7 +10,8 @@ namespace fairway::interior_point {
 void load_problem(const ControlProblem& problem, Workspace& w) noexcept;
 
 /// Commands to start from, strictly inside every hard row: the guess, with its last command
-/// repeated, drawn a little towards the middle of what can be reached; that middle without a guess.
+/// repeated, or without one a pursuit of the targets; drawn towards the middle of what can be
+/// reached, among obstacles all the way.
 void load_guess(const InitialGuess& guess, const Workspace& w, Point& point) noexcept;
 
 }  // namespace fairway::interior_point

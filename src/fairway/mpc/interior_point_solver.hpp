@@ -26,14 +26,14 @@ struct InteriorPointSettings {
 ///
 /// Every answer is finite and obeys the command and change bounds exactly; `status` tells what else
 /// it is. The same input gives the same bits, whatever was solved before. Does not allocate, lock
-/// or throw. About 0.4 MB, so keep it out of small stacks. One solver per thread.
+/// or throw. About 0.3 MB, so keep it out of small stacks. One solver per thread.
 ///
 /// Where hard rows contradict each other, the change bound wins: from a previous command outside
 /// its range the commands head back as fast as it allows; a stop that is out of reach is
 /// approached as fast as it allows. The status is then LeastViolation.
 class InteriorPointSolver {
  public:
-  /// Solves from one start; without a guess, from the middle of the commands that can be reached.
+  /// Solves from one start; without a guess, from one of its own (`load_guess`).
   /// The reference stays valid until the next call.
   const MpcSolution& solve(const ControlProblem& problem,
                            const InitialGuess& guess = {},

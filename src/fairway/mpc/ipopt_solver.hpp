@@ -30,7 +30,8 @@ struct IpoptSettings {
 /// Solves the same ControlProblem as the real-time solver, hundreds of times slower, with other
 /// people's well-tried code: the oracle. Allocates; not thread-safe, not even two objects in two
 /// threads (MUMPS). Status Solved means: IPOPT converged and no row is violated beyond
-/// kFeasibilityTolerance; LeastViolation: it converged, but rows are violated.
+/// kFeasibilityTolerance; LeastViolation: it converged, but rows are violated. Hard rows that
+/// contradict each other make the problem invalid here; the real-time solver still answers those.
 class IpoptSolver final : public ControlSolver {
  public:
   explicit IpoptSolver(const IpoptSettings& settings = {});

@@ -136,14 +136,14 @@ bool GridSearch::is_pocket(Grid& grid,
   });
 }
 
-// At an open node, steps that cannot be on a cheapest way are left out. With p the node before x,
-// c the cost of a node, straight steps 29 (c + c') and diagonal ones 41 (c + c'), s the most that
-// costs of straight neighbours differ by and u the least cost:
+// At an open node x, steps that cannot be on a cheapest way are left out. With p the node before x,
+// c the cost of a node, straight steps 29 (c + c') and diagonal ones 41 (c + c'), and all nine
+// costs between m and M with 58 M < 106 m:
 // - back to p and to the neighbours of p on its side of x: p reaches them directly for less;
 // - after a straight step the square turns: p reaches those nodes n diagonally, and
-//   41 (c_p + c_n) < 29 (c_p + 2 c_x + c_n) when 24 s < 34 u;
+//   41 (c_p + c_n) < 29 (c_p + 2 c_x + c_n), since 24 M < 58 m;
 // - after a diagonal step the square turns: over y beside p and n it is less, since
-//   29 (c_p + 2 c_y + c_n) < 41 (c_p + 2 c_x + c_n) when 58 s < 48 u.
+//   29 (c_p + 2 c_y + c_n) < 41 (c_p + 2 c_x + c_n) when 58 M < 106 m.
 // Each is strictly dearer, so no tie is decided here and the cost found is the grid's least.
 template <typename Grid>
 void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {

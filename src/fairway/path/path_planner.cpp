@@ -89,7 +89,8 @@ void PathPlanner::join_grid(const TravelCost& costs, double robot_radius, End& e
     const double cost = costs.line(end.point, center(cell)).cost * step;
     const auto rounded = [](double v) { return static_cast<std::uint32_t>(std::lround(v)); };
     end.terminals.push_back({.node = cell, .cost = rounded(cost)});
-    end.blocks.push_back({.node = BlockGrid::block_of(cell), .cost = rounded(0.5 * cost)});
+    end.blocks.push_back(
+        {.node = BlockGrid::block_of(cell), .cost = rounded(cost / BlockGrid::kSide)});
   }
 }
 
@@ -121,7 +122,7 @@ bool PathPlanner::search(const TravelCost& costs, PathResult& result) {
   found = search_.find(cells_, start_.terminals, goal_.terminals);
   result.expanded += search_.expanded();
   if (!found) {
-    // A block's cells are taken as connected, which two that touch at a corner need not be.
+    // A block's cells are taken as connected, which need not be true.
     cells_.begin(costs);
     found = search_.find(cells_, start_.terminals, goal_.terminals);
     result.expanded += search_.expanded();

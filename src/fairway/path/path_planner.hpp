@@ -29,7 +29,7 @@ struct PathResult {
 /// first piece leads out, and to such a goal the last piece leads in: these two keep the radius.
 /// A path has at least two waypoints, the first is the start and the last is the goal, to the bit.
 ///
-/// The search goes over blocks of 2 x 2 cells first and then over the cells along the way found; it
+/// The search goes over blocks of 4 x 4 cells first and then over the cells along the way found; it
 /// finds a way wherever neighbouring allowed cells (see TravelCost) connect the two, and one that
 /// is nearly always the cheapest. Deterministic: the same map and query give the same bits.
 class PathPlanner {

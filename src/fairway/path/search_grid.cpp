@@ -9,9 +9,24 @@ namespace fairway {
 namespace {
 
 constexpr int kMaxUnit = 32;
-constexpr float kNoRoom = std::numeric_limits<float>::infinity();
+constexpr float kMuchRoom = std::numeric_limits<float>::infinity();
+constexpr std::uint16_t kFull = 0xFFFF;
 
 }  // namespace
+
+bool SearchGrid::is_gentle(int index) const noexcept {
+  const std::uint8_t* below = nodes_.data() + index - stride();
+  int least = kCost;
+  int most = 0;
+  for (int row = 0; row < 3; ++row, below += stride()) {
+    for (int x = -1; x <= 1; ++x) {
+      const int cost = below[x] & kCost;
+      least = std::min(least, cost);
+      most = std::max(most, cost);
+    }
+  }
+  return 58 * most < 106 * least;
+}
 
 int SearchGrid::unit_for(const TravelCost& costs) noexcept {
   return std::clamp(static_cast<int>(kCost / costs.dearest()), 1, kMaxUnit);
@@ -22,18 +37,13 @@ void SearchGrid::resize(const TravelCost& costs, int spacing) {
   width_ = (costs.frame().width + spacing - 1) / spacing;
   height_ = (costs.frame().height + spacing - 1) / spacing;
   unit_ = unit_for(costs);
-  // Neighbours are `spacing` cells apart and a distance changes by no more than that; 1 for
-  // rounding. See GridSearch::run for the condition.
-  const double slope =
-      static_cast<double>(costs.rise()) * unit_ * spacing * costs.frame().resolution + 1.0;
-  gentle_ = !costs.diagonals_need_checks() && 58.0 * slope < 48.0 * unit_;
   if (nodes_.size() != size()) nodes_.assign(size(), 0);
 }
 
 void BlockGrid::begin(const TravelCost& costs) {
-  resize(costs, 2);
-  full_.resize(size());
-  roomiest_.resize(static_cast<std::size_t>(2 * width()));
+  resize(costs, kSide);
+  masks_.resize(size());
+  roomiest_.resize(static_cast<std::size_t>(kSide * width()));
   tightest_.resize(roomiest_.size());
   first_row_ = 0;
   last_row_ = -1;
@@ -65,86 +75,98 @@ void BlockGrid::extend_rows(int first, int last, std::uint32_t* so_far) {
 void BlockGrid::fill_row(int y) {
   if (y < -1 || y > height()) return;
   std::uint8_t* const nodes = nodes_.data() + index({.x = 0, .y = y});
-  std::uint8_t* const full = full_.data() + index({.x = 0, .y = y});
-  if (y < 0 || y >= height()) {
-    std::fill_n(nodes - 1, stride(), std::uint8_t{0});
-    std::fill_n(full - 1, stride(), std::uint8_t{0});
-    return;
-  }
-  const int cells = costs_->frame().width;
-  const float* const low =
-      costs_->distances().cells().data() + static_cast<std::ptrdiff_t>(2 * y) * cells;
-  // Cells beyond the upper and right edge of a map with odd sides have no room.
-  const bool both_rows = 2 * y + 1 < costs_->frame().height;
-  const float* const high = both_rows ? low + cells : low;
+  std::uint16_t* const masks = masks_.data() + index({.x = 0, .y = y});
+  std::fill_n(nodes - 1, stride(), std::uint8_t{0});
+  std::fill_n(masks - 1, stride(), std::uint16_t{0});
+  if (y < 0 || y >= height()) return;
+  const GridFrame& frame = costs_->frame();
+  // Cells beyond the upper and the right edge of the map have no room.
+  const int rows = std::min(kSide, frame.height - kSide * y);
+  std::fill(roomiest_.begin(), roomiest_.end(), -1.0F);
+  std::fill(tightest_.begin(), tightest_.end(), rows < kSide ? -1.0F : kMuchRoom);
+  std::fill(tightest_.begin() + frame.width, tightest_.end(), -1.0F);
+  const float* distances =
+      costs_->distances().cells().data() + static_cast<std::ptrdiff_t>(kSide * y) * frame.width;
   float* const roomiest = roomiest_.data();
   float* const tightest = tightest_.data();
-  for (int x = 0; x < cells; ++x) {
-    roomiest[x] = low[x] > high[x] ? low[x] : high[x];
-    tightest[x] = low[x] < high[x] ? low[x] : high[x];
+  for (int row = 0; row < rows; ++row, distances += frame.width) {
+    for (int x = 0; x < frame.width; ++x) {
+      roomiest[x] = std::max(roomiest[x], distances[x]);
+      tightest[x] = std::min(tightest[x], distances[x]);
+    }
   }
-  if (cells % 2 != 0) roomiest[cells] = tightest[cells] = -1.0F;
-  const TravelCost costs = *costs_;
-  const float least = both_rows ? costs.least_distance() : kNoRoom;
-  const float allowed = costs.least_distance();
-  const auto scale = static_cast<float>(unit());
-  const int blocks = width();
-  for (int x = 0; x < blocks; ++x) {
-    const float room = std::max(roomiest[2 * x], roomiest[2 * x + 1]);
-    const int cost = static_cast<int>(costs.at_distance(room) * scale + 0.5F);
-    nodes[x] = static_cast<std::uint8_t>(room >= allowed ? cost : 0);
+  const float least = costs_->least_distance();
+  for (int x = 0; x < width(); ++x) {
+    const float* room = roomiest + kSide * x;
+    const float* tight = tightest + kSide * x;
+    const float most = std::max(std::max(room[0], room[1]), std::max(room[2], room[3]));
+    if (most < least) continue;
+    nodes[x] = byte_at(most);
+    const bool full = std::min(std::min(tight[0], tight[1]), std::min(tight[2], tight[3])) >= least;
+    masks[x] = full ? kFull : allowed_cells({.x = x, .y = y});
   }
-  for (int x = 0; x < blocks; ++x)
-    full[x] = std::min(tightest[2 * x], tightest[2 * x + 1]) >= least ? 1 : 0;
-  nodes[-1] = nodes[blocks] = 0;
-  full[-1] = full[blocks] = 0;
+}
+
+std::uint16_t BlockGrid::allowed_cells(CellIndex node) const noexcept {
+  const GridFrame& frame = costs_->frame();
+  const float least = costs_->least_distance();
+  const int columns = std::min(kSide, frame.width - kSide * node.x);
+  const int rows = std::min(kSide, frame.height - kSide * node.y);
+  const float* distances = costs_->distances().cells().data() +
+                           static_cast<std::ptrdiff_t>(kSide * node.y) * frame.width +
+                           kSide * node.x;
+  unsigned mask = 0;
+  for (int y = 0; y < rows; ++y, distances += frame.width) {
+    for (int x = 0; x < columns; ++x)
+      mask |= (distances[x] >= least ? 1U : 0U) << (kSide * y + x);
+  }
+  return static_cast<std::uint16_t>(mask);
 }
 
 void BlockGrid::open_row(int y) {
-  if (!gentle_ || y < 0 || y >= height()) return;
-  std::uint8_t* const nodes = nodes_.data() + index({.x = 0, .y = y});
-  const std::uint8_t* const here = full_.data() + index({.x = 0, .y = y});
-  const std::uint8_t* const below = here - stride();
-  const std::uint8_t* const above = here + stride();
-  const int blocks = width();
-  for (int x = 0; x < blocks; ++x) {
-    const int all = below[x - 1] & below[x] & below[x + 1] & here[x - 1] & here[x] & here[x + 1] &
-                    above[x - 1] & above[x] & above[x + 1];
-    nodes[x] = static_cast<std::uint8_t>(nodes[x] | all * kOpen);
+  if (y < 0 || y >= height()) return;
+  for (int x = 0; x < width(); ++x) {
+    const int i = index({.x = x, .y = y});
+    const std::uint16_t* here = masks_.data() + i;
+    if (*here != kFull) continue;
+    const std::uint16_t* below = here - stride();
+    const std::uint16_t* above = here + stride();
+    const int all =
+        below[-1] & below[0] & below[1] & here[-1] & here[1] & above[-1] & above[0] & above[1];
+    if (all == kFull && is_gentle(i)) nodes_[static_cast<std::size_t>(i)] |= kOpen;
   }
 }
 
 bool BlockGrid::linked(CellIndex node, unsigned direction) const noexcept {
-  const int step_x = kStepX[direction];
-  const int step_y = kStepY[direction];
-  const auto is_full = [&](int x, int y) {
-    return full_[static_cast<std::size_t>(index({.x = x, .y = y}))] != 0;
+  const int i = index(node);
+  const unsigned from = masks_[static_cast<std::size_t>(i)];
+  const unsigned to =
+      masks_[static_cast<std::size_t>(i + kStepY[direction] * stride() + kStepX[direction])];
+  if ((from & to) == kFull) return true;
+  // Cells that touch across a side: the same row or column, or one beside it.
+  constexpr unsigned kColumn = 0x1111;
+  constexpr unsigned kRow = 0xF;
+  const auto touch = [](unsigned a, unsigned b, unsigned shift) {
+    return ((a | a << shift | a >> shift) & b) != 0;
   };
-  const bool checks = costs_->diagonals_need_checks();
-  if (is_full(node.x, node.y) && is_full(node.x + step_x, node.y + step_y) &&
-      (direction % 2 == 0 || !checks)) {
-    return true;
+  switch (direction) {
+    case 0:
+      return touch(from >> 3U & kColumn, to & kColumn, 4);
+    case 1:
+      return (from >> 15U & to & 1U) != 0;
+    case 2:
+      return touch(from >> 12U, to & kRow, 1);
+    case 3:
+      return (from >> 12U & to >> 3U & 1U) != 0;
+    case 4:
+      return touch(to >> 3U & kColumn, from & kColumn, 4);
+    case 5:
+      return (to >> 15U & from & 1U) != 0;
+    case 6:
+      return touch(to >> 12U, from & kRow, 1);
+    default:
+      return (to >> 12U & from >> 3U & 1U) != 0;
   }
-  const auto allowed = [&](int x, int y) { return costs_->is_allowed({.x = x, .y = y}); };
-  // The node's cell that is furthest along the direction, and the one beside it if there are two.
-  const int x = 2 * node.x + (step_x > 0 ? 1 : 0);
-  const int y = 2 * node.y + (step_y > 0 ? 1 : 0);
-  if (direction % 2 != 0) {
-    return allowed(x, y) && allowed(x + step_x, y + step_y) &&
-           costs_->diagonal_is_free({.x = x, .y = y}, step_x, step_y);
-  }
-  const int side_x = step_x == 0 ? 1 : 0;
-  const int side_y = step_y == 0 ? 1 : 0;
-  const bool from = allowed(x, y);
-  const bool from_side = allowed(x + side_x, y + side_y);
-  const bool to = allowed(x + step_x, y + step_y);
-  const bool to_side = allowed(x + step_x + side_x, y + step_y + side_y);
-  if ((from && to) || (from_side && to_side)) return true;
-  if (from && to_side)
-    return costs_->diagonal_is_free({.x = x, .y = y}, step_x + side_x, step_y + side_y);
-  return from_side && to &&
-         costs_->diagonal_is_free({.x = x + side_x, .y = y + side_y}, step_x - side_x,
-                                  step_y - side_y);
 }
 
 void CellGrid::begin(const TravelCost& costs) {
@@ -156,8 +178,9 @@ void CellGrid::begin(const TravelCost& costs) {
 void CellGrid::begin(const TravelCost& costs, std::span<const CellIndex> blocks) {
   clear(costs);
   for (const CellIndex& block : blocks) {
-    add_cells({.x = 2 * (block.x - kReach), .y = 2 * (block.y - kReach)},
-              {.x = 2 * (block.x + kReach) + 1, .y = 2 * (block.y + kReach) + 1});
+    constexpr int kSide = BlockGrid::kSide;
+    add_cells({.x = kSide * block.x - kReach, .y = kSide * block.y - kReach},
+              {.x = kSide * (block.x + 1) - 1 + kReach, .y = kSide * (block.y + 1) - 1 + kReach});
   }
   mark_open();
 }
@@ -190,13 +213,9 @@ void CellGrid::add_cells(CellIndex first, CellIndex last) {
 }
 
 void CellGrid::mark_open() {
-  if (!gentle_) return;
+  if (costs_->diagonals_need_checks()) return;
   for (const int i : indices_) {
-    const std::uint8_t* n = nodes_.data() + i;
-    bool all = true;
-    for (std::size_t d = 0; d < 8; ++d)
-      all = all && n[kStepY[d] * stride() + kStepX[d]] != 0;
-    if (all) nodes_[static_cast<std::size_t>(i)] |= kOpen;
+    if (is_gentle(i)) nodes_[static_cast<std::size_t>(i)] |= kOpen;
   }
 }
 

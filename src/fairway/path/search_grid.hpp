@@ -54,8 +54,11 @@ class SearchGrid {
         static_cast<int>(costs_->at_distance(distance) * static_cast<float>(unit_) + 0.5F));
   }
 
+  // Whether a node and its neighbours all are nodes, and their costs differ so little that
+  // GridSearch may leave out detours (see GridSearch::run).
+  [[nodiscard]] bool is_gentle(int index) const noexcept;
+
   const TravelCost* costs_ = nullptr;
-  bool gentle_ = false;  // costs rise gently enough to mark nodes open
   std::vector<std::uint8_t> nodes_;
 
  private:
@@ -64,17 +67,20 @@ class SearchGrid {
   int unit_ = 1;
 };
 
-/// The map at half its resolution: a node is a block of 2 x 2 cells of which one at least is
-/// allowed, with the cost of its roomiest cell. Blocks are linked where allowed cells of both are
-/// neighbours, so whatever is connected on the map is connected here. Rows are computed when they
-/// are first asked for: a short path on a large map is cheap.
+/// The map at a quarter of its resolution: a node is a block of 4 x 4 cells of which one at least
+/// is allowed, with the cost of its roomiest cell. Blocks are linked where allowed cells of both
+/// are neighbours. So what is connected on the map is connected here; the reverse fails only where
+/// a block has allowed cells on both sides of something thin. Rows are computed when they are first
+/// asked for: a short path on a large map is cheap.
 class BlockGrid : public SearchGrid {
  public:
+  static constexpr int kSide = 4;  ///< of a block [cells]
+
   /// Keeps `costs` for later calls.
   void begin(const TravelCost& costs);
 
   [[nodiscard]] static CellIndex block_of(CellIndex cell) noexcept {
-    return {.x = cell.x / 2, .y = cell.y / 2};
+    return {.x = cell.x / kSide, .y = cell.y / kSide};
   }
 
   /// Makes rows `first` to `last` known, and all between them and those already known; sets their
@@ -88,21 +94,22 @@ class BlockGrid : public SearchGrid {
 
  private:
   void extend_rows(int first, int last, std::uint32_t* so_far);
-  void fill_row(int y);  // costs, and which blocks are full
+  void fill_row(int y);  // costs and masks
   void open_row(int y);  // adds kOpen where all around is full
+  [[nodiscard]] std::uint16_t allowed_cells(CellIndex node) const noexcept;
 
   int first_row_ = 0;
   int last_row_ = -1;
-  std::vector<std::uint8_t> full_;  // whether all cells of a block are allowed, by index
-  std::vector<float> roomiest_;     // of the two cells of every column of a row of blocks [m]
+  std::vector<std::uint16_t> masks_;  // bit 4 y + x of a block: is that cell allowed; by index
+  std::vector<float> roomiest_;       // of the four cells of every column of a row of blocks [m]
   std::vector<float> tightest_;
 };
 
 /// The cells of the map, or of some blocks of it: a node is an allowed cell.
 class CellGrid : public SearchGrid {
  public:
-  /// Keeps `costs` for later calls. With all cells of the map, or with those of `blocks` and of the
-  /// blocks within kReach around each.
+  /// Keeps `costs` for later calls. With all cells of the map, or with those of `blocks` and
+  /// kReach cells around each.
   void begin(const TravelCost& costs);
   void begin(const TravelCost& costs, std::span<const CellIndex> blocks);
 
@@ -114,7 +121,7 @@ class CellGrid : public SearchGrid {
   [[nodiscard]] bool linked(CellIndex node, unsigned direction) const noexcept;
 
  private:
-  static constexpr int kReach = 1;
+  static constexpr int kReach = 3;
 
   void clear(const TravelCost& costs);
   void add_cells(CellIndex first, CellIndex last);

@@ -10,12 +10,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-// All in cells. A smaller gain is rounding; corners end up as near to their best place as the last
-// step; and another corner must be worth its while.
+// All in cells. Costs are equal up to kRounding; a move must gain more, a further corner must be
+// worth its while, and corners end up about as near to their best place as the last step.
+constexpr double kRounding = 1e-6;
 constexpr double kLeastGain = 0.01;
+constexpr double kWorthACorner = 0.2;
 constexpr double kFirstStep = 2.0;
 constexpr double kLastStep = 0.4;
-constexpr double kWorthACorner = 0.2;
+constexpr int kSweeps = 6;  // of moves, before and after each round of cuts
+constexpr int kCuts = 2;
 
 bool fits(const TravelCost& costs,
           const TravelCost::Line& line,
@@ -29,8 +32,6 @@ bool fits(const TravelCost& costs,
 void Straightening::apply(const TravelCost& costs, std::vector<Vector2d>& points) {
   if (points.size() < 3) return;
   pull_string(costs, points);
-  constexpr int kSweeps = 10;
-  constexpr int kCuts = 2;
   for (int cut = 0; cut <= kCuts; ++cut) {
     for (int sweep = 0; sweep < kSweeps && move_corners(costs); ++sweep) {
     }
@@ -54,7 +55,7 @@ void Straightening::pull_string(const TravelCost& costs, const std::vector<Vecto
     double cost = cost_to_[i + 1] - cost_to_[i];
     const auto may_lead_to = [&](std::size_t j) {
       const TravelCost::Line line =
-          costs.line(points[i], points[j], cost_to_[j] - cost_to_[i] + kLeastGain);
+          costs.line(points[i], points[j], cost_to_[j] - cost_to_[i] + kRounding);
       if (std::isinf(line.cost) || !fits(costs, line, points[i], points[j])) return false;
       cost = line.cost;
       return true;
@@ -86,7 +87,7 @@ bool Straightening::move_corners(const TravelCost& costs) {
     if (corner.step >= kLastStep) {
       busy = true;
       const TravelCost::Line direct =
-          costs.line(before.point, after.point, corner.cost + after.cost + kLeastGain);
+          costs.line(before.point, after.point, corner.cost + after.cost + kRounding);
       if (!std::isinf(direct.cost) && fits(costs, direct, before.point, after.point)) {
         after.cost = direct.cost;
         after.step = std::max(after.step, kFirstStep);
@@ -153,7 +154,8 @@ bool Straightening::cut_corners(const TravelCost& costs) {
       const Vector2d p = corner.point + size * to_before.normalized();
       const Vector2d q = corner.point + size * to_after.normalized();
       // At most this is gained where all costs alike; smaller cuts gain even less.
-      if ((2.0 * size - (q - p).norm()) * static_cast<double>(costs.dearest()) < kWorthACorner) break;
+      if ((2.0 * size - (q - p).norm()) * static_cast<double>(costs.dearest()) < kWorthACorner)
+        break;
       const TravelCost::Line first = costs.line(before, p);
       const TravelCost::Line last = costs.line(q, after.point);
       const double limit = corner.cost + after.cost - kWorthACorner - first.cost - last.cost;

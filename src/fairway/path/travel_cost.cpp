@@ -8,7 +8,6 @@
 
 namespace fairway {
 
-long LC=0,LL=0;
 namespace {
 
 // When two allowed cells touch at a corner, which obstacles can come nearer to the line between
@@ -70,7 +69,7 @@ TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
   const double u1 = to[u_axis];
   const double v0 = from[1 - u_axis];
   const double v1 = to[1 - u_axis];
-  const double length = (b - a).norm(); extern long LC, LL; ++LC; LL += long(u1-u0)+1;
+  const double length = (b - a).norm();
   if (length == 0.0) return {.cost = 0.0, .roomy = false};
   const double slope = (v1 - v0) / (u1 - u0);
   const int v_last = static_cast<int>(v1);

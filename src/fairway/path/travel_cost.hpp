@@ -64,8 +64,8 @@ class TravelCost {
     bool roomy = false;  ///< so far from everything that the robot fits without a closer look
   };
 
-  /// The straight line between two points in grid coordinates. Costs infinitely much when it exceeds
-  /// `limit` and when an end is off the map. Does not ask whether the robot fits.
+  /// The straight line between two points in grid coordinates. Costs infinitely much when it
+  /// exceeds `limit` and when an end is off the map. Does not ask whether the robot fits.
   [[nodiscard]] Line line(const Eigen::Vector2d& a,
                           const Eigen::Vector2d& b,
                           double limit = std::numeric_limits<double>::infinity()) const noexcept;

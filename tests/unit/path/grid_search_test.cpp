@@ -140,8 +140,8 @@ TEST(GridSearch, AGoalInASmallPocketIsFoundOutWithoutSearchingTheMap) {
   BlockGrid grid;
   GridSearch search;
   grid.begin(costs);
-  const Terminal start{{20, 20}, 0};
-  const Terminal goal{{155, 155}, 0};
+  const Terminal start{BlockGrid::block_of({40, 40}), 0};
+  const Terminal goal{BlockGrid::block_of({310, 310}), 0};
   EXPECT_FALSE(search.find(grid, {&start, 1}, {&goal, 1}));
   EXPECT_EQ(search.expanded(), 0);
 }

@@ -7,28 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "support/path_check.hpp"
-#include "support/path_oracle.hpp"
-#include "support/random_world.hpp"
+#include "support/path_world.hpp"
 
 namespace fairway {
 namespace {
 
 using Eigen::Vector2d;
-
-struct World {
-  explicit World(BitGrid grid) : obstacles(std::move(grid)), distances(obstacles) {}
-
-  [[nodiscard]] PathResult find(const Vector2d& start,
-                                const Vector2d& goal,
-                                double radius,
-                                const PathSettings& settings = {}) const {
-    PathPlanner planner;
-    return planner.find(obstacles, distances, start, goal, radius, settings);
-  }
-
-  BitGrid obstacles;
-  DistanceField distances;
-};
+using World = test::PathWorld;
 
 BitGrid empty_grid(int width, int height, double resolution = 0.05) {
   return BitGrid({.width = width, .height = height, .resolution = resolution, .origin = {}}, false);
@@ -41,147 +26,6 @@ World walled_world(int middle, int width) {
     if (y < middle - width / 2 || y >= middle - width / 2 + width) grid.set({100, y}, true);
   }
   return World(std::move(grid));
-}
-
-TEST(PathPlanner, FindsAPathExactlyWhereTheCellsConnect) {
-  test::Random random(41);
-  PathPlanner planner;
-  int found = 0;
-  int none = 0;
-  for (int trial = 0; trial < 300; ++trial) {
-    const World world{BitGrid(test::random_world(random, 60))};
-    const GridFrame& frame = world.obstacles.frame();
-    const double radius = random.uniform(0.0, 3.0) * frame.resolution;
-    PathSettings settings;
-    settings.margin = random.uniform(0.0, 1.0) * frame.resolution;
-    const double required = radius + settings.margin;
-    const CellIndex a{random.integer(0, frame.width - 1), random.integer(0, frame.height - 1)};
-    const CellIndex b{random.integer(0, frame.width - 1), random.integer(0, frame.height - 1)};
-    const Vector2d start = frame.center(a);
-    const Vector2d goal = frame.center(b);
-    if (!is_free(world.obstacles, start, start, required)) continue;
-    if (!is_free(world.obstacles, goal, goal, required)) continue;
-    const PathResult result =
-        planner.find(world.obstacles, world.distances, start, goal, radius, settings);
-    if (test::is_connected(world.obstacles, required, a, b)) {
-      ++found;
-      test::expect_sound(world.obstacles, result, start, goal, radius, settings.margin);
-    } else if (!is_free(world.obstacles, start, goal, required)) {
-      ++none;
-      EXPECT_EQ(result.status, PathStatus::NoConnection);
-      EXPECT_TRUE(result.path.waypoints.empty());
-    }
-  }
-  EXPECT_GT(found, 30);
-  EXPECT_GT(none, 10);
-}
-
-TEST(PathPlanner, EveryPathKeepsItsClearanceFromAnywhereToAnywhere) {
-  test::Random random(42);
-  PathPlanner planner;
-  int found = 0;
-  int tight = 0;
-  for (int trial = 0; trial < 150; ++trial) {
-    const World world{BitGrid(test::random_world(random, 120))};
-    const GridFrame& frame = world.obstacles.frame();
-    const double radius = random.uniform(0.0, 3.0) * frame.resolution;
-    PathSettings settings;
-    settings.margin = random.uniform(0.0, 2.0) * frame.resolution;
-    settings.any_angle = random.chance(0.8);
-    for (int i = 0; i < 5; ++i) {
-      const auto point = [&] {
-        return frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-      };
-      const Vector2d start = point();
-      const Vector2d goal = point();
-      const PathResult result =
-          planner.find(world.obstacles, world.distances, start, goal, radius, settings);
-      if (result.status != PathStatus::Found) continue;
-      ++found;
-      tight += is_free(world.obstacles, start, start, radius + settings.margin) ? 0 : 1;
-      test::expect_sound(world.obstacles, result, start, goal, radius, settings.margin);
-    }
-  }
-  EXPECT_GT(found, 150);
-  EXPECT_GT(tight, 10);
-}
-
-TEST(PathPlanner, CostsHardlyMoreThanTheCheapestWayOverAllCells) {
-  test::Random random(43);
-  PathPlanner planner;
-  int compared = 0;
-  double worst = 1.0;
-  double sum = 0.0;
-  for (int trial = 0; trial < 100; ++trial) {
-    const World world{BitGrid(test::random_world(random, 120))};
-    const GridFrame& frame = world.obstacles.frame();
-    const double radius = 2.0 * frame.resolution;
-    const PathSettings settings{.margin = 0.0, .comfort_distance = 6.0 * frame.resolution};
-    const Vector2d start =
-        frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-    const Vector2d goal =
-        frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-    const PathResult result =
-        planner.find(world.obstacles, world.distances, start, goal, radius, settings);
-    if (result.status != PathStatus::Found || (start - goal).norm() < 20 * frame.resolution)
-      continue;
-    // The true optimum over all cells, from the same ends.
-    const TravelCost costs(world.obstacles, world.distances, radius, settings);
-    CellGrid grid;
-    grid.begin(costs);
-    GridSearch search;
-    const Terminal from{frame.cell_at(start), 0};
-    const Terminal to{frame.cell_at(goal), 0};
-    if (!search.find(grid, {&from, 1}, {&to, 1})) continue;
-    const double best = search.cost() * frame.resolution / (GridSearch::kStep * grid.unit());
-    // The ends differ by less than a cell each.
-    const double ends = 2.0 * frame.resolution * static_cast<double>(costs.dearest());
-    const double ratio = (result.cost - ends) / best;
-    worst = std::max(worst, ratio);
-    sum += ratio;
-    ++compared;
-  }
-  EXPECT_GT(compared, 30);
-  EXPECT_LT(worst, 1.15);
-  EXPECT_LT(sum / compared, 1.01);
-}
-
-TEST(PathPlanner, StraightensWithoutGivingUpWhatTheSearchPaidFor) {
-  test::Random random(44);
-  PathPlanner planner;
-  int turns = 0;
-  int cells = 0;
-  for (int trial = 0; trial < 60; ++trial) {
-    const World world{BitGrid(test::random_world(random, 160))};
-    const GridFrame& frame = world.obstacles.frame();
-    const double radius = 2.0 * frame.resolution;
-    PathSettings settings{.margin = 0.0, .comfort_distance = 6.0 * frame.resolution};
-    const Vector2d start =
-        frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-    const Vector2d goal =
-        frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-    const auto cost = [&](const Path& path) {
-      const TravelCost costs(world.obstacles, world.distances, radius, settings);
-      double sum = 0.0;
-      for (std::size_t i = 1; i < path.waypoints.size(); ++i)
-        sum +=
-            costs.line(frame.to_grid(path.waypoints[i - 1]), frame.to_grid(path.waypoints[i])).cost;
-      return sum;
-    };
-    const auto find = [&] {
-      return planner.find(world.obstacles, world.distances, start, goal, radius, settings);
-    };
-    const PathResult straight = find();
-    if (straight.status != PathStatus::Found) continue;
-    settings.any_angle = false;
-    const PathResult chain = find();
-    ASSERT_EQ(chain.status, PathStatus::Found);
-    EXPECT_LE(cost(straight.path), cost(chain.path) + 1e-6);
-    turns += static_cast<int>(straight.path.waypoints.size()) - 2;
-    cells += static_cast<int>(chain.path.waypoints.size());
-  }
-  EXPECT_GT(cells, 1000);
-  EXPECT_LT(turns * 8, cells) << "the grid's wiggle is gone";
 }
 
 TEST(PathPlanner, AnOpenWayIsOneStraightLine) {
@@ -335,71 +179,6 @@ TEST(PathPlanner, BetweenRowsOfCellsOnlyTheStraightLineHasRoom) {
   settings.margin = 0.0;
   const PathResult result = world.find({0.5, 1.25}, {4.4, 1.25}, 0.19, settings);
   test::expect_sound(world.obstacles, result, {0.5, 1.25}, {4.4, 1.25}, 0.19, 0.0);
-}
-
-TEST(PathPlanner, ShiftingTheWorldShiftsThePath) {
-  test::Random random(45);
-  PathPlanner planner;
-  int found = 0;
-  for (int trial = 0; trial < 40; ++trial) {
-    BitGrid grid(test::random_world(random, 80));
-    GridFrame frame = grid.frame();
-    frame.origin = {};
-    frame.resolution = 0.0625;  // sums of cells are exact
-    // The same obstacles in a frame of blocked cells, moved by whole cells, odd numbers too.
-    const int dx = random.integer(1, 9);
-    const int dy = random.integer(1, 9);
-    BitGrid first(frame, false);
-    GridFrame larger = frame;
-    larger.width += 20;
-    larger.height += 20;
-    BitGrid second(larger, true);
-    for (int y = 0; y < frame.height; ++y) {
-      for (int x = 0; x < frame.width; ++x) {
-        first.set({x, y}, grid.blocked({x, y}));
-        second.set({x + dx - dx % 2, y + dy - dy % 2}, grid.blocked({x, y}));
-      }
-    }
-    const Vector2d shift = Vector2d(dx - dx % 2, dy - dy % 2) * frame.resolution;
-    const auto coordinate = [&](int cells) {
-      return random.integer(0, 16 * cells) * frame.resolution / 16.0;
-    };
-    const Vector2d start(coordinate(frame.width - 1), coordinate(frame.height - 1));
-    const Vector2d goal(coordinate(frame.width - 1), coordinate(frame.height - 1));
-    const PathSettings settings{.margin = 0.02};
-    const PathResult a = planner.find(first, DistanceField(first), start, goal, 0.1, settings);
-    const PathResult b =
-        planner.find(second, DistanceField(second), start + shift, goal + shift, 0.1, settings);
-    ASSERT_EQ(a.status, b.status);
-    ASSERT_EQ(a.path.waypoints.size(), b.path.waypoints.size());
-    found += a.status == PathStatus::Found ? 1 : 0;
-    for (std::size_t i = 0; i < a.path.waypoints.size(); ++i)
-      EXPECT_LT((a.path.waypoints[i] + shift - b.path.waypoints[i]).norm(), 1e-6);
-  }
-  EXPECT_GT(found, 10);
-}
-
-TEST(PathPlanner, EqualInputGivesEqualBitsWhateverWasPlannedBefore) {
-  test::Random random(46);
-  PathPlanner used;
-  for (int trial = 0; trial < 60; ++trial) {
-    const World world{BitGrid(test::random_world(random, random.integer(40, 150)))};
-    const GridFrame& frame = world.obstacles.frame();
-    const Vector2d start =
-        frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-    const Vector2d goal =
-        frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-    const double radius = random.uniform(0.0, 2.0) * frame.resolution;
-    PathSettings settings;
-    settings.comfort_weight = random.uniform(0.0, 5.0);
-    const PathResult fresh = world.find(start, goal, radius, settings);
-    const PathResult again =
-        used.find(world.obstacles, world.distances, start, goal, radius, settings);
-    EXPECT_EQ(fresh.status, again.status);
-    EXPECT_EQ(fresh.cost, again.cost);
-    EXPECT_EQ(fresh.expanded, again.expanded);
-    EXPECT_EQ(fresh.path.waypoints, again.path.waypoints);
-  }
 }
 
 }  // namespace

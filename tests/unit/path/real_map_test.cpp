@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "fairway/io/map_file.hpp"
 #include "fairway/path/path_planner.hpp"
 #include "support/path_check.hpp"
 #include "support/path_oracle.hpp"
-#include "support/pgm_map.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {
@@ -14,17 +16,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-struct RealMap {
-  const char* name;
-  double free_threshold;
-};
+std::optional<BitGrid> shared_map(const std::string& name) {
+  const auto map = io::read_map(std::string(FAIRWAY_SHARED_DATA) + "/maps/" + name + ".yaml");
+  if (!map) return std::nullopt;
+  return BitGrid(*map);
+}
 
-class RealMaps : public testing::TestWithParam<RealMap> {
+class RealMaps : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    const std::string file = std::string(FAIRWAY_SHARED_DATA) + "/maps/" + GetParam().name + ".pgm";
-    obstacles = test::read_pgm_map(file, 0.05, GetParam().free_threshold);
-    if (!obstacles) GTEST_SKIP() << "no " << file;
+    obstacles = shared_map(GetParam());
+    if (!obstacles) GTEST_SKIP() << "no map " << GetParam() << " in " << FAIRWAY_SHARED_DATA;
   }
 
   std::optional<BitGrid> obstacles;
@@ -65,20 +67,17 @@ TEST_P(RealMaps, PathsKeepTheirClearanceAndExistWhereCellsConnect) {
 
 INSTANTIATE_TEST_SUITE_P(Shared,
                          RealMaps,
-                         testing::Values(RealMap{"depot", 0.25},
-                                         RealMap{"tb3_world", 0.196},
-                                         RealMap{"willow-full-0.05", 0.196}),
+                         testing::Values("depot", "tb3_world", "willow-full-0.05"),
                          [](const auto& map) {
-                           std::string name = map.param.name;
-                           std::erase_if(name, [](char c) { return !std::isalnum(c); });
+                           std::string name = map.param;
+                           std::erase_if(name, [](char c) { return std::isalnum(c) == 0; });
                            return name;
                          });
 
 // The pair of FIELD_NOTES section 2. "Grown by 0.3 m" there counts from cell centre to cell centre;
 // that leaves free the cells at least 0.2755 m from every occupied square.
 TEST(Willow, TheLongestPairIsShorterThanAnEightConnectedWay) {
-  const auto obstacles =
-      test::read_pgm_map(std::string(FAIRWAY_SHARED_DATA) + "/maps/willow-full-0.05.pgm", 0.05);
+  const auto obstacles = shared_map("willow-full-0.05");
   if (!obstacles) GTEST_SKIP() << "no willow-full-0.05 in " << FAIRWAY_SHARED_DATA;
   const DistanceField distances(*obstacles);
   PathPlanner planner;
