@@ -18,15 +18,24 @@ constexpr CellWindow kNothing{
     .last = {.x = -1, .y = -1}};
 constexpr double kRetryAfter = 0.25;  // [s], when there was no way
 
+// A cell of the map may turn out occupied although what is in it lies at its far side: wherever
+// there is room, keep so much more that the robot still has its own room then.
+Settings with_margins(const Settings& settings) {
+  Settings wider = settings;
+  wider.path.margin += settings.perception.resolution;
+  wider.navigation.stop_margin += 0.5 * settings.perception.resolution;
+  return wider;
+}
+
 }  // namespace
 
-MaplessNavigator::MaplessNavigator(const Settings& settings,
+MaplessNavigator::MaplessNavigator(const Settings& given,
                                    ControlSolver& solver,
                                    std::size_t max_beams,
                                    const Vector2d& position)
-    : settings_(settings),
-      perception_(settings.perception, max_beams, position),
-      navigator_(settings, solver),
+    : settings_(with_margins(given)),
+      perception_(settings_.perception, max_beams, position),
+      navigator_(settings_, solver),
       map_(perception_.grid().occupied()),
       goal_{.position = position, .heading = {}},
       changed_(kNothing) {}

@@ -10,6 +10,7 @@
 #include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/navigation/free_length.hpp"
 #include "fairway/navigation/problem_setup.hpp"
 #include "fairway/navigation/step_regions.hpp"
 #include "fairway/navigation/timed_targets.hpp"
@@ -22,6 +23,7 @@ namespace {
 constexpr double kStandingLinear = 0.02;   // [m/s]
 constexpr double kStandingAngular = 0.05;  // [rad/s]
 constexpr double kAligned = 0.2;           // [rad]
+constexpr double kLeastMargin = 2e-3;      // [m], of the stop check where the way is tight
 constexpr double kNoticeable = 1e-3;       // [m]; smaller violations are within the plan's margin
 
 bool stands(const Twist2& twist) noexcept {
@@ -163,7 +165,7 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
   switch (settings_.navigation.target_mode) {
     case TargetMode::TimedString:
       set_timed_targets(corridor_.string(), sent_.linear, input.pose.heading, plan_.goal.heading,
-                        settings_, problem_);
+                        settings_, problem_, length_to_stop_in(input));
       break;
     case TargetMode::DualWaypoints:
       set_dual_targets(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
@@ -172,6 +174,21 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
       set_centroid_target(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
       break;
   }
+}
+
+// How far the string is free on the newest map; no further than matters at the greatest speed.
+double Navigator::length_to_stop_in(const NavigationInput& input) const noexcept {
+  constexpr double kBeyond = 2.0;  // braking distances
+  const MpcSettings& mpc = settings_.mpc;
+  const double braking = 0.5 * mpc.linear_max * mpc.linear_max / mpc.linear_acceleration_max;
+  const double horizon = mpc.horizon * mpc.dt * mpc.linear_max;
+  const double limit = std::min(kBeyond * braking + 0.5, horizon) + horizon;
+  // A little less than the robot: the string may touch the edges of what the robot fits into.
+  const double radius = settings_.robot.radius - 1e-3;
+  const double length = free_length(*input.map, corridor_.string(), radius, limit);
+  return length < std::min(limit, corridor_.string().length())
+             ? length
+             : std::numeric_limits<double>::infinity();
 }
 
 // Solves from each start, and sends the better answer whose stop is proven; else stops.
@@ -246,28 +263,29 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
 }
 
 StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
-  // A robot that measures itself (a little) inside an obstacle must still be able to leave: then
-  // what counts is to come no nearer.
-  StopSurroundings around{.obstacles = input.map,
-                          .body = body_,
-                          .static_margin = settings_.navigation.stop_margin,
-                          .moving = input.obstacles,
-                          .moving_margin = 0.0};
+  StopSurroundings around{
+      .obstacles = input.map, .body = body_, .moving = input.obstacles, .moving_margin = 0.0};
+  const NavigationSettings& nav = settings_.navigation;
+  // Where the way is tight, the plan's own margin is all that there can be.
+  const double margin = std::min(nav.stop_margin, std::max(kLeastMargin, 0.5 * plan_.margin));
   // While the covering disc has room it must keep it, so that the robot can always turn; the body
-  // alone counts where it stands too narrow for the disc already.
+  // alone counts where it stands too narrow for the disc already. In both cases: a robot that
+  // measures itself nearer than the margin, or (a little) inside an obstacle, must still be able to
+  // leave. Then what counts is to come no nearer.
   const double radius = settings_.robot.radius;
-  if (radius >= body_.circumscribed_radius() &&
-      is_free(*input.map, input.pose.position, input.pose.position,
-              radius + around.static_margin)) {
+  const double disc_room =
+      distance_to_blocked(*input.map, input.pose.position, radius + margin + 4.0 * kFreeSpaceSkin) -
+      radius - 2.0 * kFreeSpaceSkin;
+  if (radius >= body_.circumscribed_radius() && disc_room > 0.0) {
     around.body = Footprint::disc(radius);
+    around.static_margin = std::min(margin, disc_room);
     return around;
   }
   const double room =
-      footprint_clearance(*input.map, body_, input.pose, around.static_margin + kFreeSpaceSkin);
-  if (room < around.static_margin + kFreeSpaceSkin) {
-    around.static_margin = std::max(0.0, room - 2.0 * kFreeSpaceSkin);
-    if (room < 2.0 * kFreeSpaceSkin) around.body = body_.shrunk(2.0 * kFreeSpaceSkin - room);
-  }
+      footprint_clearance(*input.map, body_, input.pose, margin + 4.0 * kFreeSpaceSkin) -
+      2.0 * kFreeSpaceSkin;
+  around.static_margin = std::clamp(room, 0.0, margin);
+  if (room < 0.0) around.body = body_.shrunk(-room);
   return around;
 }
 

@@ -72,6 +72,7 @@ class Navigator {
   [[nodiscard]] bool reached(const Pose2& pose) noexcept;
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
+  [[nodiscard]] double length_to_stop_in(const NavigationInput& input) const noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
   [[nodiscard]] bool try_command(const NavigationInput& input, const Twist2& command) noexcept;

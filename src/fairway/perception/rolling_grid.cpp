@@ -182,7 +182,12 @@ void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
 }
 
 void RollingGrid::mark(const Beam& beam) noexcept {
-  const CellIndex cell = frame().cell_at(beam.to);
+  const Vector2d way = beam.to - beam.from;
+  const double length = way.norm();
+  if (!(length > 0.0)) return;
+  // A cell reaches out before the point that marked it, by half a side on average, and every error
+  // of the range adds to that; a little depth keeps narrow ways open.
+  const CellIndex cell = frame().cell_at(beam.to + settings_.hit_depth / length * way);
   if (!frame().contains(cell)) return;
   Cell& value = cell_of(cell);
   if (value.scan != scan_) add(cell, value, settings_.hit_evidence);

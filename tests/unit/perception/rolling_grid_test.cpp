@@ -19,6 +19,7 @@ PerceptionSettings small_window() {
   PerceptionSettings s;
   s.window = 9.6;
   s.resolution = 0.05;
+  s.hit_depth = 0.0;  // the tests say where beams end to the cell
   return s;
 }
 
@@ -197,6 +198,16 @@ TEST(RollingGrid, WhatHasGoneIsClearedAfterAFewScans) {
     ++scans;
   }
   EXPECT_EQ(scans, small_window().most_evidence);
+}
+
+TEST(RollingGrid, AHitIsMarkedAsMuchDeeperAsAsked) {
+  PerceptionSettings settings = small_window();
+  settings.hit_depth = 0.02;
+  RollingGrid grid(settings, {0, 0});
+  // A wall at 1.0 m, measured a little too near: the cell before it must stay free.
+  grid.insert(std::vector<Beam>{beam({0, 0.01}, {0.99, 0.01})}, {0, 0}, 0.1);
+  EXPECT_EQ(grid.at(grid.frame().cell_at({1.01, 0.01})), CellState::Occupied);
+  EXPECT_EQ(grid.at(grid.frame().cell_at({0.99, 0.01})), CellState::Free);
 }
 
 TEST(RollingGrid, ALostBeamSaysNothing) {
