@@ -8,3 +8,5 @@ reference_packages=(coinor-libipopt-dev)
 test_packages=(libgtest-dev libbenchmark-dev python3)
 # physics: MuJoCo, optional; its CMake config asks for qhull. OSMesa draws its pictures off-screen.
 physics_packages=(libmujoco-dev libqhull-dev libosmesa6-dev)
+# live page: Boost.Beast, optional.
+live_packages=(libboost-dev)

@@ -6,6 +6,10 @@
 
 #include "command.hpp"
 #include "output.hpp"
+#include "replay_command.hpp"
+#ifdef FAIRWAY_HAS_SERVER
+#include "serve_command.hpp"
+#endif
 
 namespace {
 
@@ -20,6 +24,10 @@ int run(int argc, char** argv) {
   add_plan_command(tool, chosen);
   add_simulate_command(tool, chosen);
   add_solve_command(tool, chosen);
+  add_replay_command(tool, chosen);
+#ifdef FAIRWAY_HAS_SERVER
+  add_serve_command(tool, chosen);
+#endif
   add_settings_command(tool, chosen);
   add_barn_command(tool, chosen);
   add_dynabarn_command(tool, chosen);

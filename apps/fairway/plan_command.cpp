@@ -9,11 +9,11 @@
 #include "command.hpp"
 #include "corridor_choice.hpp"
 #include "fairway/io/map_file.hpp"
-#include "fairway/io/world_picture.hpp"
 #include "fairway/navigation/planner.hpp"
 #include "map_bounds.hpp"
 #include "number_option.hpp"
 #include "output.hpp"
+#include "plan_output.hpp"
 #include "point_argument.hpp"
 #include "settings_options.hpp"
 #include "stopwatch.hpp"
@@ -37,19 +37,6 @@ struct PlanCommand {
 
   [[nodiscard]] Expected<int> run() const;
   [[nodiscard]] Expected<void> apply_options(Settings& target) const;
-};
-
-// One query and its answer.
-struct Query {
-  PointArgument start;
-  PointArgument goal;
-  Settings settings;
-  PlannerHooks hooks;
-};
-
-struct Answer {
-  Plan plan;
-  double prepare_seconds = 0.0;
 };
 
 // A contracted rectangle holds a path point for sure when a square of side 2 Delta_s fits round it.
@@ -86,8 +73,8 @@ Expected<void> PlanCommand::apply_options(Settings& target) const {
   return validate(target);
 }
 
-Answer answer(const OccupancyGrid& grid, const Query& query, int repeats) {
-  Answer best;
+PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats) {
+  PlanAnswer best;
   Planner planner;
   // Each stage counts with its fastest repeat: others may use the machine meanwhile.
   for (int i = 0; i < repeats; ++i) {
@@ -107,84 +94,11 @@ Answer answer(const OccupancyGrid& grid, const Query& query, int repeats) {
   return best;
 }
 
-Json point_json(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); }
-
-Json plan_json(const Answer& answer, const Query& query, const char* method) {
-  const Plan& plan = answer.plan;
-  Json json;
-  json["success"] = plan.usable();
-  if (!plan.usable()) json["reason"] = plan.reason();
-  json["method"] = method;
-  json["start"] = point_json(query.start.position);
-  json["goal"] = point_json(query.goal.position);
-  json["length"] = plan.path.length();
-  Json path = Json::array();
-  for (const Eigen::Vector2d& p : plan.path.waypoints)
-    path.push_back(point_json(p));
-  json["path"] = std::move(path);
-  Json rectangles = Json::array();
-  for (const OrientedRectangle& r : plan.corridor.rectangles) {
-    rectangles.push_back(Json{{"seed", point_json(r.seed)},
-                              {"orientation", r.orientation},
-                              {"min", point_json(r.min)},
-                              {"max", point_json(r.max)},
-                              {"area", r.area()}});
-  }
-  json["rectangles"] = std::move(rectangles);
-  json["space"] = to_text(query.settings.corridor.space);
-  json["inward_offset"] = query.settings.corridor.space == CorridorSpace::Workspace
-                              ? query.settings.corridor.inward_offset
-                              : 0.0;
-  json["robot_radius"] = plan.usable() ? plan.corridor.robot_radius : query.settings.robot.radius;
-  json["margin"] = plan.margin;
-  json["count"] = plan.corridor.rectangles.size();
-  json["mean_area"] = plan.corridor.mean_area();
-  json["seconds"] = Json{{"prepare", answer.prepare_seconds},
-                         {"path", plan.path_seconds},
-                         {"corridor", plan.corridor_seconds}};
-  return json;
-}
-
-std::string summary(const Answer& answer) {
-  const Plan& plan = answer.plan;
-  if (!plan.usable()) return "";
-  return fmt::format(
-      "path      {:.2f} m, {} waypoints\ncorridor  {} rectangles, {:.2f} m^2 each in the mean\n"
-      "time      map {:.2f} ms, path {:.2f} ms, corridor {:.2f} ms\n",
-      plan.path.length(), plan.path.waypoints.size(), plan.corridor.rectangles.size(),
-      plan.corridor.mean_area(), 1e3 * answer.prepare_seconds, 1e3 * plan.path_seconds,
-      1e3 * plan.corridor_seconds);
-}
-
-Expected<void> write_picture(const std::string& file,
-                             const OccupancyGrid& grid,
-                             const Query& query,
-                             const Plan& plan) {
-  if (file.empty()) return {};
-  const double heading = query.start.heading.value_or(
-      plan.path.waypoints.size() > 1
-          ? std::atan2(plan.path.waypoints[1].y() - plan.path.waypoints[0].y(),
-                       plan.path.waypoints[1].x() - plan.path.waypoints[0].x())
-          : 0.0);
-  const io::WorldDrawing drawing{
-      .map = &grid,
-      .robots = {{.name = "robot",
-                  .radius = query.settings.robot.radius,
-                  .start = {.position = query.start.position, .heading = heading},
-                  .goal = query.goal.position,
-                  .path = plan.path,
-                  .corridor = plan.corridor,
-                  .track = {}}},
-      .bodies = {}};
-  const Expected<std::string> bytes = io::draw_world(drawing, *io::picture_format(file));
-  return bytes ? write_output(file, *bytes) : tl::unexpected(bytes.error());
-}
-
 Expected<int> PlanCommand::run() const {
   for (const auto& checked : {check_output(json), check_picture_output(picture)}) {
     if (!checked) return tl::unexpected(checked.error());
   }
-  Query query;
+  PlanQuery query;
   const Expected<PointArgument> from = parse_point(start, "--start");
   if (!from) return tl::unexpected(from.error());
   const Expected<PointArgument> to = parse_point(goal, "--goal");
@@ -216,8 +130,8 @@ Expected<int> PlanCommand::run() const {
                                             corridor_settings);
                      },
                  .fixed_margin = clearance.has_value()};
-  const Answer found = answer(*grid, query, repeats);
-  if (const auto drawn = write_picture(picture, *grid, query, found.plan); !drawn) {
+  const PlanAnswer found = answer(*grid, query, repeats);
+  if (const auto drawn = write_plan_picture(picture, *grid, query, found.plan); !drawn) {
     return tl::unexpected(drawn.error());
   }
   const std::string text = json_text(plan_json(found, query, choice->name));
@@ -229,7 +143,7 @@ Expected<int> PlanCommand::run() const {
     return kFailed;
   }
   if (json != "-") {
-    if (const auto printed = print(summary(found)); !printed)
+    if (const auto printed = print(plan_summary(found)); !printed)
       return tl::unexpected(printed.error());
   }
   return kDone;

@@ -13,6 +13,7 @@
 #include "output.hpp"
 #include "point_argument.hpp"
 #include "progress.hpp"
+#include "run_outputs.hpp"
 #include "settings_options.hpp"
 #include "stopwatch.hpp"
 
@@ -32,8 +33,9 @@ struct SimulateCommand {
   std::string picture;
   std::string speeds;
   SettingsOptions settings;
+  RunOutputs outputs;
 
-  [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<int> run();
   [[nodiscard]] Expected<Scenario> load() const;
   [[nodiscard]] Expected<Scenario> scenario_of_options() const;
   [[nodiscard]] Expected<void> write(const Scenario& world, const EpisodeResult& result) const;
@@ -102,13 +104,14 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
   return print(episode_table(result));
 }
 
-Expected<int> SimulateCommand::run() const {
+Expected<int> SimulateCommand::run() {
   for (const auto& checked : {check_output(json), check_output(trace),
                               check_picture_output(picture), check_picture_output(speeds)}) {
     if (!checked) return tl::unexpected(checked.error());
   }
   const Expected<Scenario> world = load();
   if (!world) return tl::unexpected(world.error());
+  if (const auto opened = outputs.open(); !opened) return tl::unexpected(opened.error());
   Progress progress(world->name);
   const EpisodeHooks hooks{.clock = steady_seconds,
                            .on_cycle =
@@ -117,8 +120,11 @@ Expected<int> SimulateCommand::run() const {
                                                            time, world->time_limit));
                                  return true;
                                },
-                           .solver = nullptr};
+                           .solver = nullptr,
+                           .observer = outputs.observer(),
+                           .play = {}};
   const EpisodeResult result = run_episode(*world, hooks);
+  if (const auto closed = outputs.close(); !closed) return tl::unexpected(closed.error());
   if (const auto written = write(*world, result); !written) {
     return tl::unexpected(written.error());
   }
@@ -149,6 +155,7 @@ void add_simulate_command(CLI::App& tool, Command& chosen) {
       ->type_name("FILE");
   sub->add_option("--speeds", command->speeds, "Draw speeds over time; .svg, .png or .pdf")
       ->type_name("FILE");
+  add_run_options(*sub, command->outputs);
   add_settings_options(*sub, command->settings);
   sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
 }

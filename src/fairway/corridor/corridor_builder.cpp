@@ -55,6 +55,16 @@ OrientedRectangle in_world(const GridFrame& frame, const CellBlock& block) noexc
                  frame.resolution};
 }
 
+// Where the patch asked for has hardly room, more and other rectangles may still make a chain.
+CorridorResult with_more_rectangles(const BitGrid& obstacles,
+                                    const Path& path,
+                                    double robot_radius,
+                                    const CorridorSettings& settings,
+                                    const CorridorResult& stuck) {
+  CorridorResult other = build_sequential(obstacles, path, robot_radius, settings);
+  return other.status == CorridorStatus::Built ? other : stuck;
+}
+
 }  // namespace
 
 CorridorResult build_corridor(const BitGrid& obstacles,
@@ -64,7 +74,9 @@ CorridorResult build_corridor(const BitGrid& obstacles,
   if (settings.method == CorridorMethod::Mdsrc)
     return build_sequential(obstacles, path, robot_radius, settings);
   FewestRectangles fewest;
-  return fewest.build(obstacles, path, robot_radius, settings);
+  const CorridorResult& result = fewest.build(obstacles, path, robot_radius, settings);
+  if (result.status != CorridorStatus::NoOverlap) return result;
+  return with_more_rectangles(obstacles, path, robot_radius, settings, result);
 }
 
 const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
@@ -80,20 +92,21 @@ const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
 
 const CorridorResult& CorridorBuilder::rebuild(const BitGrid& obstacles) {
   known_ = obstacles;
+  can_repair_ = false;
   if (settings_.method == CorridorMethod::Mdsrc) {
     result_ = build_sequential(obstacles, path_, robot_radius_, settings_);
   } else {
     result_ = fewest_.build(obstacles, path_, robot_radius_, settings_);
+    can_repair_ = result_.status == CorridorStatus::Built;
+    if (result_.status == CorridorStatus::NoOverlap)
+      result_ = with_more_rectangles(obstacles, path_, robot_radius_, settings_, result_);
   }
   return result_;
 }
 
 const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const CellBlock& changed) {
   if (!has_path_) return result_;
-  const bool keep = result_.status == CorridorStatus::Built &&
-                    settings_.method == CorridorMethod::Fewest &&
-                    same_frame(obstacles.frame(), known_.frame());
-  if (!keep) return rebuild(obstacles);
+  if (!can_repair_ || !same_frame(obstacles.frame(), known_.frame())) return rebuild(obstacles);
   const Difference difference = take_over(obstacles, changed, known_);
   if (!difference.any) return result_;
 
@@ -108,6 +121,7 @@ const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const Ce
     return may_grow || !is_free(obstacles, rectangle, clearance);
   };
   result_ = fewest_.repair(obstacles, spoilt);
+  if (result_.status != CorridorStatus::Built) return rebuild(obstacles);
   return result_;
 }
 

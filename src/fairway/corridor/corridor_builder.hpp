@@ -13,7 +13,8 @@ namespace fairway {
 ///
 /// When the status is Built: every rectangle is free (is_free with clearance 0 in Workspace, with
 /// `robot_radius` in Configuration), the first admissible one holds the start and the last the
-/// goal, and consecutive admissible ones overlap by at least `settings.min_overlap_area`.
+/// goal, and consecutive admissible ones overlap by at least `settings.min_overlap_area`. Where
+/// Fewest finds no room for that patch, the rectangles of Mdsrc are tried before it gives up.
 [[nodiscard]] CorridorResult build_corridor(const BitGrid& obstacles,
                                             const Path& path,
                                             double robot_radius,
@@ -41,8 +42,9 @@ class CorridorBuilder {
   /// Brings the corridor up to date after cells inside `changed` may have changed (clipped to the
   /// map); the rest of the map must be as it was. A chain that is Built keeps all the promises of
   /// build_corridor, is as short as before where nothing changed, and gets shorter where the change
-  /// allows it. Builds everything anew when the last result was not Built, the map's frame is
-  /// another, or the method is Mdsrc. Does nothing before the first build.
+  /// allows it. Builds everything anew when the last result was not Built or came from Mdsrc, when
+  /// the map's frame is another, or when the chain cannot be repaired. Does nothing before the
+  /// first build.
   const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
 
   [[nodiscard]] const CorridorResult& result() const noexcept { return result_; }
@@ -57,6 +59,7 @@ class CorridorBuilder {
   CorridorSettings settings_;
   BitGrid known_;  // the map that the corridor was made for
   bool has_path_ = false;
+  bool can_repair_ = false;  // fewest_ holds the chain of result_
 };
 
 }  // namespace fairway

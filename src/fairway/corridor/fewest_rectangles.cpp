@@ -15,22 +15,30 @@ using Eigen::Vector2d;
 // [m].
 constexpr double kInside = 1e-7;
 
-// A sixteenth of the disc is the least that a joint is tried with.
-constexpr int kJointLevels = 5;
+// The least disc that is swept has a sixteenth of the radius.
+constexpr int kSwept = 4;
+// Directions and distances in which the disc is tried beside the path.
+constexpr int kBesideDirections = 12;
+constexpr int kBesideDistances = 2;
+constexpr int kBesides = kBesideDirections * kBesideDistances;
+constexpr int kJointShapes = 1 + kBesides + kSwept;
 
-struct JointShape {
-  double margin;
-  double length;
-};
-
-// The shape of a joint with at least the area asked for: a disc, or at higher levels a disc of half
-// the radius each time, swept along a straight line.
-JointShape joint_shape(double area, int level) noexcept {
+// Shapes of a joint with at least the area asked for, in the order in which they are tried. First a
+// disc about the path; then the same disc beside the path, where a path close to an obstacle has
+// room on its other side; then discs of half the radius each time, swept along a straight line.
+Joint joint_shape(double area, int number, double plain_margin) noexcept {
   constexpr double kSpare = 1.0 + 1e-6;  // against rounding
-  const double margin = std::sqrt(area * kSpare / std::numbers::pi) / (1 << level);
-  if (level == 0) return {.margin = margin, .length = 0.0};
-  return {.margin = margin,
-          .length = (area * kSpare - std::numbers::pi * margin * margin) / (2.0 * margin)};
+  const double radius = std::sqrt(area * kSpare / std::numbers::pi);
+  if (number == 0) return {.margin = plain_margin + radius};
+  if (number <= kBesides) {
+    const int k = number - 1;
+    const double angle = 2.0 * std::numbers::pi * (k % kBesideDirections) / kBesideDirections;
+    const double distance = 0.75 * radius * (1 + k / kBesideDirections);
+    return {.margin = plain_margin + radius, .offset = distance * direction(angle)};
+  }
+  const double swept = radius / (2 << (number - kBesides - 1));
+  const double length = (area * kSpare - std::numbers::pi * swept * swept) / (2.0 * swept);
+  return {.from = 0.0, .to = length, .margin = plain_margin + swept};
 }
 
 // How deep inside the box a point is; negative outside.
@@ -50,20 +58,26 @@ void reseed(OrientedRectangle& rectangle, const Vector2d& seed) noexcept {
 }  // namespace
 
 Reach FewestRectangles::onward_reach(const BitGrid& obstacles, const Joint& begin) {
-  constexpr double kProgress =
-      1e-6;  // [cells]; a reach ends at a corner or a good part of a cell on
-  const int levels = min_overlap_ > 0.0 ? kJointLevels : 1;
-  for (int level = 0; level < levels; ++level) {
-    const JointShape shape = joint_shape(min_overlap_, level);
-    const Reach reach = reach_.find(obstacles, track_, begin, reach_settings_.margin + shape.margin,
-                                    shape.length, reach_settings_);
+  // Every reach ends at a corner or a good part of a cell on, so any progress will do [cells].
+  constexpr double kProgress = 1e-6;
+  // With less than this, other joints may lead further; a joint about the path is better to drive.
+  constexpr double kGoodProgress = 20.0;  // [cells]
+  constexpr double kFairProgress = 5.0;   // [cells]
+  const int shapes = min_overlap_ > 0.0 ? kJointShapes : 1;
+  Reach best;
+  for (int number = 0; number < shapes; ++number) {
+    const Reach reach =
+        reach_.find(obstacles, track_, begin,
+                    joint_shape(min_overlap_, number, reach_settings_.margin), reach_settings_);
     if (!reach.found) continue;
-    const bool arrived = reach.end.to >= track_.length();
+    if (reach.end.to >= track_.length()) return reach;
     const bool onward =
         reach.end.from > begin.from + kProgress && reach.end.to > begin.to + kProgress;
-    if (arrived || onward) return reach;
+    if (!onward || (best.found && reach.end.to <= best.end.to)) continue;
+    best = reach;
+    if (reach.end.to > begin.to + (number == 0 ? kFairProgress : kGoodProgress)) break;
   }
-  return {};
+  return best;
 }
 
 // Whether one rectangle, where the reach was found, can lead to the joint at the beginning of an
@@ -129,7 +143,8 @@ bool FewestRectangles::make_rectangle(const BitGrid& obstacles, Link& link) {
 Joint FewestRectangles::joint_towards_start(const Joint& latest) const noexcept {
   constexpr double kStep = 1.0;  // [cells]
   Joint joint = latest;
-  if (latest.to > latest.from) return joint;  // in a narrow place nothing is to be gained
+  if (latest.to > latest.from || latest.beside())
+    return joint;  // in a narrow place nothing is to be gained
   // A box that holds both ends of a straight line holds the line: stop at every corner.
   for (double s = latest.from; s > 0.0;) {
     const double corner = track_.arc()[track_.segment(s)];
@@ -180,7 +195,7 @@ void FewestRectangles::note_stuck(const BitGrid& obstacles, const Joint& begin) 
   const auto plain_reach = [&](double from) {
     const Joint joint{.from = from, .to = from, .margin = reach_settings_.margin};
     const Reach reach =
-        reach_.find(obstacles, track_, joint, reach_settings_.margin, 0.0, reach_settings_);
+        reach_.find(obstacles, track_, joint, {.margin = reach_settings_.margin}, reach_settings_);
     return reach.found ? reach.end.to : from;
   };
   const double first = plain_reach(stuck);

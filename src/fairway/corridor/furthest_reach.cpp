@@ -46,10 +46,10 @@ PathPiece ReachSearch::piece_to(double end) const noexcept {
 
 PathPiece ReachSearch::joined_piece_to(double end) const noexcept {
   if (end >= track_->length()) return piece_to(end);
-  return {
-      .begin = begin_,
-      .end = {.from = std::max(begin_.from, end - end_length_), .to = end, .margin = end_margin_},
-      .margin = settings_.margin};
+  Joint joint = shape_;
+  joint.from = std::max(begin_.from, end - (shape_.to - shape_.from));
+  joint.to = end;
+  return {.begin = begin_, .end = joint, .margin = settings_.margin};
 }
 
 bool ReachSearch::fits(const TurnedFrame& frame, const PathPiece& piece) noexcept {
@@ -110,16 +110,14 @@ void ReachSearch::try_angle(double angle) noexcept {
 Reach ReachSearch::find(const BitGrid& obstacles,
                         const PathTrack& track,
                         const Joint& begin,
-                        double end_margin,
-                        double end_length,
+                        const Joint& shape,
                         const Settings& settings) noexcept {
   constexpr double kQuarterTurn = std::numbers::pi / 2.0;
   obstacles_ = &obstacles;
   track_ = &track;
   settings_ = settings;
   begin_ = begin;
-  end_margin_ = end_margin;
-  end_length_ = end_length;
+  shape_ = shape;
   origin_ = track.at(begin.from);
   best_ = {};
   if (!is_free(obstacles, TurnedBox{.origin = origin_}, settings.radius)) return best_;

@@ -28,13 +28,12 @@ class ReachSearch {
     double precision = 0.25;    ///< to which the reach is found [cells]
   };
 
-  /// Starts from the joint `begin`; the far joint has margin `end_margin` and length `end_length`
-  /// unless it is the path's goal, which needs only the plain margin.
+  /// Starts from the joint `begin`. The far joint has the margin, offset and length (from `from` to
+  /// `to`) of `shape`, unless it is the path's goal, which needs only the plain margin.
   [[nodiscard]] Reach find(const BitGrid& obstacles,
                            const PathTrack& track,
                            const Joint& begin,
-                           double end_margin,
-                           double end_length,
+                           const Joint& shape,
                            const Settings& settings) noexcept;
 
  private:
@@ -47,8 +46,7 @@ class ReachSearch {
   const PathTrack* track_ = nullptr;
   Settings settings_;
   Joint begin_;
-  double end_margin_ = 0.0;
-  double end_length_ = 0.0;
+  Joint shape_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   ObstaclePoints points_;
   Reach best_;

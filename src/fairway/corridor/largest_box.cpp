@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace fairway {
 
@@ -12,6 +13,8 @@ using Eigen::Vector2d;
 
 constexpr std::size_t kCapacity = ObstaclePoints::kCapacity;
 
+constexpr float kNone = std::numeric_limits<float>::infinity();
+
 // The nearest points of one quadrant: none has another one nearer in both coordinates. In its own
 // axes (`ahead`, `aside`, both positive in the quadrant) `ahead` falls and `aside` rises along it.
 struct Staircase {
@@ -19,27 +22,52 @@ struct Staircase {
     float ahead;
     float aside;
   };
-  std::array<Step, kCapacity> steps;
-  std::size_t count = 0;
+  std::array<Step, kCapacity + 1> steps;
+  std::size_t begin = 0;
+  std::size_t end = 0;
 
-  // Points come in order of direction, from the `ahead` axis towards the `aside` axis. So a later
-  // point can never be both further ahead and less aside, and the last step is the only one that
-  // can rule it out.
-  void add(float ahead, float aside) noexcept {
-    while (count > 0 && steps[count - 1].ahead >= ahead && steps[count - 1].aside >= aside)
-      --count;
-    if (count > 0 && steps[count - 1].ahead <= ahead) return;
-    steps[count++] = {ahead, aside};
+  // Takes the points of the quadrant in order of direction, from the `ahead` axis towards the
+  // `aside` axis: signs times values. Points straight ahead of or aside from the core, which
+  // reaches to `core`, only lower the caps.
+  //
+  // A point further along in direction is less ahead or more aside, or both. So what came before
+  // rules a point out when it is less ahead, and what comes after when it is less aside: two
+  // running minima, without a branch that depends on the points.
+  void extract(const float* ahead_values,
+               float ahead_sign,
+               const float* aside_values,
+               float aside_sign,
+               std::size_t count,
+               const Step& core,
+               Step& caps,
+               bool& core_hit) noexcept {
+    std::array<float, kCapacity> candidate_aside;             // NOLINT(*-member-init): filled below
+    std::array<float, kCapacity> candidate_ahead;             // NOLINT(*-member-init): filled below
+    constexpr std::array<float, 2> kPenalty = {0.0F, kNone};  // no branch this way
+    float nearest_ahead = caps.ahead;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float ahead = ahead_sign * ahead_values[i];
+      const float aside = aside_sign * aside_values[i];
+      const bool beyond_ahead = ahead > core.ahead;
+      const bool beyond_aside = aside > core.aside;
+      core_hit = core_hit | (!beyond_ahead & !beyond_aside);
+      caps.ahead = std::min(caps.ahead, beyond_aside ? kNone : ahead);
+      caps.aside = std::min(caps.aside, beyond_ahead ? kNone : aside);
+      const float own = beyond_ahead & beyond_aside ? ahead : kNone;
+      candidate_ahead[i] = ahead;
+      candidate_aside[i] = aside + kPenalty[own < nearest_ahead ? 0 : 1];
+      nearest_ahead = std::min(nearest_ahead, own);
+    }
+    float nearest_aside = caps.aside;
+    end = count + 1;
+    begin = end;
+    for (std::size_t i = count; i-- > 0;) {
+      steps[begin - 1] = {candidate_ahead[i], candidate_aside[i]};
+      const bool stays = candidate_aside[i] < nearest_aside;
+      begin -= stays ? 1 : 0;
+      nearest_aside = std::min(nearest_aside, candidate_aside[i]);
+    }
   }
-};
-
-// Where the sides could stop if there were nothing beside the core: set by the limit and by the
-// points straight above, below, left and right of the core.
-struct Caps {
-  float left;
-  float right;
-  float bottom;
-  float top;
 };
 
 // A height at which the top (or bottom) side can stop, and how far left and right the box may then
@@ -53,41 +81,6 @@ struct Level {
 struct Levels {
   std::array<Level, 2 * kCapacity + 1> levels;
   std::size_t count = 0;
-};
-
-struct Quadrants {
-  Staircase upper_right;  // ahead = x, aside = y
-  Staircase upper_left;   // ahead = y, aside = -x
-  Staircase lower_left;   // ahead = -x, aside = -y
-  Staircase lower_right;  // ahead = -y, aside = x
-  Caps caps;
-  bool core_hit = false;
-
-  void add(float x, float y, float left, float right, float bottom, float top) noexcept {
-    if (x > right) {
-      if (y > top) {
-        upper_right.add(x, y);
-      } else if (y < bottom) {
-        lower_right.add(-y, x);
-      } else {
-        caps.right = std::min(caps.right, x);
-      }
-    } else if (x < left) {
-      if (y > top) {
-        upper_left.add(y, -x);
-      } else if (y < bottom) {
-        lower_left.add(-x, -y);
-      } else {
-        caps.left = std::max(caps.left, x);
-      }
-    } else if (y > top) {
-      caps.top = std::min(caps.top, y);
-    } else if (y < bottom) {
-      caps.bottom = std::max(caps.bottom, y);
-    } else {
-      core_hit = true;
-    }
-  }
 };
 
 // Merges the two staircases of one half, both walked outwards. `rising` has its heights in `aside`
@@ -106,12 +99,12 @@ void collect_levels(const Staircase& rising,
     out.levels[out.count++] = {height, rising_is_right ? -falling_width : -rising_width,
                                rising_is_right ? rising_width : falling_width};
   };
-  std::size_t i = 0;
-  std::size_t j = falling.count;
+  std::size_t i = rising.begin;
+  std::size_t j = falling.end;
   out.count = 0;
   while (true) {
-    const float next_rising = i < rising.count ? rising.steps[i].aside : height_cap;
-    const float next_falling = j > 0 ? falling.steps[j - 1].ahead : height_cap;
+    const float next_rising = i < rising.end ? rising.steps[i].aside : height_cap;
+    const float next_falling = j > falling.begin ? falling.steps[j - 1].ahead : height_cap;
     const float height = std::min(next_rising, next_falling);
     if (height >= height_cap) break;
     if (next_rising <= next_falling) {
@@ -139,13 +132,12 @@ struct Best {
 
 // Whether level `a` reaches at least as far to both sides as `b`.
 bool spans(const Level& a, const Level& b) noexcept {
-  return a.left <= b.left && a.right >= b.right;
+  return (a.left <= b.left) & (a.right >= b.right);
 }
 
 // Tries the top levels with the bottom levels. Outwards, levels never get wider. So below a top
-// level the search starts at the last bottom level that is still as wide (those before it are only
-// lower boxes of the same width), and ends where the next top level is as wide as the bottom level
-// (from there on it is the better top). Both bounds only move outwards with the top.
+// level the search starts at the last bottom level that is still as wide: those before it are only
+// lower boxes of the same width. That start only moves outwards with the top.
 Best best_pair(const Levels& tops, const Levels& bottoms, float limit) noexcept {
   Best best;
   std::size_t first = 0;
@@ -160,7 +152,6 @@ Best best_pair(const Levels& tops, const Levels& bottoms, float limit) noexcept 
       const float area =
           std::min(limit, right - left) * std::min(limit, top.height + bottom.height);
       if (area > best.area) best = {area, left, right, -bottom.height, top.height};
-      if (i + 1 < tops.count && spans(tops.levels[i + 1], bottom)) break;
     }
   }
   return best;
@@ -187,37 +178,54 @@ std::optional<Box> largest_box(const ObstaclePoints& points,
   const auto c = static_cast<float>(along.x());
   const auto s = static_cast<float>(along.y());
   const std::size_t n = points.size();
-  const float* const px = points.x();
-  const float* const py = points.y();
-  for (std::size_t i = 0; i < n; ++i) {
-    x[i] = c * px[i] + s * py[i];
-    y[i] = c * py[i] - s * px[i];
-  }
-
-  Quadrants quadrants;
-  quadrants.caps = {.left = static_cast<float>(core.max.x() - longest_side),
-                    .right = static_cast<float>(core.min.x() + longest_side),
-                    .bottom = static_cast<float>(core.max.y() - longest_side),
-                    .top = static_cast<float>(core.min.y() + longest_side)};
-  // From the turned x-axis once around, so that each quadrant sees its points in order.
+  // From the turned x-axis once around, so that each quadrant has its points together, in order.
   const std::size_t start = points.first_from(along.x(), along.y());
-  const auto left = static_cast<float>(core.min.x());
-  const auto right = static_cast<float>(core.max.x());
-  const auto bottom = static_cast<float>(core.min.y());
-  const auto top = static_cast<float>(core.max.y());
-  for (std::size_t i = start; i < n; ++i)
-    quadrants.add(x[i], y[i], left, right, bottom, top);
-  for (std::size_t i = 0; i < start; ++i)
-    quadrants.add(x[i], y[i], left, right, bottom, top);
-  if (quadrants.core_hit) return std::nullopt;
+  const auto turn = [&](const float* px, const float* py, std::size_t count, std::size_t to) {
+    for (std::size_t i = 0; i < count; ++i) {
+      x[to + i] = c * px[i] + s * py[i];
+      y[to + i] = c * py[i] - s * px[i];
+    }
+  };
+  turn(points.x() + start, points.y() + start, n - start, 0);
+  turn(points.x(), points.y(), start, n - start);
+  std::array<int, 4> count{};
+  for (std::size_t i = 0; i < n; ++i) {
+    count[0] += (x[i] > 0.0F) & (y[i] >= 0.0F);
+    count[1] += (x[i] <= 0.0F) & (y[i] > 0.0F);
+    count[2] += (x[i] < 0.0F) & (y[i] <= 0.0F);
+  }
+  count[3] = static_cast<int>(n) - count[0] - count[1] - count[2];
 
-  const Caps& caps = quadrants.caps;
+  // Outwards from the origin, the core and the caps in the directions +x, +y, -x, -y.
+  const std::array<float, 4> core_reach = {
+      static_cast<float>(core.max.x()), static_cast<float>(core.max.y()),
+      static_cast<float>(-core.min.x()), static_cast<float>(-core.min.y())};
+  std::array<float, 4> cap = {static_cast<float>(core.min.x() + longest_side),
+                              static_cast<float>(core.min.y() + longest_side),
+                              static_cast<float>(longest_side - core.max.x()),
+                              static_cast<float>(longest_side - core.max.y())};
+  std::array<Staircase, 4> quadrants;  // counter-clockwise from the upper right one
+  bool core_hit = false;
+  std::size_t first = 0;
+  for (std::size_t q = 0; q < 4; ++q) {
+    const bool upright = q % 2 == 0;  // ahead lies along x
+    const float ahead_sign = q == 0 || q == 1 ? 1.0F : -1.0F;
+    const float aside_sign = q == 0 || q == 3 ? 1.0F : -1.0F;
+    const std::size_t next = (q + 1) % 4;
+    Staircase::Step limits{.ahead = cap[q], .aside = cap[next]};
+    quadrants[q].extract(
+        (upright ? x : y).data() + first, ahead_sign, (upright ? y : x).data() + first, aside_sign,
+        static_cast<std::size_t>(count[q]), {core_reach[q], core_reach[next]}, limits, core_hit);
+    cap[q] = limits.ahead;
+    cap[next] = limits.aside;
+    first += static_cast<std::size_t>(count[q]);
+  }
+  if (core_hit) return std::nullopt;
+
   Levels tops;     // NOLINT(*-member-init): collect_levels fills it
   Levels bottoms;  // NOLINT(*-member-init): collect_levels fills it
-  collect_levels(quadrants.upper_right, quadrants.upper_left, caps.right, -caps.left, caps.top,
-                 true, tops);
-  collect_levels(quadrants.lower_left, quadrants.lower_right, -caps.left, caps.right, -caps.bottom,
-                 false, bottoms);
+  collect_levels(quadrants[0], quadrants[1], cap[0], cap[2], cap[1], true, tops);
+  collect_levels(quadrants[2], quadrants[3], cap[2], cap[0], cap[3], false, bottoms);
   const Best best = best_pair(tops, bottoms, static_cast<float>(longest_side));
   Box box{.min = {best.left, best.bottom}, .max = {best.right, best.top}};
   trim(box.min.x(), box.max.x(), core.min.x(), core.max.x(), longest_side);

@@ -165,6 +165,9 @@ std::optional<RectangleSearch::Found> RectangleSearch::find(const BitGrid& obsta
     try_angle(k * spacing);
   if (hint) try_angle(*hint);
   exhaust(obstacles);
+  // A maze may use up the tests before an orientation is found that holds all anchors.
+  for (std::size_t i = num_candidates_; i-- > 0 && best_area_ < 0.0;)
+    accept_if_free(obstacles, candidates_[i], candidates_[i].core);
   for (int i = 0; i < settings.refinements && best_area_ >= 0.0; ++i) {
     spacing *= 0.5;
     const double center = best_angle_;

@@ -21,7 +21,7 @@ struct RectangleSearchSettings {
   double longest_side = 16.0;  ///< no side gets longer [m]
   int num_orientations = 12;   ///< turns tried at first, evenly over a quarter turn; at most 64
   int refinements = 4;         ///< times the spacing is halved around the best turn
-  double tolerance = 0.002;    ///< share of area at which a possible gain is not pursued
+  double tolerance = 0.01;     ///< share of area at which a possible gain is not pursued
 };
 
 /// Finds the largest free rectangle that holds given points, over all orientations.

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kRays = 48;
+constexpr std::size_t kRays = 72;
 
 // Increases with the direction of (x, y) from -x counter-clockwise, in [-2, 2); no arctangent.
 float direction_key(float x, float y) noexcept {
@@ -38,7 +38,7 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
                                  double reach) noexcept {
   static const Rays rays;
   constexpr double kFirstStep = 1.0;  // [cells]
-  constexpr double kStretch = 1.08;   // each sample lies this much further out
+  constexpr double kStretch = 1.1;   // each sample lies this much further out
   size_ = 0;
   const GridFrame& frame = obstacles.frame();
   const Vector2d low = Vector2d::Constant(radius) - origin;
@@ -76,12 +76,21 @@ void ObstaclePoints::add(const Vector2d& point) noexcept {
   const float key = direction_key(x, y);
   added_x_[added_] = x;
   added_y_[added_++] = y;
-  std::size_t i = size_++;
-  for (; i > 0 && key_[i - 1] > key; --i) {
-    x_[i] = x_[i - 1];
-    y_[i] = y_[i - 1];
-    key_[i] = key_[i - 1];
+  // Behind those of the same direction; mostly at the end, as rays come in order.
+  std::size_t i = size_;
+  if (i > 0 && key_[i - 1] > key) {
+    const float* const at = std::upper_bound(key_.data(), key_.data() + size_, key);
+    i = static_cast<std::size_t>(at - key_.data());
+    const auto make_room = [&](std::array<float, kCapacity>& values) {
+      std::copy_backward(values.begin() + static_cast<std::ptrdiff_t>(i),
+                         values.begin() + static_cast<std::ptrdiff_t>(size_),
+                         values.begin() + static_cast<std::ptrdiff_t>(size_ + 1));
+    };
+    make_room(x_);
+    make_room(y_);
+    make_room(key_);
   }
+  ++size_;
   x_[i] = x;
   y_[i] = y;
   key_[i] = key;

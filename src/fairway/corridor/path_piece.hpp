@@ -7,11 +7,16 @@
 namespace fairway {
 
 /// Where two consecutive rectangles meet: both hold the path from `from` to `to` with `margin` to
-/// every side, so they share at least a disc of that radius, swept along that stretch. [cells]
+/// every side, so they share at least a disc of that radius, swept along that stretch. With an
+/// `offset` the disc lies beside the path, at that place from its point `to`, and the path itself
+/// has only the plain margin. [cells]
 struct Joint {
   double from = 0.0;
   double to = 0.0;
   double margin = 0.0;
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+
+  [[nodiscard]] bool beside() const noexcept { return !offset.isZero(0.0); }
 };
 
 /// A stretch of the path that one rectangle must hold: from `begin.from` to `end.to`, with the
@@ -25,17 +30,21 @@ struct PathPiece {
   /// asked.
   template <typename Visitor>
   void visit(const PathTrack& track, Visitor&& visit_point) const {
-    visit_point(track.at(begin.from), begin.margin);
-    if (begin.to > begin.from) visit_point(track.at(begin.to), begin.margin);
+    const double begin_margin = begin.beside() ? margin : begin.margin;
+    const double end_margin = end.beside() ? margin : end.margin;
+    visit_point(track.at(begin.from), begin_margin);
+    if (begin.to > begin.from) visit_point(track.at(begin.to), begin_margin);
     for (std::size_t i = track.segment(begin.from) + 1;
          i < track.points().size() && track.arc()[i] < end.to; ++i) {
       const double s = track.arc()[i];
       const bool joint = s <= begin.to || s >= end.from;
-      const double joint_margin = s <= begin.to ? begin.margin : end.margin;
+      const double joint_margin = s <= begin.to ? begin_margin : end_margin;
       visit_point(track.points()[i], joint ? joint_margin : margin);
     }
-    if (end.from < end.to) visit_point(track.at(end.from), end.margin);
-    visit_point(track.at(end.to), end.margin);
+    if (end.from < end.to) visit_point(track.at(end.from), end_margin);
+    visit_point(track.at(end.to), end_margin);
+    if (begin.beside()) visit_point(track.at(begin.to) + begin.offset, begin.margin);
+    if (end.beside()) visit_point(track.at(end.to) + end.offset, end.margin);
   }
 
   /// The smallest box in `frame` that holds all that is asked, and the frame's origin.

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "fairway/io/whole_file.hpp"
-#include "fairway/io/yaml_mapping.hpp"
+#include "fairway/io/yaml_document.hpp"
 
 namespace fairway::io {
 

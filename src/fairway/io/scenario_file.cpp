@@ -9,6 +9,7 @@
 #include "fairway/io/map_file.hpp"
 #include "fairway/io/settings_mapping.hpp"
 #include "fairway/io/whole_file.hpp"
+#include "fairway/io/yaml_document.hpp"
 
 namespace fairway::io {
 

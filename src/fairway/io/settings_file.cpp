@@ -8,6 +8,7 @@
 #include "fairway/io/setting_text.hpp"
 #include "fairway/io/settings_mapping.hpp"
 #include "fairway/io/whole_file.hpp"
+#include "fairway/io/yaml_document.hpp"
 
 namespace fairway::io {
 

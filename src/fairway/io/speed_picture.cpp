@@ -20,7 +20,7 @@ constexpr double kPanelHeight = 130.0;
 constexpr double kPanelGap = 14.0;
 constexpr double kBottom = 34.0;
 
-const Stroke kLimitStroke{.color = palette::kVermilion, .width = 1.2, .dash = {6.0, 3.0}};
+const Stroke kLimitStroke{.color = palette::kBlack, .width = 1.2, .dash = {6.0, 3.0}};
 
 Stroke command_stroke(std::size_t robot, std::size_t count) {
   return {.color = count == 1 ? palette::kSkyBlue : palette::of_robot(robot), .width = 2.2};

@@ -7,13 +7,13 @@
 
 #include "fairway/io/map_raster.hpp"
 #include "fairway/io/plot_axes.hpp"
+#include "fairway/io/world_legend.hpp"
 
 namespace fairway::io {
 
 namespace {
 
 using Eigen::Vector2d;
-using Kind = LegendEntry::Kind;
 
 constexpr double kPageWidth = 516.0;   // both columns of a journal [pt]
 constexpr double kLeft = 46.0;         // room for numbers and names [pt]
@@ -24,8 +24,6 @@ constexpr double kFlattest = 0.32;     // height over width of the plot, at leas
 constexpr double kTallest = 1.15;      // and at most, in a picture of full width
 constexpr double kThinnest = 2.5;      // and at most in a narrower one
 constexpr double kSmallestView = 4.0;  // [m]
-
-const Stroke kBodyStroke{.color = palette::kPurple, .width = 1.0};
 
 class Bounds {
  public:
@@ -75,10 +73,11 @@ void widen(double& low, double& high, double length, double least, double most) 
 void draw_corridor(Canvas& canvas,
                    const PlotAxes& axes,
                    const RobotDrawing& robot,
-                   const Color& color) {
+                   const Color& color,
+                   double opacity) {
   const Stroke outline{.color = color, .width = 0.9};
   for (const OrientedRectangle& rectangle : robot.corridor.rectangles) {
-    canvas.polygon(axes.at(rectangle.corners()), color.faded(0.10), &outline);
+    canvas.polygon(axes.at(rectangle.corners()), color.faded(opacity), &outline);
   }
 }
 
@@ -92,7 +91,8 @@ void draw_seeds(Canvas& canvas,
   }
 }
 
-// The body at about a dozen equal times: how fast it was shows in their distance.
+// The body at about a dozen equal times: how fast it was shows in their distance. Where it stood it
+// is drawn once.
 void draw_bodies_along(Canvas& canvas,
                        const PlotAxes& axes,
                        std::span<const Vector2d> centers,
@@ -100,8 +100,11 @@ void draw_bodies_along(Canvas& canvas,
                        const Color& color) {
   const Stroke outline{.color = color.faded(0.55), .width = 0.5};
   const std::size_t every = std::max<std::size_t>(1, centers.size() / 12);
+  std::optional<Vector2d> last;
   for (std::size_t i = 0; i < centers.size(); i += every) {
+    if (last && (centers[i] - *last).norm() < 0.2 * radius) continue;
     canvas.circle(axes.at(centers[i]), radius * axes.scale(), color.faded(0.10), &outline);
+    last = centers[i];
   }
 }
 
@@ -112,114 +115,33 @@ std::vector<Vector2d> positions(const std::vector<Pose2>& poses) {
   return result;
 }
 
-void draw_ends(Canvas& canvas,
-               const PlotAxes& axes,
-               const RobotDrawing& robot,
-               const Color& color) {
+void draw_start(Canvas& canvas,
+                const PlotAxes& axes,
+                const RobotDrawing& robot,
+                const Color& color) {
   const Vector2d start = axes.at(robot.start.position);
   const double radius = std::max(3.5, robot.radius * axes.scale());
   const Stroke body{.color = color, .width = 1.2};
   canvas.circle(start, radius, palette::kWhite.faded(0.85), &body);
   const Vector2d ahead(std::cos(robot.start.heading), -std::sin(robot.start.heading));
   canvas.line(start, start + radius * ahead, body);
+}
+
+void draw_goal(Canvas& canvas,
+               const PlotAxes& axes,
+               const RobotDrawing& robot,
+               const Color& color) {
   const Vector2d goal = axes.at(robot.goal);
   canvas.cross(goal, 4.0, {.color = palette::kWhite, .width = 3.2});
   canvas.cross(goal, 4.0, {.color = color, .width = 1.6});
 }
 
-// What distinguishes the parts of one robot; with several robots each has one colour for all.
-struct RobotColors {
-  Color corridor = palette::kGreen;
-  Color path = palette::kOrange;
-  Color seed = palette::kVermilion;
-  Color track = palette::kBlue;
-};
-
-RobotColors colors_of(std::size_t robot, std::size_t count) {
-  if (count <= 1) return {};
-  const Color color = palette::of_robot(robot);
-  return {.corridor = color, .path = color, .seed = color, .track = color};
-}
-
-LegendEntry line_entry(std::string text, const Stroke& stroke) {
-  return {.kind = Kind::Line, .text = std::move(text), .stroke = stroke};
-}
-
-void add_map_entries(std::vector<LegendEntry>& entries,
-                     const OccupancyGrid& map,
-                     const Box& region) {
-  const Stroke thin{.color = palette::kGrey, .width = 0.5};
-  for (const CellState state : {CellState::Occupied, CellState::Unknown}) {
-    if (!shows(map, region, state)) continue;
-    const bool occupied = state == CellState::Occupied;
-    entries.push_back({.kind = Kind::Area,
-                       .text = occupied ? "occupied" : "unknown",
-                       .stroke = thin,
-                       .fill = occupied ? kOccupiedColor : kUnknownColor});
-  }
-}
-
-void add_track_entries(std::vector<LegendEntry>& entries, const WorldDrawing& world) {
-  const std::size_t count = world.robots.size();
-  constexpr std::size_t kMostNames = 6;
-  if (count == 1 || count > kMostNames) {
-    const Color color = count == 1 ? RobotColors{}.track : palette::kGrey;
-    entries.push_back(
-        line_entry(count == 1 ? "trajectory" : "trajectories", {.color = color, .width = 1.8}));
-    return;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    entries.push_back(
-        line_entry(world.robots[i].name, {.color = palette::of_robot(i), .width = 1.8}));
-  }
-}
-
-std::vector<LegendEntry> legend(const WorldDrawing& world, const Box& region) {
-  std::vector<LegendEntry> entries;
-  if (world.map != nullptr) add_map_entries(entries, *world.map, region);
-  const Color grey = palette::kGrey;
-  const RobotColors colors =
-      world.robots.size() > 1
-          ? RobotColors{.corridor = grey, .path = grey, .seed = grey, .track = grey}
-          : RobotColors{};
-  const auto with = [&](auto&& part) {
-    return std::find_if(world.robots.begin(), world.robots.end(),
-                        [&](const RobotDrawing& robot) { return !part(robot).empty(); });
-  };
-  const auto planned =
-      with([](const RobotDrawing& r) -> const auto& { return r.corridor.rectangles; });
-  if (planned != world.robots.end()) {
-    const bool workspace = planned->corridor.space == CorridorSpace::Workspace;
-    entries.push_back({.kind = Kind::Area,
-                       .text = workspace ? "safe rectangle" : "safe rectangle (robot's centre)",
-                       .stroke = {.color = colors.corridor, .width = 0.9},
-                       .fill = colors.corridor.faded(0.10)});
-    entries.push_back({.kind = Kind::Dot,
-                       .text = "seed",
-                       .stroke = {.color = palette::kWhite, .width = 0.6},
-                       .fill = colors.seed});
-  }
-  if (with([](const RobotDrawing& r) -> const auto& { return r.path.waypoints; }) !=
-      world.robots.end()) {
-    entries.push_back(line_entry("path", {.color = colors.path, .width = 1.3, .dash = {4.0, 2.5}}));
-  }
-  if (with([](const RobotDrawing& r) -> const auto& { return r.track; }) != world.robots.end()) {
-    add_track_entries(entries, world);
-  }
-  if (!world.bodies.empty()) {
-    entries.push_back(line_entry("moving obstacle", kBodyStroke));
-  }
-  entries.push_back(
-      {.kind = Kind::Ring, .text = "start", .stroke = {.color = colors.track, .width = 1.2}});
-  entries.push_back(
-      {.kind = Kind::Cross, .text = "goal", .stroke = {.color = colors.track, .width = 1.6}});
-  return entries;
-}
-
 void draw_robots(Canvas& canvas, const PlotAxes& axes, const WorldDrawing& world) {
   const std::size_t count = world.robots.size();
   for (std::size_t i = 0; i < count; ++i) {
-    draw_corridor(canvas, axes, world.robots[i], colors_of(i, count).corridor);
+    // The fills of several corridors would make mud of each other.
+    draw_corridor(canvas, axes, world.robots[i], colors_of(i, count).corridor,
+                  count == 1 ? 0.10 : 0.0);
   }
   for (const BodyDrawing& body : world.bodies) {
     draw_bodies_along(canvas, axes, body.track, body.radius, palette::kPurple);
@@ -234,7 +156,11 @@ void draw_robots(Canvas& canvas, const PlotAxes& axes, const WorldDrawing& world
                 {.color = colors.path, .width = 1.3, .dash = {4.0, 2.5}});
     canvas.line(axes.at(track), {.color = colors.track, .width = 1.8});
     draw_seeds(canvas, axes, robot, colors.seed);
-    draw_ends(canvas, axes, robot, colors.track);
+    draw_start(canvas, axes, robot, colors.track);
+  }
+  // Last, for a goal may be where another robot starts.
+  for (std::size_t i = 0; i < count; ++i) {
+    draw_goal(canvas, axes, world.robots[i], colors_of(i, count).track);
   }
 }
 
@@ -289,7 +215,7 @@ Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format
   const double plot_width = (kPageWidth - kLeft - kRight) * std::min(1.0, kTallest / ratio);
   const double plot_height = plot_width * ratio;
   const double page_width = kLeft + plot_width + kRight;
-  const std::vector<LegendEntry> entries = legend(world, region);
+  const std::vector<LegendEntry> entries = world_legend(world, region);
   // A canvas that is thrown away measures the legend's text.
   const double legend_room =
       legend_height(Canvas(PictureFormat::Svg, {page_width, 100.0}), entries, plot_width) + 4.0;

@@ -1,92 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/yaml_mapping.hpp"
 
-#include <cmath>
-#include <sstream>
-#include <stdexcept>
-
 #include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
 
 #include "fairway/io/number_text.hpp"
 
 namespace fairway::io {
-
-namespace {
-
-std::string kind_of(const YAML::Node& node) {
-  if (!node.IsDefined() || node.IsNull()) return "nothing";
-  if (node.IsMap()) return "a mapping";
-  if (node.IsSequence()) return "a list";
-  return excerpt(node.Scalar());
-}
-
-int line_of(const YAML::Node& node) { return node.IsDefined() ? node.Mark().line + 1 : 0; }
-
-// What a document must not contain before nodes are built from it.
-class Inspection : public YAML::EventHandler {
- public:
-  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
-    throw YAML::ParserException(mark, "an alias, which is not supported");
-  }
-  void OnScalar(const YAML::Mark& /*mark*/,
-                const std::string& /*tag*/,
-                YAML::anchor_t /*anchor*/,
-                const std::string& /*value*/) override {}
-  void OnSequenceStart(const YAML::Mark& /*mark*/,
-                       const std::string& /*tag*/,
-                       YAML::anchor_t /*anchor*/,
-                       YAML::EmitterStyle::value /*style*/) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& /*mark*/,
-                  const std::string& /*tag*/,
-                  YAML::anchor_t /*anchor*/,
-                  YAML::EmitterStyle::value /*style*/) override {}
-  void OnMapEnd() override {}
-};
-
-void inspect(const std::string& text) {
-  std::istringstream stream(text);
-  YAML::Parser parser(stream);
-  Inspection inspection;
-  while (parser.HandleNextDocument(inspection)) {
-  }
-}
-
-}  // namespace
-
-void YamlFile::complain(int line, const std::string& key, const std::string& message) {
-  if (error) return;
-  const std::string where = line > 0 ? fmt::format("{}:{}", name, line) : name;
-  const std::string what = key.empty() ? message : fmt::format("{}: {}", key, message);
-  error = Error{where.empty() ? what : fmt::format("{}: {}", where, what)};
-}
-
-std::string describe(const char* kind, const NumberRange& range) {
-  const bool low = std::isfinite(range.min);
-  const bool high = std::isfinite(range.max);
-  if (low && high && range.min_allowed) {
-    return fmt::format("{} from {} to {}", kind, range.min, range.max);
-  }
-  if (low && high) return fmt::format("{} above {} and at most {}", kind, range.min, range.max);
-  if (low) {
-    return fmt::format("{} {} {}", kind, range.min_allowed ? "of at least" : "above", range.min);
-  }
-  if (high) return fmt::format("{} of at most {}", kind, range.max);
-  return kind;
-}
-
-std::string alternatives(std::span<const char* const> names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += names[i];
-  }
-  return text;
-}
 
 YamlMapping::YamlMapping(YamlFile& file, const YAML::Node& node, std::string prefix)
     : file_(&file),
@@ -313,30 +232,6 @@ void YamlMapping::finish() {
                     fmt::format("expected one of {}, found an unknown key", known));
     return;
   }
-}
-
-YamlMapping parse_yaml_mapping(YamlFile& file, const std::string& text) {
-  const YamlMapping empty(file, YAML::Node(YAML::NodeType::Map));
-  try {
-    inspect(text);
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty()) {
-      file.complain(0, "", "expected a YAML mapping, found an empty file");
-    } else if (documents.size() > 1) {
-      file.complain(0, "", fmt::format("expected one document, found {}", documents.size()));
-    } else if (!documents.front().IsMap()) {
-      file.complain(line_of(documents.front()), "",
-                    fmt::format("expected a YAML mapping, found {}", kind_of(documents.front())));
-    } else {
-      return YamlMapping(file, documents.front());
-    }
-  } catch (const YAML::Exception& error) {
-    file.complain(error.mark.line + 1, "", fmt::format("expected YAML, found {}", error.msg));
-  } catch (const std::exception& error) {
-    file.complain(0, "",
-                  fmt::format("expected YAML, found what cannot be parsed: {}", error.what()));
-  }
-  return empty;
 }
 
 }  // namespace fairway::io

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -11,32 +10,9 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "fairway/base/error.hpp"
+#include "fairway/io/yaml_file.hpp"
 
 namespace fairway::io {
-
-/// The file being read and the first thing found wrong in it. Reading goes on after an error with
-/// harmless values, so that a reader is a plain list of its keys, and ends with `error`.
-struct YamlFile {
-  std::string name;            ///< as it stands in messages
-  std::optional<Error> error;  ///< the first error
-
-  /// Records `FILE:LINE: key: message` unless there is an error already; line 0 is left out.
-  void complain(int line, const std::string& key, const std::string& message);
-};
-
-/// Inclusive bounds of a number.
-struct NumberRange {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool min_allowed = true;  ///< whether `min` itself is allowed
-};
-
-/// "a number", "a number from 0 to 1", "a number above 0": how a range is told to a person.
-[[nodiscard]] std::string describe(const char* kind, const NumberRange& range);
-
-/// "a", "a or b", "a, b or c".
-[[nodiscard]] std::string alternatives(std::span<const char* const> names);
 
 /// One mapping of a YAML file, whose keys are asked for by name. Every reader ends with `finish`,
 /// which complains about keys that nobody asked for.
@@ -108,9 +84,5 @@ class YamlMapping {
   int line_ = 0;
   std::set<std::string> asked_;
 };
-
-/// Parses the one document in `text`, a mapping. Refuses aliases: they make loops of nodes.
-/// Complains in `file` and returns an empty mapping when that fails.
-[[nodiscard]] YamlMapping parse_yaml_mapping(YamlFile& file, const std::string& text);
 
 }  // namespace fairway::io

@@ -2,6 +2,7 @@
 #include "fairway/map/free_space.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,17 +42,44 @@ class Outline {
   // The height of the rightmost point.
   [[nodiscard]] double widest() const noexcept { return right_.y(); }
 
-  // The largest x of the set at height y. @pre the set has a point at this height.
-  [[nodiscard]] double reach(double y) const noexcept {
-    if (y < lower_end_) {
-      if (y < lower_start_.y()) return arc(bottom_, y);
-      return std::min(limit_, lower_start_.x() + (y - lower_start_.y()) * lower_slope_);
-    }
-    if (y > upper_start_.y()) {
-      if (y > upper_end_) return arc(top_, y);
-      return upper_start_.x() + (y - upper_start_.y()) * upper_slope_;
-    }
-    return arc(right_, y);
+  // The column, rounded towards zero, of the outermost x over each closed strip row <= y <= row + 1
+  // for `count` rows from `first` on; of minus x when `kMirrored`. @pre the set meets each row.
+  //
+  // By concavity the outermost x of a strip is at the height nearest to widest(): at the strip's
+  // top below it, at its bottom above. So each run of rows lies on one arc or one side.
+  template <bool kMirrored>
+  void columns(int first, int count, int* out) const noexcept {
+    const int end = first + count;
+    const auto row_of = [&](double y) {
+      return static_cast<int>(std::clamp(y, static_cast<double>(first), static_cast<double>(end)));
+    };
+    const auto column = [](double x) { return static_cast<int>(kMirrored ? -x : x); };
+    const auto along_arc = [&](const Vector2d& center, int from, int to, double height) {
+      for (int row = from; row < to; ++row)
+        out[row - first] = column(arc(center, static_cast<double>(row) + height));
+    };
+    const auto along_side = [&](const Vector2d& start, double slope, int from, int to,
+                                double height) {
+      const double x = start.x() + (from + height - start.y()) * slope;
+      int* const target = out + (from - first);
+      for (int k = 0; k < to - from; ++k)
+        target[k] = column(std::min(limit_, x + k * slope));
+    };
+    const int widest_row = row_of(std::floor(widest()));
+    const int below = std::min(widest_row, end);
+    const int side_from = std::min(below, row_of(std::ceil(lower_start_.y() - 1.0)));
+    const int side_to = std::clamp(row_of(std::ceil(lower_end_ - 1.0)), side_from, below);
+    along_arc(bottom_, first, side_from, 1.0);
+    along_side(lower_start_, lower_slope_, side_from, side_to, 1.0);
+    along_arc(right_, side_to, below, 1.0);
+    const bool widest_inside = widest() >= first && widest() < end;
+    if (widest_inside) out[widest_row - first] = column(limit_);
+    const int above = std::min(end, widest() < first ? first : widest_row + 1);
+    const int upper_from = std::max(above, row_of(std::floor(upper_start_.y()) + 1.0));
+    const int upper_to = std::max(upper_from, row_of(std::floor(upper_end_) + 1.0));
+    along_arc(right_, above, upper_from, 0.0);
+    along_side(upper_start_, upper_slope_, upper_from, upper_to, 0.0);
+    along_arc(top_, upper_to, end, 0.0);
   }
 
  private:
@@ -85,19 +113,11 @@ class Region {
   [[nodiscard]] const Vector2d& low() const noexcept { return low_; }
   [[nodiscard]] const Vector2d& high() const noexcept { return high_; }
 
-  struct Interval {
-    double left;
-    double right;
-  };
-
-  // The region's extent over the closed strip row <= y <= row + 1. @pre they meet.
-  // The outline's reach to a side is concave in y: over the strip it is greatest at the height
-  // nearest to that of the outermost corner.
-  [[nodiscard]] Interval over_row(int row) const noexcept {
-    const double bottom = std::max(static_cast<double>(row), low_.y());
-    const double top = std::min(static_cast<double>(row) + 1.0, high_.y());
-    return {.left = -left_.reach(std::max(bottom, std::min(left_.widest(), top))),
-            .right = right_.reach(std::max(bottom, std::min(right_.widest(), top)))};
+  // The first and last column of each row, for `count` rows from `first` on. @pre the region meets
+  // each of these rows.
+  void columns(int first, int count, int* left, int* right) const noexcept {
+    left_.columns<true>(first, count, left);
+    right_.columns<false>(first, count, right);
   }
 
  private:
@@ -157,17 +177,74 @@ TurnedBox to_grid(const GridFrame& frame, const OrientedRectangle& r) noexcept {
           .max = r.max / frame.resolution};
 }
 
+// Rows whose columns are worked out at once.
+constexpr int kRows = 64;
+
+struct Columns {
+  std::array<int, kRows> left;
+  std::array<int, kRows> right;
+};
+
 // First blocked cell of a region that lies in the grid; {-1, -1} when there is none.
 CellIndex scan(const BitGrid& obstacles, const Region& region) noexcept {
-  const int last_row = static_cast<int>(region.high().y());
-  for (int row = static_cast<int>(region.low().y()); row <= last_row; ++row) {
-    const Region::Interval interval = region.over_row(row);
-    const int column = obstacles.first_blocked(row, static_cast<int>(interval.left),
-                                               static_cast<int>(interval.right));
-    if (column >= 0) return {.x = column, .y = row};
+  Columns columns;  // NOLINT(*-member-init): filled as far as it is read
+  const int end = static_cast<int>(region.high().y()) + 1;
+  for (int first = static_cast<int>(region.low().y()); first < end; first += kRows) {
+    const int count = std::min(kRows, end - first);
+    region.columns(first, count, columns.left.data(), columns.right.data());
+    for (int k = 0; k < count; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const int column = obstacles.first_blocked(first + k, columns.left[i], columns.right[i]);
+      if (column >= 0) return {.x = column, .y = first + k};
+    }
   }
   return {.x = -1, .y = -1};
 }
+
+// Collects blocked cells row by row; see find_blocked_cells.
+class Collector {
+ public:
+  Collector(const BitGrid& obstacles,
+            const Region& region,
+            int towards,
+            std::span<CellIndex> found) noexcept
+      : obstacles_(obstacles),
+        region_(region),
+        last_column_(obstacles.frame().width - 1),
+        towards_(towards),
+        found_(found) {}
+
+  // Looks at `count` rows from `first` on, upwards, or at as many from `first` on downwards.
+  void up(int first, int count) noexcept {
+    region_.columns(first, count, columns_.left.data(), columns_.right.data());
+    for (int k = 0; k < count && count_ < found_.size(); ++k)
+      look(first + k, static_cast<std::size_t>(k));
+  }
+
+  void down(int first, int count) noexcept {
+    region_.columns(first - count + 1, count, columns_.left.data(), columns_.right.data());
+    for (int k = count; k-- > 0 && count_ < found_.size();)
+      look(first - count + 1 + k, static_cast<std::size_t>(k));
+  }
+
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+
+ private:
+  void look(int row, std::size_t i) noexcept {
+    const int left = std::max(columns_.left[i], 0);
+    const int right = std::min(columns_.right[i], last_column_);
+    if (obstacles_.first_blocked(row, left, right) < 0) return;
+    found_[count_++] = {.x = obstacles_.nearest_blocked(row, left, right, towards_), .y = row};
+  }
+
+  const BitGrid& obstacles_;
+  const Region& region_;
+  int last_column_;
+  int towards_;
+  std::span<CellIndex> found_;
+  std::size_t count_ = 0;
+  Columns columns_;  // NOLINT(*-member-init): filled as far as it is read
+};
 
 }  // namespace
 
@@ -200,28 +277,23 @@ BlockedCells find_blocked_cells(const BitGrid& obstacles,
   const GridFrame& frame = obstacles.frame();
   const Region region(box, radius);
   BlockedCells result{.count = 0, .outside_map = !inside(frame, region)};
+  if (region.high().y() < 0.0 || region.low().y() > frame.height) return result;
   const auto bounded = [](double v, int size) {
     return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(size) - 1.0));
   };
   const int first_row = bounded(region.low().y(), frame.height);
   const int last_row = bounded(region.high().y(), frame.height);
-  if (region.high().y() < 0.0 || region.low().y() > frame.height) return result;
-  const auto look = [&](int row) {
-    const Region::Interval interval = region.over_row(row);
-    if (interval.right < 0.0 || interval.left >= frame.width) return;
-    const int column = obstacles.nearest_blocked(row, bounded(interval.left, frame.width),
-                                                 bounded(interval.right, frame.width),
-                                                 bounded(towards.x(), frame.width));
-    if (column >= 0) found[result.count++] = {.x = column, .y = row};
-  };
   const int middle = std::clamp(bounded(towards.y(), frame.height), first_row, last_row);
-  for (int k = 0; result.count < found.size(); ++k) {
-    const int up = middle + k;
-    const int down = middle - 1 - k;
-    if (up > last_row && down < first_row) break;
-    if (up <= last_row) look(up);
-    if (down >= first_row && result.count < found.size()) look(down);
+  Collector collector(obstacles, region, bounded(towards.x(), frame.width), found);
+  int up = middle;
+  int down = middle - 1;
+  while ((up <= last_row || down >= first_row) && collector.count() < found.size()) {
+    if (up <= last_row) collector.up(up, std::min(kRows, last_row - up + 1));
+    if (down >= first_row) collector.down(down, std::min(kRows, down - first_row + 1));
+    up += kRows;
+    down -= kRows;
   }
+  result.count = collector.count();
   return result;
 }
 

@@ -71,8 +71,8 @@ struct BlockedCells {
 };
 
 /// Blocked cells at most `radius` [cells] from `box`: in every row that has any, the one nearest to
-/// `towards` (in columns), written into `found` until it is full; rows from the one of `towards`
-/// outwards, upward first. No skin is added. The part outside the grid is not looked at, only
+/// `towards` (in columns), written into `found` until it is full; rows in bands, from the one of
+/// `towards` outwards. No skin is added. The part outside the grid is not looked at, only
 /// reported.
 ///
 /// The same exact test as find_blocked_cell (which is this with room for one cell), for callers

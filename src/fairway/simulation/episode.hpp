@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "fairway/mpc/control_solver.hpp"
+#include "fairway/simulation/episode_control.hpp"
+#include "fairway/simulation/episode_observer.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/trace.hpp"
 #include "fairway/simulation/world.hpp"
@@ -48,6 +50,11 @@ struct EpisodeHooks {
   PhysicsMaker physics{};
   /// The solver for all robots; the structured one when null.
   ControlSolver* solver = nullptr;
+  /// Told all that happens; may be null.
+  EpisodeObserver* observer = nullptr;
+  /// For someone who plays with a run: called after every cycle, may change the run, and ends it by
+  /// returning false. The run then goes on at the goals and has no time limit and no trace.
+  std::function<bool(EpisodeControl&)> play;
 };
 
 /// Runs a scenario until every robot stands at its goal or has collided, or the time is up.

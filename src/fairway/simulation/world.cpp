@@ -8,6 +8,7 @@
 
 #include "fairway/base/contract.hpp"
 #include "fairway/map/footprint_clearance.hpp"
+#include "fairway/map/free_space.hpp"
 
 namespace fairway {
 
@@ -16,13 +17,9 @@ World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
       footprint_(footprint_of(scenario.settings.robot)),
       bodies_(scenario.bodies),
       physics_(std::move(physics)) {
-  const MpcSettings& mpc = scenario.settings.mpc;
-  for (const RobotTask& task : scenario.robots) {
-    robots_.push_back({.pose = task.start,
-                       .twist = {},
-                       .limits = {.linear_acceleration = mpc.linear_acceleration_max,
-                                  .angular_acceleration = mpc.angular_acceleration_max}});
-  }
+  for (const RobotTask& task : scenario.robots)
+    robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
+  set_robots(scenario.settings);
   touched_.assign(robots_.size(), 0);
   encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
                                       .min_separation = std::numeric_limits<double>::infinity()});
@@ -89,6 +86,44 @@ void World::judge(std::size_t robot) {
     met.collided = true;
     met.collision_time = time_;
     if (!physics_) robots_[robot].twist = {};
+  }
+}
+
+bool World::set_blocked(CellIndex cell, bool blocked) {
+  const GridFrame& frame = obstacles_.frame();
+  if (!frame.contains(cell)) return false;
+  if (blocked) {
+    for (const UnicycleRobot& robot : robots_) {
+      const Eigen::Vector2d center = frame.to_grid(robot.pose.position);
+      const Eigen::Vector2d corner(cell.x, cell.y);
+      const Eigen::Vector2d nearest =
+          center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
+      if ((nearest - center).norm() * frame.resolution <=
+          footprint_.circumscribed_radius() + kFreeSpaceSkin) {
+        return false;
+      }
+    }
+  }
+  obstacles_.set(cell, blocked);
+  return true;
+}
+
+void World::set_body(std::size_t index, const MovingBody& body) {
+  FAIRWAY_EXPECTS(index <= bodies_.size() && !body.key_frames.empty());
+  if (index == bodies_.size()) bodies_.emplace_back();
+  bodies_[index] = body;
+}
+
+void World::remove_body(std::size_t index) {
+  FAIRWAY_EXPECTS(index < bodies_.size());
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void World::set_robots(const Settings& settings) {
+  footprint_ = footprint_of(settings.robot);
+  for (UnicycleRobot& robot : robots_) {
+    robot.limits = {.linear_acceleration = settings.mpc.linear_acceleration_max,
+                    .angular_acceleration = settings.mpc.angular_acceleration_max};
   }
 }
 

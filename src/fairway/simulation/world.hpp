@@ -41,6 +41,22 @@ class World {
   [[nodiscard]] const std::vector<Encounter>& encounters() const noexcept { return encounters_; }
   [[nodiscard]] const BitGrid& obstacles() const noexcept { return obstacles_; }
 
+  [[nodiscard]] std::size_t num_bodies() const noexcept { return bodies_.size(); }
+  [[nodiscard]] const MovingBody& body(std::size_t index) const { return bodies_.at(index); }
+
+  /// Makes a cell an obstacle, or free. Refuses cells outside the map and, for an obstacle, cells
+  /// that touch a robot. @return whether the cell is now as wanted.
+  bool set_blocked(CellIndex cell, bool blocked);
+
+  /// Gives a body another way to go; index `num_bodies()` adds it. @pre it has a key frame.
+  void set_body(std::size_t index, const MovingBody& body);
+
+  /// Takes a body away; those behind it move up. @pre it exists.
+  void remove_body(std::size_t index);
+
+  /// Takes over the radius and the acceleration limits of the robots.
+  void set_robots(const Settings& settings);
+
   [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
 
   /// What robot `robot` sees moving: every body, and every other robot.

@@ -50,7 +50,7 @@ TEST(SettingsFile, ReadsBackEveryValueThatIsNotTheDefault) {
       } else if constexpr (std::is_same_v<Value, double>) {
         value = std::min(info.max, value + 1.0 / 7.0);
       } else if constexpr (std::is_same_v<Value, int>) {
-        value = value - 1;
+        value = value - 1 >= static_cast<int>(info.min) ? value - 1 : value + 1;
       } else {
         value = static_cast<Value>(setting_names(value).size() - 1);
       }
@@ -90,7 +90,7 @@ TEST(SettingsFile, NamesFileLineKeyRangeAndWhatWasFound) {
             "s.yaml:2: corridor.method: expected mdsrc or fewest, found 'astar'");
   EXPECT_EQ(complaint("preset: fast"), "s.yaml:1: preset: expected default or paper, found 'fast'");
   EXPECT_EQ(complaint("robot:\n  raduis: 1"),
-            "s.yaml:2: robot.'raduis': expected one of radius, found an unknown key");
+            "s.yaml:2: robot.'raduis': expected one of length, radius, width, found an unknown key");
   EXPECT_EQ(complaint("\nmcp: {}").substr(0, 17), "s.yaml:2: 'mcp': ");
   EXPECT_EQ(complaint("mpc: 3"), "s.yaml:1: mpc: expected a mapping, found '3'");
   EXPECT_EQ(complaint("mpc:\n  dt: 1\n  decay_rate: 5"),
@@ -113,8 +113,8 @@ TEST(SettingsFile, AssignsOneSetting) {
 TEST(SettingsFile, SaysWhatIsWrongWithAnAssignment) {
   EXPECT_EQ(complaint_about("robot.radius=-1"),
             "robot.radius: expected a number from 0.01 to 10, found '-1'");
-  EXPECT_EQ(complaint_about("robot.width=1"),
-            "'robot.width': expected one of radius, found an unknown key");
+  EXPECT_EQ(complaint_about("robot.breadth=1"),
+            "'robot.breadth': expected one of radius, length, width, found an unknown key");
   EXPECT_NE(complaint_about("body.width=1").find("found an unknown group"), std::string::npos);
   EXPECT_EQ(complaint_about("radius=1"), "expected group.name=value, found 'radius=1'");
   for (const char* text : {"", "=", ".", "robot.radius", "robot.radius=", "robot.radius=nan",

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <boost/asio/ip/tcp.hpp>
+
+#include "foxglove_dialogue.hpp"
+#include "live_world.hpp"
+#include "origin_check.hpp"
+#include "page_dialogue.hpp"
+
+namespace fairway::app {
+
+/// What requests are answered from. Lives as long as the network's loop.
+struct HttpContext {
+  LiveWorld& world;
+  PageDialogue& pages;
+  FoxgloveDialogue& viewers;
+  OriginCheck check;
+};
+
+/// Answers the requests of one connection, one after another:
+///
+///     GET /                                    the page
+///     GET /recording.mcap /scenario.zip /report.html    what the world is asked to save
+///     POST /map                                a map to use: {name, yaml, resolution, image:
+///     base64} WebSocket /live                          the page's dialogue WebSocket with
+///     foxglove.websocket.v1     viewers
+///
+/// Nothing of a request is ever used as a name of a file.
+/// @param on_end  Called once when the connection is over.
+void start_http_session(boost::asio::ip::tcp::socket socket,
+                        HttpContext& context,
+                        std::function<void()> on_end);
+
+}  // namespace fairway::app

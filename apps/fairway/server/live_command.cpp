@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live_command.hpp"
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "fairway/geometry/angle.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kFurthest = 1e6;          // [m]
+constexpr double kWidestBrush = 5.0;       // [m]
+constexpr double kLongestStroke = 100.0;   // [m]
+constexpr std::size_t kLongestText = 200;  // of a setting [bytes]
+constexpr std::size_t kMostIndex = 100'000;
+
+// Numbers of a message; what is wrong is thrown and becomes an Error in parse_command.
+double number(const Json& json, const char* key, double most = kFurthest) {
+  const double value = json.at(key).get<double>();
+  if (!(std::abs(value) <= most))
+    throw std::invalid_argument(std::string(key) + " is out of range");
+  return value;
+}
+
+std::size_t index(const Json& json, const char* key) {
+  const Json& value = json.at(key);
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostIndex) {
+    throw std::invalid_argument(std::string(key) + " is not an index");
+  }
+  return value.get<std::size_t>();
+}
+
+Eigen::Vector2d point(const Json& json) { return {number(json, "x"), number(json, "y")}; }
+
+Pose2 pose(const Json& json) {
+  return {.position = point(json), .heading = wrap_to_pi(number(json, "heading", 1e3))};
+}
+
+ClientCommand paint(const Json& json) {
+  PaintCommand command{.from = point(json.at("from")),
+                       .to = point(json.at("to")),
+                       .radius = number(json, "radius", kWidestBrush),
+                       .blocked = json.at("blocked").get<bool>()};
+  if (!(command.radius > 0.0) || (command.to - command.from).norm() > kLongestStroke) {
+    throw std::invalid_argument("the stroke is out of range");
+  }
+  return command;
+}
+
+ClientCommand goal(const Json& json) {
+  GoalCommand command{.robot = index(json, "robot"),
+                      .goal = {.position = point(json), .heading = {}}};
+  if (json.contains("heading")) command.goal.heading = pose(json).heading;
+  return command;
+}
+
+ClientCommand setting(const Json& json) {
+  SettingCommand command{.assignment = json.at("assignment").get<std::string>()};
+  if (command.assignment.size() > kLongestText) throw std::invalid_argument("too long");
+  return command;
+}
+
+ClientCommand walk(const Json& json) {
+  WalkCommand command{.body = {}, .target = point(json)};
+  if (json.contains("body")) command.body = index(json, "body");
+  return command;
+}
+
+using Reader = ClientCommand (*)(const Json&);
+
+const std::map<std::string, Reader, std::less<>>& readers() {
+  static const std::map<std::string, Reader, std::less<>> table = {
+      {"pause",
+       [](const Json& json) -> ClientCommand {
+         return PauseCommand{.paused = json.at("paused").get<bool>()};
+       }},
+      {"step", [](const Json&) -> ClientCommand { return StepCommand{}; }},
+      {"speed",
+       [](const Json& json) -> ClientCommand {
+         const double factor = number(json, "factor", 100.0);
+         if (factor < 0.01) throw std::invalid_argument("factor is out of range");
+         return SpeedCommand{.factor = factor};
+       }},
+      {"restart", [](const Json&) -> ClientCommand { return RestartCommand{}; }},
+      {"goal", goal},
+      {"start",
+       [](const Json& json) -> ClientCommand {
+         return StartCommand{.robot = index(json, "robot"), .pose = pose(json)};
+       }},
+      {"add_robot",
+       [](const Json& json) -> ClientCommand { return AddRobotCommand{.pose = pose(json)}; }},
+      {"remove_robot",
+       [](const Json& json) -> ClientCommand {
+         return RemoveRobotCommand{.robot = index(json, "robot")};
+       }},
+      {"paint", paint},
+      {"walk", walk},
+      {"remove_body",
+       [](const Json& json) -> ClientCommand {
+         return RemoveBodyCommand{.body = index(json, "body")};
+       }},
+      {"set", setting},
+      {"map",
+       [](const Json& json) -> ClientCommand {
+         return ChooseMapCommand{.index = index(json, "index")};
+       }},
+  };
+  return table;
+}
+
+}  // namespace
+
+Expected<ClientCommand> parse_command(std::string_view text) {
+  try {
+    const Json json = Json::parse(text);
+    const auto reader = readers().find(json.at("do").get_ref<const std::string&>());
+    if (reader == readers().end()) return fail("expected a known command");
+    return reader->second(json);
+  } catch (const std::exception& error) {  // of nlohmann::json, and those above
+    return fail(std::string("expected a command: ") + error.what());
+  }
+}
+
+}  // namespace fairway::app

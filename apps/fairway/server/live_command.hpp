@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "fairway/base/error.hpp"
+#include "fairway/simulation/scenario.hpp"
+
+namespace fairway::app {
+
+// What can be asked of a live world. Each is plain data; whether it makes sense in the world as it
+// is then, the world looks itself.
+
+struct PauseCommand {
+  bool paused = false;
+};
+struct StepCommand {};
+struct SpeedCommand {
+  double factor = 1.0;  ///< 1 is real time
+};
+struct RestartCommand {};
+struct GoalCommand {
+  std::size_t robot = 0;
+  Goal goal;
+};
+struct StartCommand {
+  std::size_t robot = 0;
+  Pose2 pose;
+};
+struct AddRobotCommand {
+  Pose2 pose;
+};
+struct RemoveRobotCommand {
+  std::size_t robot = 0;
+};
+/// Cells whose centres are at most `radius` from the straight line become obstacles, or free.
+struct PaintCommand {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  double radius = 0.1;
+  bool blocked = true;
+};
+/// Someone walks to a place; without a body somebody new stands there.
+struct WalkCommand {
+  std::optional<std::size_t> body;
+  Eigen::Vector2d target = Eigen::Vector2d::Zero();
+};
+struct RemoveBodyCommand {
+  std::size_t body = 0;
+};
+struct SettingCommand {
+  std::string assignment;  ///< group.name=value
+};
+struct ChooseMapCommand {
+  std::size_t index = 0;
+};
+
+/// What a client may send.
+using ClientCommand = std::variant<PauseCommand,
+                                   StepCommand,
+                                   SpeedCommand,
+                                   RestartCommand,
+                                   GoalCommand,
+                                   StartCommand,
+                                   AddRobotCommand,
+                                   RemoveRobotCommand,
+                                   PaintCommand,
+                                   WalkCommand,
+                                   RemoveBodyCommand,
+                                   SettingCommand,
+                                   ChooseMapCommand>;
+
+/// Reads a client's message: a JSON object with `do` and what belongs to it. Everything that comes
+/// out is finite and of a sane size; a key too many is passed over.
+[[nodiscard]] Expected<ClientCommand> parse_command(std::string_view text);
+
+}  // namespace fairway::app

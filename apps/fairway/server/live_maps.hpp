@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fairway/simulation/scenario.hpp"
+
+namespace fairway::app {
+
+/// A map to choose, with robots on it.
+struct MapChoice {
+  std::string name;
+  std::function<Scenario()> make;
+  bool own_settings = false;  ///< whether its settings are part of it
+};
+
+/// Maps that the tool draws itself, so that the live page needs no file.
+[[nodiscard]] std::vector<MapChoice> built_in_maps();
+
+/// A scenario on a map that somebody brings: one robot with a long way to go. Where it fits
+/// nowhere, it stands in the middle.
+[[nodiscard]] Scenario scenario_on(const std::string& name, const OccupancyGrid& map);
+
+}  // namespace fairway::app

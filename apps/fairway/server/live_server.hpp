@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fairway/base/error.hpp"
+#include "live_maps.hpp"
+#include "origin_check.hpp"
+
+namespace fairway::app {
+
+/// Where and to whom the live page is served.
+struct ServerSettings {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 8787;  ///< 0: one that is free
+  OriginCheck check;
+};
+
+/// Serves a live world until the process is told to end (SIGINT or SIGTERM).
+/// @param on_ready  Told the address of the page, once it can be opened.
+[[nodiscard]] Expected<void> serve_live(std::vector<MapChoice> maps,
+                                        const ServerSettings& settings,
+                                        const std::function<void(const std::string&)>& on_ready);
+
+}  // namespace fairway::app

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live_world.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "../stopwatch.hpp"
+#include "fairway/io/recording/report.hpp"
+#include "fairway/io/recording/scenario_archive.hpp"
+#include "fairway/simulation/observer_list.hpp"
+#include "live_maps.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+constexpr std::size_t kMostWaiting = 256;         // commands of clients
+constexpr std::size_t kMostDownloads = 300;       // commands and downloads
+constexpr std::size_t kMostRecords = 64U << 20U;  // for a report [bytes]
+constexpr double kBeginningPeriod = 60.0;  // who joins late sees at least as much of the past [s]
+constexpr double kMostLate = 0.2;          // for what is asked between two cycles [s]
+constexpr double kFarBehind = 0.5;         // then it does not try to catch up [s]
+
+}  // namespace
+
+LiveWorld::LiveWorld(std::vector<MapChoice> choices, LiveListener listener)
+    : choices_(std::move(choices)),
+      listener_(std::move(listener)) {
+  for (const MapChoice& choice : choices_)
+    state_.maps.push_back(choice.name);
+  scenario_ = choices_.front().make();
+  thread_ = std::jthread([this] { run(); });
+}
+
+LiveWorld::~LiveWorld() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  wake_.notify_all();
+}
+
+void LiveWorld::ask(ClientCommand command) { enqueue(std::move(command), kMostWaiting); }
+
+void LiveWorld::use_map(std::string name, OccupancyGrid map) {
+  enqueue(UseMap{.name = std::move(name), .map = std::move(map)}, kMostWaiting);
+}
+
+void LiveWorld::download(Download what, std::function<void(std::string)> done) {
+  enqueue(Save{.what = what, .done = std::move(done)}, kMostDownloads);
+}
+
+void LiveWorld::enqueue(Request request, std::size_t most_waiting) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (requests_.size() >= most_waiting) return;
+    requests_.push_back(std::move(request));
+  }
+  wake_.notify_all();
+}
+
+void LiveWorld::run() {
+  std::uint32_t next_channel = 0;
+  for (bool stopping = false; !stopping;) {
+    messages_ = std::make_unique<LiveMessages>(next_channel);
+    run_once();
+    next_channel = messages_->next_channel();
+    const std::lock_guard lock(mutex_);
+    stopping = stopping_;
+  }
+}
+
+void LiveWorld::run_once() {
+  again_ = false;
+  fresh_ = true;
+  told_beginning_ = 0.0;
+  due_ = steady_seconds();
+  records_.clear();
+  const Scenario scenario = scenario_;
+  io::RunMessages recorded(*messages_);
+  ObserverList observers;
+  observers.add(stream_);
+  observers.add(recorded);
+  tell_state();
+  static_cast<void>(
+      run_episode(scenario, {.clock = steady_seconds,
+                             .on_cycle = {},
+                             .solver = nullptr,
+                             .observer = &observers,
+                             .play = [this](EpisodeControl& control) { return play(control); }}));
+}
+
+// Between two cycles: hands out what is new, does what is asked, and waits until the next is due.
+bool LiveWorld::play(EpisodeControl& control) {
+  publish();
+  if (control.world().time() >= told_beginning_ + kBeginningPeriod) {
+    told_beginning_ = control.world().time();
+    listener_.on_beginning(stream_.beginning(told_beginning_));
+  }
+  due_ = std::max(due_ + scenario_.settings.mpc.dt / state_.speed, steady_seconds() - kFarBehind);
+  while (std::optional<Request> request = next_request()) {
+    carry_out(control, *request);
+    stream_.tell_true_map(control.world().time(), control.world().obstacles());
+    publish();
+    if (again_) return false;
+    if (std::exchange(step_, false)) return true;
+  }
+  const std::lock_guard lock(mutex_);
+  return !stopping_;
+}
+
+// Waits for somebody to ask for something; none when the next cycle is due, or at the end.
+std::optional<LiveWorld::Request> LiveWorld::next_request() {
+  std::unique_lock lock(mutex_);
+  const auto asked = [this] { return stopping_ || !requests_.empty(); };
+  if (state_.paused) {
+    wake_.wait(lock, asked);
+  } else {
+    wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
+  }
+  // However much is asked, the world goes on.
+  const bool late = !state_.paused && steady_seconds() > due_ + kMostLate;
+  if (stopping_ || requests_.empty() || late) return std::nullopt;
+  Request request = std::move(requests_.front());
+  requests_.pop_front();
+  return request;
+}
+
+void LiveWorld::publish() {
+  if (std::string records = stream_.take(); !records.empty()) {
+    if (records_.size() < kMostRecords) records_ += records;
+    const auto& tell = fresh_ ? listener_.on_run : listener_.on_records;
+    tell(std::move(records));
+    fresh_ = false;
+  }
+  if (!full_told_ && messages_->full()) {
+    full_told_ = true;
+    listener_.on_notice("The recording is full: what happens now is not recorded");
+  }
+  listener_.on_messages(messages_->take());
+}
+
+void LiveWorld::tell_state() { listener_.on_state(state_); }
+
+void LiveWorld::carry_out(EpisodeControl& control, Request& request) {
+  if (auto* command = std::get_if<ClientCommand>(&request)) {
+    std::visit([&](const auto& what) { apply(control, what); }, *command);
+  } else if (auto* save_request = std::get_if<Save>(&request)) {
+    save(*save_request);
+  } else if (auto* map = std::get_if<UseMap>(&request)) {
+    const auto make = [grid = map->map, name = map->name] { return scenario_on(name, grid); };
+    choices_.push_back({.name = map->name, .make = make});
+    state_.maps.push_back(map->name);
+    apply(control, ChooseMapCommand{.index = choices_.size() - 1});
+  }
+}
+
+void LiveWorld::save(const Save& request) const {
+  switch (request.what) {
+    case Download::Recording:
+      request.done(messages_->recording());
+      return;
+    case Download::Scenario:
+      request.done(io::zip_archive(io::scenario_files(scenario_)));
+      return;
+    case Download::Report:
+      request.done(io::report_page(records_));
+      return;
+  }
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "connection.hpp"
+#include "live_world.hpp"
+
+namespace fairway::app {
+
+/// Talks with the pages that show a live world: records go out as binary messages, state and
+/// notices as JSON, commands come in as JSON. Who joins late is told the last minutes first.
+class PageDialogue final : public Dialogue {
+ public:
+  explicit PageDialogue(LiveWorld& world) : world_(world) {}
+
+  void on_open(Connection& connection) override;
+  void on_message(Connection& connection, std::string_view message, bool binary) override;
+  void on_closed(Connection& connection) override;
+
+  void run(std::string records);
+  void records(std::string records);
+  void beginning(std::string records);
+  void state(const LiveState& state);
+  void notice(const std::string& text);
+
+ private:
+  using Bytes = std::shared_ptr<const std::string>;
+
+  void send_all(const Bytes& message, bool binary);
+
+  // A stretch of the past: a beginning, and all records since, up to the next stretch.
+  struct Stretch {
+    Bytes beginning;
+    std::string records;
+  };
+
+  LiveWorld& world_;
+  std::set<Connection*> connections_;
+  std::deque<Stretch> past_;
+  Bytes state_;
+};
+
+}  // namespace fairway::app

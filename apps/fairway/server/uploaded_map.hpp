@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "fairway/base/error.hpp"
+#include "fairway/map/occupancy_grid.hpp"
+
+namespace fairway::app {
+
+/// A map that somebody sent.
+struct UploadedMap {
+  std::string name;
+  OccupancyGrid map;
+};
+
+/// Reads {name, image: base64 of a PGM or PNG, yaml: the text of its map_server file} or, without
+/// yaml, {name, image, resolution [m]}. Both files are read as `fairway::io` reads maps; the image
+/// that the YAML names is not looked for. Maps beyond 16 million cells are refused.
+[[nodiscard]] Expected<UploadedMap> read_uploaded_map(std::string_view json);
+
+}  // namespace fairway::app

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares corridors on generated maps: rectangles of other papers as published, the library's
+// sound versions, and the fewest. Prints Markdown tables. Usage: corridor_comparison [MAPS]
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "corridor_timing.hpp"
+#include "fairway/corridor/corridor_builder.hpp"
+#include "fairway/corridor/largest_rectangle.hpp"
+#include "fairway/corridor/path_piece.hpp"
+#include "fairway/corridor/rectangle_growth.hpp"
+#include "fairway/map/distance_field.hpp"
+#include "fairway/path/path_planner.hpp"
+#include "fairway/simulation/generated_maps.hpp"
+#include "sampled_rectangles.hpp"
+#include "sound_baselines.hpp"
+#include "support/rectangle_oracle.hpp"
+
+namespace fairway::benchmarks {
+namespace {
+
+using baselines::SampledGrowth;
+using baselines::Sampling;
+using Eigen::Vector2d;
+
+constexpr double kRadius = 0.3;          // of the robot, and Delta_s [m]
+constexpr double kPathClearance = 0.45;  // [m]
+
+struct Scene {
+  BitGrid obstacles;
+  Path path;       // the library's own
+  Path waypoints;  // the same, a point every 0.1 m, for the methods that take path points as seeds
+};
+
+Path resampled(const Path& path, double spacing) {
+  Path points;
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+    const Vector2d way = path.waypoints[i] - path.waypoints[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(way.norm() / spacing)));
+    for (int k = 0; k < pieces; ++k)
+      points.waypoints.push_back(path.waypoints[i - 1] + way * k / pieces);
+  }
+  points.waypoints.push_back(path.waypoints.back());
+  return points;
+}
+
+std::vector<Scene> make_scenes(MapKind kind, int count) {
+  std::vector<Scene> scenes;
+  PathPlanner planner;
+  const double side = side_length(kind);
+  for (std::uint64_t seed = 0; static_cast<int>(scenes.size()) < count; ++seed) {
+    BitGrid obstacles(generate_map(kind, seed));
+    const DistanceField distances(obstacles);
+    PathSettings settings;
+    settings.margin = kPathClearance - kRadius;
+    const PathResult found =
+        planner.find(obstacles, distances, {1.5, 1.5}, {side - 1.5, side - 1.5}, kRadius, settings);
+    if (found.status != PathStatus::Found) continue;
+    scenes.push_back({std::move(obstacles), found.path, resampled(found.path, 0.1)});
+  }
+  return scenes;
+}
+
+// What one method did on all scenes of a kind.
+struct Tally {
+  double count = 0, area = 0, seconds = 0, rectangles = 0, overlapping = 0;
+  int paths = 0, broken = 0, failed = 0;
+
+  void add(const Scene& scene,
+           const std::vector<OrientedRectangle>& rectangles_built,
+           double clearance,
+           double inward_offset,
+           double spent) {
+    ++paths;
+    seconds += spent;
+    bool breaks = false;
+    for (std::size_t i = 0; i < rectangles_built.size(); ++i) {
+      const OrientedRectangle& r = rectangles_built[i];
+      rectangles += 1;
+      area += r.area();
+      overlapping += is_free(scene.obstacles, r, clearance) ? 0 : 1;
+      breaks =
+          breaks ||
+          (i > 0 &&
+           overlap(rectangles_built[i - 1].shrunk(inward_offset), r.shrunk(inward_offset)).count ==
+               0);
+    }
+    broken += breaks ? 1 : 0;
+  }
+
+  void print(const char* name) const {
+    std::printf("| %-38s | %5.1f | %5.1f | %7.1f | %8.0f | %5.1f %% | %3d/%d | %d |\n", name,
+                rectangles / paths, area / rectangles, seconds * 1e6 / rectangles,
+                seconds * 1e6 / paths, 100.0 * overlapping / rectangles, broken, paths, failed);
+  }
+};
+
+void run_sampled(const std::vector<Scene>& scenes, const char* name, const SampledGrowth& growth) {
+  Tally tally;
+  for (const Scene& scene : scenes) {
+    std::vector<OrientedRectangle> built;
+    const double spent = best_time(
+        3, [&] { built = baselines::build_sampled(scene.obstacles, scene.waypoints, growth); });
+    tally.add(scene, built, 0.0, kRadius, spent);
+  }
+  tally.print(name);
+}
+
+using Build =
+    std::function<CorridorResult(const BitGrid&, const Path&, double, const CorridorSettings&)>;
+
+double run_sound(const std::vector<Scene>& scenes,
+                 const char* name,
+                 CorridorSpace space,
+                 const Build& build) {
+  Tally tally;
+  CorridorSettings settings;
+  settings.space = space;
+  for (const Scene& scene : scenes) {
+    CorridorResult result;
+    const double spent =
+        best_time(3, [&] { result = build(scene.obstacles, scene.path, kRadius, settings); });
+    if (result.status != CorridorStatus::Built) ++tally.failed;
+    const bool workspace = space == CorridorSpace::Workspace;
+    tally.add(scene, result.corridor.rectangles, workspace ? 0.0 : kRadius,
+              result.corridor.inward_offset, spent);
+  }
+  tally.print(name);
+  return tally.rectangles / tally.paths;
+}
+
+// The least number of free rectangles, over `num_angles` orientations, that cover the path piece by
+// piece, whether they overlap in a patch or not: greedy by the furthest reach, each found by
+// halving. Slow and plain.
+int lower_bound(const Scene& scene, double clearance, double margin, int num_angles) {
+  const GridFrame& grid = scene.obstacles.frame();
+  PathTrack track;
+  track.assign(scene.path, grid);
+  const double radius = search_radius(grid, clearance);
+  const double room = margin / grid.resolution;
+  int count = 0;
+  for (double from = 0.0; from < track.length(); ++count) {
+    double best = from;
+    for (int k = 0; k < num_angles; ++k) {
+      const TurnedFrame frame{.origin = track.at(from),
+                              .along = direction(std::numbers::pi / 2.0 * k / num_angles)};
+      const auto fits = [&](double to) {
+        const PathPiece piece{.begin = {from, from, room}, .end = {to, to, room}, .margin = room};
+        const Box box = piece.bounds(track, frame);
+        return (box.max - box.min).maxCoeff() <=
+                   CorridorSettings{}.longest_side / grid.resolution &&
+               is_free(scene.obstacles, frame.region(box), radius);
+      };
+      if (!fits(std::min(track.length(), best + 0.01))) continue;
+      double good = best;
+      double bad = track.length() + 0.01;
+      while (bad - good > 0.01) {
+        const double middle = 0.5 * (good + bad);
+        (fits(std::min(middle, track.length())) ? good : bad) = middle;
+      }
+      best = std::min(good, track.length());
+    }
+    if (best <= from) return count;  // blocked: nothing to compare with
+    from = best;
+    if (from >= track.length() - 0.02) return count + 1;
+  }
+  return count;
+}
+
+void compare_corridors(MapKind kind, int maps) {
+  const std::vector<Scene> scenes = make_scenes(kind, maps);
+  double length = 0.0;
+  double pack = 0.0;
+  for (const Scene& scene : scenes)
+    length += scene.path.length();
+  const OccupancyGrid grid = generate_map(kind, 0);
+  BitGrid packed(grid);
+  pack = best_time(20, [&] { packed.assign(grid); });
+  std::printf("\n### %s: %.0f m x %.0f m, %d maps, mean path %.1f m, map preparation %.2f ms\n\n",
+              to_text(kind), side_length(kind), side_length(kind), maps,
+              length / static_cast<double>(scenes.size()), pack * 1e3);
+  std::puts(
+      "| method | rectangles | mean area m2 | us each | us per path | overlap obstacles | "
+      "broken chains | failed |");
+  std::puts("|---|---|---|---|---|---|---|---|");
+  run_sampled(scenes, "SRC, strip sampled", {.sampling = Sampling::Strip, .num_orientations = 1});
+  run_sampled(scenes, "FSRC, edge sampled", {.sampling = Sampling::Edge, .num_orientations = 1});
+  run_sampled(scenes, "MDSRC, edge sampled (the paper's)", {});
+  const auto build_mdsrc = [](const BitGrid& o, const Path& p, double r, CorridorSettings s) {
+    s.method = CorridorMethod::Mdsrc;
+    return build_corridor(o, p, r, s);
+  };
+  const auto build_fewest = [](const BitGrid& o, const Path& p, double r,
+                               const CorridorSettings& s) { return build_corridor(o, p, r, s); };
+  const auto workspace = CorridorSpace::Workspace;
+  const auto configuration = CorridorSpace::Configuration;
+  run_sound(scenes, "SRC, sound, workspace", workspace, baselines::build_src);
+  run_sound(scenes, "FSRC, sound, workspace", workspace, baselines::build_fsrc);
+  run_sound(scenes, "MDSRC, sound, workspace", workspace, build_mdsrc);
+  const double few_work = run_sound(scenes, "fewest, workspace", workspace, build_fewest);
+  const double src =
+      run_sound(scenes, "SRC, sound, configuration", configuration, baselines::build_src);
+  const double mdsrc = run_sound(scenes, "MDSRC, sound, configuration", configuration, build_mdsrc);
+  const double few = run_sound(scenes, "fewest, configuration", configuration, build_fewest);
+  double bound = 0.0;
+  double bound_work = 0.0;
+  for (const Scene& scene : scenes) {
+    bound += lower_bound(scene, kRadius, 0.0, 360);
+    bound_work += lower_bound(scene, 0.0, kRadius, 360);
+  }
+  bound /= maps;
+  bound_work /= maps;
+  std::printf(
+      "\nLower bound on the count over 360 orientations: configuration %.1f, workspace %.1f."
+      " Fewest is %.2f and %.2f times that; in configuration space %.2f x MDSRC, %.2f x SRC."
+      "\n",
+      bound, bound_work, few / bound, few_work / bound_work, few / mdsrc, few / src);
+}
+
+// Single rectangles in the workspace around points of the paths.
+void compare_rectangles(MapKind kind, int maps) {
+  const std::vector<Scene> scenes = make_scenes(kind, maps);
+  constexpr double kSide = 16.0;
+  constexpr int kOracleAngles = 90;
+  RectangleSearch search;
+  double naive = 0, greedy = 0, largest = 0;
+  double naive_share = 0, greedy_share = 0, largest_share = 0, src_share = 0;
+  int count = 0;
+  for (const Scene& scene : scenes) {
+    const BitGrid& map = scene.obstacles;
+    std::vector<Vector2d> seeds;
+    for (std::size_t i = 10; i < scene.waypoints.waypoints.size(); i += 30)
+      seeds.push_back(scene.waypoints.waypoints[i]);
+    std::vector<double> area(seeds.size());
+    const auto timed = [&](const auto& area_at) {
+      return best_time(5, [&] {
+        for (std::size_t i = 0; i < seeds.size(); ++i)
+          area[i] = area_at(seeds[i]);
+      });
+    };
+    const auto share = [&] {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < seeds.size(); ++i)
+        sum += area[i] / largest_area_of(map, seeds[i], kSide, kOracleAngles);
+      return sum;
+    };
+    naive += timed([&](const Vector2d& s) { return baselines::grow_sampled(map, s, {})->area(); });
+    naive_share += share();
+    timed([&](const Vector2d& s) {
+      return grow_rectangle(map, 0.0, s, {.num_orientations = 1})->area();
+    });
+    src_share += share();
+    greedy += timed([&](const Vector2d& s) { return grow_rectangle(map, 0.0, s, {})->area(); });
+    greedy_share += share();
+    const double cell = map.frame().resolution;
+    largest += timed([&](const Vector2d& s) {
+      const Anchor anchor{.point = map.frame().to_grid(s)};
+      return search.find(map, 0.0, {&anchor, 1}, {.longest_side = kSide})->box.area() * cell * cell;
+    });
+    largest_share += share();
+    count += static_cast<int>(seeds.size());
+  }
+  const double n = count / 100.0;
+  std::printf("| %s | %d | %.1f | %.1f (%.2f x) | %.1f (%.2f x) | %.0f | %.0f | %.0f | %.1f |\n",
+              to_text(kind), count, naive / count * 1e6, greedy / count * 1e6, greedy / naive,
+              largest / count * 1e6, largest / naive, src_share / n, naive_share / n,
+              greedy_share / n, largest_share / n);
+}
+
+// The paper's Figures 9 and 10: random points on a 20 m map with ever more obstacles; points that
+// an earlier rectangle holds need none.
+void compare_fields(int maps) {
+  std::puts("\n### Fields of 20 m x 20 m, 24 random points\n");
+  std::puts(
+      "| obstacles | SRC count | area m2 | MDSRC count | area m2 | largest count | area m2 |");
+  std::puts("|---|---|---|---|---|---|---|");
+  for (const int obstacles : {5, 10, 15, 20}) {
+    std::array<double, 3> counts{};
+    std::array<double, 3> areas{};
+    for (int seed = 0; seed < maps; ++seed) {
+      const BitGrid map(generate_map(MapKind::Field, static_cast<std::uint64_t>(seed), obstacles));
+      const std::vector<Vector2d> points = free_points(map, 24, static_cast<unsigned>(seed));
+      const std::array<std::function<OrientedRectangle(const Vector2d&)>, 3> methods = {
+          [&](const Vector2d& p) { return *grow_rectangle(map, 0.0, p, {.num_orientations = 1}); },
+          [&](const Vector2d& p) { return *grow_rectangle(map, 0.0, p, {}); },
+          [&](const Vector2d& p) { return *largest_rectangle(map, 0.0, {.point = p}); }};
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        std::vector<OrientedRectangle> built;
+        for (const Vector2d& p : points) {
+          const bool held = std::any_of(built.begin(), built.end(),
+                                        [&](const OrientedRectangle& r) { return r.contains(p); });
+          if (held) continue;
+          built.push_back(methods[m](p));
+          areas[m] += built.back().area();
+        }
+        counts[m] += static_cast<double>(built.size());
+      }
+    }
+    std::printf("| %d |", obstacles);
+    for (std::size_t m = 0; m < 3; ++m)
+      std::printf(" %.1f | %.1f |", counts[m] / maps, areas[m] / counts[m]);
+    std::puts("");
+  }
+}
+
+// Small changes on the map, one per control cycle, each followed by an update.
+void time_updates(int maps) {
+  std::vector<double> times;
+  double builds = 0.0;
+  for (Scene& scene : make_scenes(MapKind::UnstructuredLarge, maps)) {
+    CorridorBuilder builder;
+    builds += best_time(3, [&] { builder.build(scene.obstacles, scene.path, kRadius, {}); });
+    const BitGrid keep_clear =
+        inflated(path_cells(scene.obstacles.frame(), resampled(scene.path, 0.03)), 0.45);
+    for (std::size_t i = 20; i + 20 < scene.waypoints.waypoints.size(); i += 12) {
+      const CellIndex at = scene.obstacles.frame().cell_at(scene.waypoints.waypoints[i]);
+      const int dx = static_cast<int>(i * 7 % 41) - 20;
+      const int dy = static_cast<int>(i * 13 % 37) - 18;
+      const CellBlock block{.min = {.x = at.x + dx, .y = at.y + dy},
+                            .max = {.x = at.x + dx + 6, .y = at.y + dy + 6}};
+      for (const bool blocked : {true, false}) {
+        set_cells(scene.obstacles, block, keep_clear, blocked);
+        times.push_back(best_time(1, [&] { builder.update(scene.obstacles, block); }));
+      }
+    }
+  }
+  std::sort(times.begin(), times.end());
+  const auto at = [&](double share) {
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))] * 1e6;
+  };
+  std::printf(
+      "\n### Updates after a 0.35 m block appears or goes near the path (env1, %zu updates)\n"
+      "\nWhole build %.0f us; update median %.0f us, 90 %% %.0f us, 99 %% %.0f us.\n",
+      times.size(), builds * 1e6 / maps, at(0.5), at(0.9), at(0.99));
+}
+
+}  // namespace
+}  // namespace fairway::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace fairway;
+  const int maps = argc > 1 ? std::max(1, std::atoi(argv[1])) : 20;
+  constexpr std::array<MapKind, 3> kKinds = {MapKind::UnstructuredLarge, MapKind::UnstructuredSmall,
+                                             MapKind::Structured};
+  for (const MapKind kind : kKinds)
+    benchmarks::compare_corridors(kind, maps);
+  std::puts("\n### Single rectangles in the workspace: time in us and share of the largest in %\n");
+  std::puts(
+      "| map | seeds | sampled MDSRC us | sound MDSRC us | largest us | SRC % | sampled MDSRC "
+      "% | sound MDSRC % | largest % |");
+  std::puts("|---|---|---|---|---|---|---|---|---|");
+  for (const MapKind kind : kKinds)
+    benchmarks::compare_rectangles(kind, std::max(1, maps / 4));
+  benchmarks::compare_fields(2 * maps);
+  benchmarks::time_updates(std::max(1, maps / 4));
+  return 0;
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/cell_tracker.hpp"
+
+#include <algorithm>
+
+#include "fairway/io/recording/exact_json.hpp"
+
+namespace fairway::io {
+
+CellTracker::Look CellTracker::look(const BitGrid& grid) {
+  auto [at, is_new] = slots_.try_emplace(&grid);
+  Slot& slot = at->second;
+  if (is_new) slot.number = static_cast<int>(slots_.size()) - 1;
+  Look found{.slot = slot.number,
+             .whole = is_new || !exact::same_frame(slot.known.frame(), grid.frame()),
+             .changed = false,
+             .before = &slot.known};
+  for (int y = 0; !found.whole && !found.changed && y < grid.frame().height; ++y)
+    found.changed = !std::ranges::equal(slot.known.row(y), grid.row(y));
+  return found;
+}
+
+void CellTracker::settle(const BitGrid& grid) { slots_.at(&grid).known = grid; }
+
+}  // namespace fairway::io

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/foxglove_json.hpp"
+
+#include <cmath>
+
+#include "fairway/io/recording/base64.hpp"
+
+namespace fairway::io::foxglove {
+
+namespace {
+
+constexpr double kLineWidth = 0.03;  // [m]
+constexpr int kLineStrip = 0;
+constexpr int kLineList = 2;
+
+// JSON has no NaN or infinity; what is not finite is drawn at 0.
+double rounded(double value) { return std::isfinite(value) ? std::round(value * 1e4) / 1e4 : 0.0; }
+
+Json vector(double x, double y, double z) {
+  return {{"x", rounded(x)}, {"y", rounded(y)}, {"z", rounded(z)}};
+}
+
+Json point(const Eigen::Vector2d& p) { return vector(p.x(), p.y(), 0.0); }
+
+Json pose_json(const Pose2& pose, double z = 0.0) {
+  const double half = std::isfinite(pose.heading) ? 0.5 * pose.heading : 0.0;
+  return {{"position", vector(pose.position.x(), pose.position.y(), z)},
+          {"orientation", {{"x", 0.0}, {"y", 0.0}, {"z", std::sin(half)}, {"w", std::cos(half)}}}};
+}
+
+Json color(const Tint& tint) {
+  return {{"r", tint.red}, {"g", tint.green}, {"b", tint.blue}, {"a", tint.opacity}};
+}
+
+Json line_primitive(int type, Json points, const Tint& tint) {
+  return {{"type", type},
+          {"pose", pose_json({})},
+          {"thickness", kLineWidth},
+          {"scale_invariant", false},
+          {"points", std::move(points)},
+          {"color", color(tint)},
+          {"colors", Json::array()},
+          {"indices", Json::array()}};
+}
+
+}  // namespace
+
+Json time_json(std::uint64_t nanoseconds) {
+  return {{"sec", nanoseconds / 1'000'000'000U}, {"nsec", nanoseconds % 1'000'000'000U}};
+}
+
+Json grid(std::uint64_t time, const GridFrame& frame, const std::string& cells) {
+  constexpr int kUint8 = 1;
+  return {{"timestamp", time_json(time)},
+          {"frame_id", kMapFrame},
+          {"pose", pose_json(frame.origin)},
+          {"column_count", frame.width},
+          {"cell_size", {{"x", frame.resolution}, {"y", frame.resolution}}},
+          {"row_stride", frame.width},
+          {"cell_stride", 1},
+          {"fields", Json::array({{{"name", "occupancy"}, {"offset", 0}, {"type", kUint8}}})},
+          {"data", to_base64(cells)}};
+}
+
+Json pose_in_frame(std::uint64_t time, const Pose2& pose) {
+  return {{"timestamp", time_json(time)}, {"frame_id", kMapFrame}, {"pose", pose_json(pose)}};
+}
+
+Json frame_transform(std::uint64_t time, const std::string& child, const Pose2& pose) {
+  Json json = pose_json(pose);
+  return {{"timestamp", time_json(time)},
+          {"parent_frame_id", kMapFrame},
+          {"child_frame_id", child},
+          {"translation", std::move(json["position"])},
+          {"rotation", std::move(json["orientation"])}};
+}
+
+Scene::Scene(std::uint64_t time)
+    : time_(time),
+      json_({{"deletions", Json::array()}, {"entities", Json::array()}}) {}
+
+// Every kind of primitive is listed, so that no reader misses one.
+Json& Scene::entity(const std::string& id) {
+  Json entity{{"timestamp", time_json(time_)},
+              {"frame_id", kMapFrame},
+              {"id", id},
+              {"lifetime", time_json(0)},
+              {"frame_locked", false}};
+  for (const char* kind : {"metadata", "arrows", "cubes", "spheres", "cylinders", "lines",
+                           "triangles", "texts", "models"})
+    entity[kind] = Json::array();
+  json_["entities"].push_back(std::move(entity));
+  return json_["entities"].back();
+}
+
+void Scene::line(const std::string& id, std::span<const Eigen::Vector2d> points, const Tint& tint) {
+  Json list = Json::array();
+  for (const Eigen::Vector2d& p : points)
+    list.push_back(point(p));
+  entity(id)["lines"].push_back(line_primitive(kLineStrip, std::move(list), tint));
+}
+
+void Scene::outlines(const std::string& id,
+                     std::span<const OrientedRectangle> rectangles,
+                     const Tint& tint) {
+  Json list = Json::array();
+  for (const OrientedRectangle& rectangle : rectangles) {
+    const auto corners = rectangle.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      list.push_back(point(corners[i]));
+      list.push_back(point(corners[(i + 1) % corners.size()]));
+    }
+  }
+  entity(id)["lines"].push_back(line_primitive(kLineList, std::move(list), tint));
+}
+
+void Scene::disc(const std::string& id,
+                 const Eigen::Vector2d& center,
+                 double radius,
+                 double height,
+                 const Tint& tint) {
+  entity(id)["cylinders"].push_back(
+      {{"pose", pose_json({.position = center, .heading = 0.0}, 0.5 * height)},
+       {"size", vector(2.0 * radius, 2.0 * radius, height)},
+       {"bottom_scale", 1.0},
+       {"top_scale", 1.0},
+       {"color", color(tint)}});
+}
+
+void Scene::arrow(const std::string& id, const Pose2& pose, double length, const Tint& tint) {
+  entity(id)["arrows"].push_back({{"pose", pose_json(pose, 0.3)},
+                                  {"shaft_length", rounded(0.7 * length)},
+                                  {"shaft_diameter", 0.05},
+                                  {"head_length", rounded(0.3 * length)},
+                                  {"head_diameter", 0.12},
+                                  {"color", color(tint)}});
+}
+
+void Scene::remove(const std::string& id) {
+  constexpr int kMatchingId = 0;
+  json_["deletions"].push_back(
+      {{"timestamp", time_json(time_)}, {"type", kMatchingId}, {"id", id}});
+}
+
+}  // namespace fairway::io::foxglove

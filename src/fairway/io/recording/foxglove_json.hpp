@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "fairway/geometry/oriented_rectangle.hpp"
+#include "fairway/geometry/pose2.hpp"
+#include "fairway/map/grid_frame.hpp"
+
+// Messages that Foxglove and Lichtblick draw as they are: the well-known schemas foxglove.*, as
+// JSON. Coordinates are rounded to 0.1 mm: these are for looking, the exact numbers are in
+// fairway.*.
+namespace fairway::io::foxglove {
+
+using Json = nlohmann::json;
+
+/// The frame that everything is given in.
+inline constexpr const char* kMapFrame = "map";
+
+/// Red, green, blue and opacity, 0..1.
+struct Tint {
+  double red = 0.0;
+  double green = 0.0;
+  double blue = 0.0;
+  double opacity = 1.0;
+};
+
+/// A JSON Schema for "foxglove.SceneUpdate", "foxglove.Grid", "foxglove.PoseInFrame" or
+/// "foxglove.FrameTransform". @pre the name is one of these.
+[[nodiscard]] std::string schema(const std::string& name);
+
+[[nodiscard]] Json time_json(std::uint64_t nanoseconds);
+
+/// A map; `cells` holds a byte per cell, lowest row first: 0 free, 100 occupied, 255 unknown.
+[[nodiscard]] Json grid(std::uint64_t time, const GridFrame& frame, const std::string& cells);
+
+[[nodiscard]] Json pose_in_frame(std::uint64_t time, const Pose2& pose);
+
+/// Where the frame `child` is in the map.
+[[nodiscard]] Json frame_transform(std::uint64_t time, const std::string& child, const Pose2& pose);
+
+/// Things to draw, each under a name; a later one under the same name replaces it.
+class Scene {
+ public:
+  explicit Scene(std::uint64_t time);
+
+  void line(const std::string& id, std::span<const Eigen::Vector2d> points, const Tint& tint);
+  void outlines(const std::string& id,
+                std::span<const OrientedRectangle> rectangles,
+                const Tint& tint);
+  void disc(const std::string& id,
+            const Eigen::Vector2d& center,
+            double radius,
+            double height,
+            const Tint& tint);
+  void arrow(const std::string& id, const Pose2& pose, double length, const Tint& tint);
+  void remove(const std::string& id);
+
+  [[nodiscard]] const Json& json() const noexcept { return json_; }
+
+ private:
+  Json& entity(const std::string& id);
+
+  std::uint64_t time_;
+  Json json_;
+};
+
+}  // namespace fairway::io::foxglove

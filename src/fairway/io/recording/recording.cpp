@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/recording.hpp"
+
+#include <utility>
+
+namespace fairway::io {
+
+std::uint16_t Recording::add_channel(const McapChannel& channel) {
+  return writer_.add_channel(channel);
+}
+
+bool Recording::wants(std::uint16_t /*channel*/) const { return true; }
+
+void Recording::write(std::uint16_t channel, std::uint64_t time, std::string_view message) {
+  writer_.write(channel, time, message);
+}
+
+RecordingFile::RecordingFile(std::string path, std::ofstream stream)
+    : path_(std::move(path)),
+      stream_(std::move(stream)),
+      messages_(recording_),
+      observer_(*this) {}
+
+Expected<std::unique_ptr<RecordingFile>> RecordingFile::create(const std::string& path) {
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+  if (!stream) return fail(path + ": expected a file that can be written");
+  return std::unique_ptr<RecordingFile>(new RecordingFile(path, std::move(stream)));
+}
+
+Expected<void> RecordingFile::close() {
+  recording_.finish();
+  stream_ << recording_.take();
+  stream_.close();
+  if (!stream_) return fail(path_ + ": expected a file that can be written, found the disk full?");
+  return {};
+}
+
+void RecordingFile::Spill::on_start(const Scenario& scenario) {
+  file_.messages_.on_start(scenario);
+}
+
+void RecordingFile::Spill::on_navigators(double time,
+                                         const Settings& settings,
+                                         std::span<const Twist2> twists) {
+  file_.messages_.on_navigators(time, settings, twists);
+}
+
+void RecordingFile::Spill::on_plan(double time, std::size_t robot, const Plan& plan) {
+  file_.messages_.on_plan(time, robot, plan);
+}
+
+void RecordingFile::Spill::on_cycle(const NavigationCycle& cycle) {
+  file_.messages_.on_cycle(cycle);
+}
+
+void RecordingFile::Spill::on_world(const WorldView& world) {
+  file_.messages_.on_world(world);
+  file_.stream_ << file_.recording_.take();
+}
+
+}  // namespace fairway::io

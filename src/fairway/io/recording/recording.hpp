@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fstream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "fairway/base/error.hpp"
+#include "fairway/io/recording/run_messages.hpp"
+
+namespace fairway::io {
+
+/// A recording in memory: everything that `RunMessages` tells, as MCAP.
+class Recording final : public MessageSink {
+ public:
+  std::uint16_t add_channel(const McapChannel& channel) override;
+  [[nodiscard]] bool wants(std::uint16_t channel) const override;
+  void write(std::uint16_t channel, std::uint64_t time, std::string_view message) override;
+
+  /// The bytes that have become ready since the last call.
+  [[nodiscard]] std::string take() { return writer_.take(); }
+  void finish() { writer_.finish(); }
+  [[nodiscard]] const McapWriter& writer() const noexcept { return writer_; }
+
+ private:
+  McapWriter writer_;
+};
+
+/// Records a run into a file while it happens, for `--log FILE.mcap`:
+///
+///     auto file = RecordingFile::create(path);        // at once an error if it cannot be written
+///     run_episode(scenario, {.observer = &file->observer()});
+///     if (auto closed = file->close(); !closed) ...
+class RecordingFile {
+ public:
+  [[nodiscard]] static Expected<std::unique_ptr<RecordingFile>> create(const std::string& path);
+
+  [[nodiscard]] EpisodeObserver& observer() noexcept { return observer_; }
+
+  /// Writes the rest and the index. Without it the file can be read only up to its last chunk.
+  [[nodiscard]] Expected<void> close();
+
+ private:
+  // Passes everything on, and what has become ready to the file.
+  class Spill final : public EpisodeObserver {
+   public:
+    explicit Spill(RecordingFile& file) : file_(file) {}
+    void on_start(const Scenario& scenario) override;
+    void on_navigators(double time,
+                       const Settings& settings,
+                       std::span<const Twist2> twists) override;
+    void on_plan(double time, std::size_t robot, const Plan& plan) override;
+    void on_cycle(const NavigationCycle& cycle) override;
+    void on_world(const WorldView& world) override;
+
+   private:
+    RecordingFile& file_;
+  };
+
+  RecordingFile(std::string path, std::ofstream stream);
+
+  std::string path_;
+  std::ofstream stream_;
+  Recording recording_;
+  RunMessages messages_;
+  Spill observer_;
+};
+
+/// Tells `observer` everything that a recording holds, in the order in which it happened. The plan
+/// of a step is given with what can be shown of it: poses, commands and what limits it. `name` is
+/// the file in messages.
+[[nodiscard]] Expected<void> read_recording(std::string_view bytes,
+                                            const std::string& name,
+                                            EpisodeObserver& observer);
+
+/// The same, from a file.
+[[nodiscard]] Expected<void> read_recording(const std::string& path, EpisodeObserver& observer);
+
+}  // namespace fairway::io

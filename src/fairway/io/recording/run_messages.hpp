@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fairway/io/recording/cell_tracker.hpp"
+#include "fairway/io/recording/message_sink.hpp"
+#include "fairway/simulation/episode_observer.hpp"
+
+namespace fairway::io {
+
+/// Turns what happens in a run into messages.
+///
+/// Topics: /map, /tf, /scene of the world, and /NAME/pose, /NAME/way and /NAME/scene per robot, in
+/// the well-known schemas foxglove.*, for the eye; /fairway/... and /NAME/plan and /NAME/cycle in
+/// schemas fairway.*, which hold all inputs and answers of the navigators to the bit.
+class RunMessages final : public EpisodeObserver {
+ public:
+  /// @param sink  Must outlive this.
+  explicit RunMessages(MessageSink& sink);
+
+  void on_start(const Scenario& scenario) override;
+  void on_navigators(double time,
+                     const Settings& settings,
+                     std::span<const Twist2> twists) override;
+  void on_plan(double time, std::size_t robot, const Plan& plan) override;
+  void on_cycle(const NavigationCycle& cycle) override;
+  void on_world(const WorldView& world) override;
+
+ private:
+  struct Robot {
+    std::string name;  // fit for a topic, different for each
+    std::uint16_t plan = 0;
+    std::uint16_t cycle = 0;
+    std::uint16_t pose = 0;
+    std::uint16_t scene = 0;  // what changes in every cycle
+    std::uint16_t way = 0;    // path, corridor and goal
+  };
+
+  std::uint16_t channel(const std::string& topic, const std::string& schema);
+  void add_robots(const Scenario& scenario);
+  void write(std::uint16_t channel, double time, const std::string& message);
+  int tell_cells(double time, const BitGrid& grid);
+  void show_map(double time, const BitGrid& obstacles);
+  void show_plan(double time, const Robot& robot, const Plan& plan);
+  void show_cycle(const Robot& robot, const NavigationCycle& cycle);
+
+  MessageSink& sink_;
+  std::uint16_t map_;
+  std::uint16_t tf_;
+  std::uint16_t scene_;
+  std::uint16_t scenario_;
+  std::uint16_t navigators_;
+  std::uint16_t cells_;
+  std::uint16_t world_;
+  std::vector<Robot> robots_;
+  std::vector<Plan> plans_;
+  double radius_ = 0.0;
+  std::string shown_cells_;  // of the map as shown last, a byte each
+  BitGrid shown_obstacles_;
+  double shown_time_ = 0.0;
+  CellTracker tracker_;
+};
+
+}  // namespace fairway::io

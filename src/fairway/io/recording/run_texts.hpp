@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "fairway/simulation/scenario.hpp"
+
+namespace fairway::io {
+
+/// The settings as a list of {group, name, unit, meaning, min, max, value, kind, choices}: what the
+/// page needs for a table or for sliders. `kind` is number, integer, switch or choice; min and max
+/// are left out where there is none.
+[[nodiscard]] nlohmann::json settings_list(const Settings& settings);
+
+/// JSON that begins a run in `RunStream`.
+[[nodiscard]] std::string begin_text(const Scenario& scenario);
+
+/// JSON that tells other settings.
+[[nodiscard]] std::string tuning_text(double time, const Settings& settings);
+
+}  // namespace fairway::io

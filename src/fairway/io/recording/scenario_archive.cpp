@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/scenario_archive.hpp"
+
+#include <cstdint>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "fairway/io/number_text.hpp"
+#include "fairway/io/recording/mcap_format.hpp"
+#include "fairway/io/settings_file.hpp"
+
+namespace fairway::io {
+
+namespace {
+
+using mcap::ByteWriter;
+
+// A double-quoted YAML string is one of JSON.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+std::string list(std::initializer_list<double> numbers) {
+  std::string text = "[";
+  for (const double number : numbers)
+    text.append(text.size() == 1 ? "" : ", ").append(number_text(number));
+  return text.append("]");
+}
+
+std::string indented(const std::string& text) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);)
+    result.append(line.empty() ? "" : "  ").append(line).append("\n");
+  return result;
+}
+
+std::string scenario_text(const Scenario& scenario) {
+  std::string text = "name: " + quoted(scenario.name) + "\n";
+  text += "map: map.yaml\ntime_limit: " + number_text(scenario.time_limit) + "\n";
+  text += "seed: " + std::to_string(scenario.seed) + "\nrobots:\n";
+  for (const RobotTask& robot : scenario.robots) {
+    const Eigen::Vector2d& from = robot.start.position;
+    const Eigen::Vector2d& to = robot.goal.position;
+    text += "  - name: " + quoted(robot.name) + "\n";
+    text += "    start: " + list({from.x(), from.y(), robot.start.heading}) + "\n    goal: ";
+    text += (robot.goal.heading ? list({to.x(), to.y(), *robot.goal.heading})
+                                : list({to.x(), to.y()})) +
+            "\n";
+  }
+  if (!scenario.bodies.empty()) text += "obstacles:\n";
+  for (const MovingBody& body : scenario.bodies) {
+    text += "  - name: " + quoted(body.name) + "\n";
+    text += "    radius: " + number_text(body.radius) + "\n";
+    text += std::string("    loop: ") + (body.loop ? "true" : "false") + "\n    key_frames:\n";
+    for (const MovingBody::KeyFrame& frame : body.key_frames)
+      text += "      - " + list({frame.time, frame.position.x(), frame.position.y()}) + "\n";
+  }
+  return text + "settings:\n" + indented(settings_yaml(scenario.settings));
+}
+
+std::string map_text(const GridFrame& frame) {
+  const Eigen::Vector2d& at = frame.origin.position;
+  return "image: map.pgm\nresolution: " + number_text(frame.resolution) +
+         "\norigin: " + list({at.x(), at.y(), frame.origin.heading}) +
+         "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\nmode: trinary\n";
+}
+
+std::string map_picture(const OccupancyGrid& map) {
+  const GridFrame& frame = map.frame();
+  std::string bytes =
+      "P5\n" + std::to_string(frame.width) + " " + std::to_string(frame.height) + "\n255\n";
+  for (int y = frame.height - 1; y >= 0; --y) {
+    for (int x = 0; x < frame.width; ++x) {
+      const CellState state = map.at({.x = x, .y = y});
+      bytes.push_back(static_cast<char>(state == CellState::Free       ? 254
+                                        : state == CellState::Occupied ? 0
+                                                                       : 205));
+    }
+  }
+  return bytes;
+}
+
+// What the header in front of a file and its entry in the directory have in common.
+void append_description(ByteWriter& out, const ArchiveFile& file) {
+  constexpr std::uint16_t kVersion = 20;
+  constexpr std::uint16_t kFirstOfJanuary1980 = 0x21;
+  out.number(kVersion);
+  out.number<std::uint16_t>(0);  // no flags
+  out.number<std::uint16_t>(0);  // stored
+  out.number<std::uint16_t>(0);  // midnight
+  out.number(kFirstOfJanuary1980);
+  out.number(mcap::crc32(file.content));
+  out.number(static_cast<std::uint32_t>(file.content.size()));
+  out.number(static_cast<std::uint32_t>(file.content.size()));
+  out.number(static_cast<std::uint16_t>(file.name.size()));
+  out.number<std::uint16_t>(0);  // nothing extra
+}
+
+}  // namespace
+
+std::vector<ArchiveFile> scenario_files(const Scenario& scenario) {
+  return {{.name = "scenario.yaml", .content = scenario_text(scenario)},
+          {.name = "map.yaml", .content = map_text(scenario.map.frame())},
+          {.name = "map.pgm", .content = map_picture(scenario.map)}};
+}
+
+std::string zip_archive(const std::vector<ArchiveFile>& files) {
+  std::string bytes;
+  std::string directory;
+  ByteWriter out(bytes);
+  ByteWriter entries(directory);
+  for (const ArchiveFile& file : files) {
+    entries.number<std::uint32_t>(0x02014B50);
+    entries.number<std::uint16_t>(20);  // made by
+    append_description(entries, file);
+    entries.number<std::uint16_t>(0);  // no comment
+    entries.number<std::uint16_t>(0);  // first disk
+    entries.number<std::uint16_t>(0);
+    entries.number<std::uint32_t>(0);  // no attributes
+    entries.number(static_cast<std::uint32_t>(bytes.size()));
+    directory.append(file.name);
+    out.number<std::uint32_t>(0x04034B50);
+    append_description(out, file);
+    bytes.append(file.name).append(file.content);
+  }
+  const auto start = static_cast<std::uint32_t>(bytes.size());
+  bytes.append(directory);
+  out.number<std::uint32_t>(0x06054B50);
+  out.number<std::uint32_t>(0);  // this disk, and that of the directory
+  out.number(static_cast<std::uint16_t>(files.size()));
+  out.number(static_cast<std::uint16_t>(files.size()));
+  out.number(static_cast<std::uint32_t>(directory.size()));
+  out.number(start);
+  out.number<std::uint16_t>(0);  // no comment
+  return bytes;
+}
+
+}  // namespace fairway::io

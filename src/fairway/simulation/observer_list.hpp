@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fairway/simulation/episode_observer.hpp"
+
+namespace fairway {
+
+/// Tells several observers, in the order in which they were added. They must outlive it.
+class ObserverList final : public EpisodeObserver {
+ public:
+  void add(EpisodeObserver& observer) { observers_.push_back(&observer); }
+
+  void on_start(const Scenario& scenario) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_start(scenario);
+  }
+  void on_navigators(double time,
+                     const Settings& settings,
+                     std::span<const Twist2> twists) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_navigators(time, settings, twists);
+  }
+  void on_plan(double time, std::size_t robot, const Plan& plan) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_plan(time, robot, plan);
+  }
+  void on_world(const WorldView& world) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_world(world);
+  }
+  void on_cycle(const NavigationCycle& cycle) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_cycle(cycle);
+  }
+
+ private:
+  std::vector<EpisodeObserver*> observers_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fairway/simulation/episode_observer.hpp"
+
+namespace fairway {
+
+/// Runs the navigators of a recorded run over its inputs again and compares what they give, bit by
+/// bit. It is an observer, so that a recording is replayed by reading it to this.
+class ReplayCheck final : public EpisodeObserver {
+ public:
+  /// The first cycle that came out differently.
+  struct Difference {
+    double time = 0.0;
+    std::size_t robot = 0;
+    NavigationStep recorded;  ///< without its plan
+    NavigationStep replayed;  ///< without its plan
+  };
+
+  /// @param solver  To be used instead of the structured solver, as in the run that was recorded;
+  ///                must outlive this.
+  explicit ReplayCheck(ControlSolver* solver = nullptr) : solver_(solver) {}
+
+  void on_start(const Scenario& scenario) override;
+  void on_navigators(double time,
+                     const Settings& settings,
+                     std::span<const Twist2> twists) override;
+  void on_plan(double time, std::size_t robot, const Plan& plan) override;
+  void on_cycle(const NavigationCycle& cycle) override;
+  void on_world(const WorldView& world) override;
+
+  [[nodiscard]] long cycles() const noexcept { return cycles_; }
+  [[nodiscard]] long different() const noexcept { return different_; }
+  [[nodiscard]] const std::optional<Difference>& first_difference() const noexcept {
+    return first_difference_;
+  }
+
+ private:
+  ControlSolver* solver_;
+  std::unique_ptr<ControlSolver> own_solver_;
+  std::vector<Navigator> navigators_;
+  long cycles_ = 0;
+  long different_ = 0;
+  std::optional<Difference> first_difference_;
+};
+
+}  // namespace fairway

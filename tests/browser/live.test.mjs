@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+// The live page: every control is used for real, and what it does to the world is looked at.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test, { after, before } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { launch, openPage } from './support/browser.mjs';
+import { program } from './support/runs.mjs';
+import { serve } from './support/server.mjs';
+
+let browser;
+let folder;
+
+before(async () => {
+  browser = await launch();
+  folder = await mkdtemp(join(tmpdir(), 'fairway-'));
+});
+
+after(async () => {
+  await browser.close();
+  await rm(folder, { recursive: true });
+});
+
+/** A server of its own for each test, so that none sees what another did; opened at `map`. */
+async function withLive(work, { map = 'Empty hall', pages = 1 } = {}) {
+  const server = await serve();
+  const opened = [];
+  try {
+    for (let i = 0; i < pages; ++i) opened.push(await openPage(browser, server.url));
+    const { page } = opened[0];
+    await page.waitForFunction(() => window.fairway?.drawn > 0);
+    if (map) {
+      await page.selectOption('#map-choice', { label: map });
+      await title(page, map);
+    }
+    await work(...opened.map((one) => one.page), server);
+    for (const { errors } of opened) assert.deepEqual(errors, []);
+  } finally {
+    for (const { context } of opened) await context.close();
+    assert.equal(await server.stop(), 0);
+  }
+}
+
+const title = (page, name) => page.waitForFunction((text) => document.getElementById('title').textContent === text, name);
+const last = (page) => page.evaluate(() => {
+  const { frames } = window.fairway.run;
+  const { time, bodies, robots } = frames.at(-1);
+  return { time, bodies, robots: robots.map(({ plan, cycle, ...pose }) => ({ ...pose, goal: plan?.goal, usable: plan?.usable, status: cycle?.status, linear: cycle?.linear })) };
+});
+const until = (page, condition, argument) => page.waitForFunction(condition, argument, { timeout: 60_000 });
+/** Where a world point is on the screen. */
+const spot = async (page, x, y) => {
+  const box = await page.locator('#map').boundingBox();
+  const at = await page.evaluate(([wx, wy]) => window.fairway.camera.toScreen({ x: wx, y: wy }), [x, y]);
+  return [box.x + at.x, box.y + at.y];
+};
+const click = async (page, x, y) => page.mouse.click(...await spot(page, x, y));
+const drag = async (page, ...points) => {
+  await page.mouse.move(...await spot(page, ...points[0]));
+  await page.mouse.down();
+  for (const point of points.slice(1)) await page.mouse.move(...await spot(page, ...point), { steps: 6 });
+  await page.mouse.up();
+};
+const cellAt = (page, x, y) => page.evaluate(([wx, wy]) => {
+  const grid = window.fairway.run.grids[0][0];
+  const { frame } = grid;
+  const [i, j] = [Math.floor((wx - frame.origin.x) / frame.resolution), Math.floor((wy - frame.origin.y) / frame.resolution)];
+  let value = grid.cells[j * frame.width + i];
+  for (const { runs } of grid.changes) {
+    for (let k = 0; k < runs.length; k += 4) {
+      if (runs[k] === j && i >= runs[k + 1] && i < runs[k + 1] + runs[k + 2]) value = runs[k + 3];
+    }
+  }
+  return value;
+}, [x, y]);
+
+test('a goal by a click, with a heading by a drag; the robot gets there', () => withLive(async (page) => {
+  await page.selectOption('#speed', '8');
+  await page.click('#tool-goal');
+  await drag(page, [5, 5], [5, 6.5]);
+  await until(page, () => {
+    const goal = window.fairway.run.frames.at(-1).robots[0].plan?.goal;
+    return goal && Math.abs(goal.x - 5) < 0.1 && goal.heading !== null;
+  });
+  const { robots: [{ goal }] } = await last(page);
+  assert.ok(Math.abs(goal.y - 5) < 0.1 && Math.abs(goal.heading - Math.PI / 2) < 0.1);
+  await until(page, () => {
+    const robot = window.fairway.run.frames.at(-1).robots[0];
+    return Math.hypot(robot.x - 5, robot.y - 5) < 0.2 && Math.abs(robot.heading - Math.PI / 2) < 0.2;
+  });
+  await click(page, 8, 3);
+  await until(page, () => {
+    const robot = window.fairway.run.frames.at(-1).robots[0];
+    return robot.plan.goal.heading === null && Math.hypot(robot.x - 8, robot.y - 3) < 0.3;
+  });
+}));
+
+test('a start by a drag begins a new run there', () => withLive(async (page) => {
+  await until(page, () => window.fairway.run.duration > 0.5);
+  await page.click('#tool-start');
+  await drag(page, [10, 8], [8, 8]);
+  await until(page, () => {
+    const first = window.fairway.run.frames[0];
+    return first.time === 0 && Math.abs(first.robots[0].x - 10) < 0.1;
+  });
+  const first = await page.evaluate(() => window.fairway.run.frames[0].robots[0]);
+  assert.ok(Math.abs(Math.abs(first.heading) - Math.PI) < 0.1);
+}));
+
+test('obstacles drawn while it drives lead to another way, and can be wiped off', () => withLive(async (page) => {
+  const length = () => page.evaluate(() => {
+    const { path } = window.fairway.run.frames.at(-1).robots[0].plan;
+    let sum = 0;
+    for (let i = 1; i < path.length; ++i) sum += Math.hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+    return sum;
+  });
+  await page.click('#play');
+  await until(page, () => document.getElementById('connection').textContent === 'paused');
+  const plans = await page.evaluate(() => window.fairway.run.plans[0].length);
+  const before = await length();
+  await page.click('#tool-wall');
+  await page.locator('#brush').fill('0.2');
+  await drag(page, [8, 12], [12, 3]);
+  await until(page, (n) => window.fairway.run.plans[0].length > n, plans);
+  assert.equal(await cellAt(page, 10, 7.5), 1);
+  await page.click('#forward');
+  await page.waitForTimeout(300);
+  assert.ok(await length() > before + 0.2);
+  await page.click('#tool-erase');
+  await drag(page, [8, 12], [12, 3]);
+  await until(page, () => window.fairway.run.grids[0][0].changes.at(-1).runs[3] === 0);
+  assert.equal(await cellAt(page, 10, 7.5), 0);
+}));
+
+test('no obstacle can be drawn into a robot', () => withLive(async (page) => {
+  await page.click('#play');
+  const { robots: [robot] } = await last(page);
+  await page.click('#tool-wall');
+  await drag(page, [robot.x - 1, robot.y], [robot.x + 1, robot.y]);
+  await page.waitForTimeout(300);
+  assert.equal(await cellAt(page, robot.x, robot.y), 0);
+  assert.equal(await cellAt(page, robot.x + 0.8, robot.y), 1);
+}));
+
+test('a person is placed, led, and taken away; the robot is not touched', () => withLive(async (page) => {
+  await page.click('#tool-person');
+  await click(page, 9, 9);
+  await until(page, () => window.fairway.run.frames.at(-1).bodies.length === 1);
+  const [placed] = (await last(page)).bodies;
+  assert.ok(Math.hypot(placed.x - 9, placed.y - 9) < 0.1);
+  const bodyNow = () => page.evaluate(() => window.fairway.run.frames.at(-1).bodies[0]);
+  const from = await bodyNow();
+  await drag(page, [from.x, from.y], [7, 9]);
+  await until(page, () => window.fairway.run.frames.at(-1).bodies[0].vx < -1);
+  const walking = await bodyNow();
+  assert.ok(Math.hypot(walking.vx, walking.vy) < 1.5);
+  await until(page, () => {
+    const body = window.fairway.run.frames.at(-1).bodies[0];
+    return Math.abs(body.x - 7) < 0.1 && body.vx === 0;
+  });
+  await page.click('#tool-erase');
+  await click(page, 7, 9);
+  await until(page, () => window.fairway.run.frames.at(-1).bodies.length === 0);
+  assert.ok(!(await last(page)).robots[0].collided);
+}));
+
+test('robots are added and taken away', () => withLive(async (page) => {
+  await page.click('#tool-robot');
+  await drag(page, [4, 10], [6, 10]);
+  await until(page, () => window.fairway.run.begin.robots.length === 2 && window.fairway.run.frames.length > 0);
+  assert.equal(await page.locator('[data-robot]').count(), 2);
+  await page.click('[data-robot="1"]');
+  await page.click('#tool-goal');
+  await click(page, 12, 10);
+  await until(page, () => Math.abs((window.fairway.run.frames.at(-1).robots[1].plan?.goal.x ?? 0) - 12) < 0.1);
+  await page.click('#remove-robot');
+  await until(page, () => window.fairway.run.begin.robots.length === 1);
+}));
+
+test('pause, step, speed and restart', () => withLive(async (page) => {
+  await until(page, () => window.fairway.run.duration > 0.5);
+  await page.click('#play');
+  await until(page, () => document.getElementById('connection').textContent === 'paused');
+  await page.waitForTimeout(200);
+  const { time } = await last(page);
+  await page.waitForTimeout(400);
+  assert.equal((await last(page)).time, time);
+  await page.click('#forward');
+  await until(page, (t) => window.fairway.run.duration > t, time);
+  assert.ok(Math.abs((await last(page)).time - time - 0.1) < 1e-6);
+  await page.selectOption('#speed', '8');
+  await page.keyboard.press('Escape');
+  await page.locator('#map').focus();
+  await page.keyboard.press(' ');
+  const wall = Date.now();
+  await page.waitForTimeout(1000);
+  const passed = (await last(page)).time - time;
+  assert.ok(passed > 2, `${passed} s in ${Date.now() - wall} ms`);
+  await page.click('#restart');
+  await until(page, (t) => window.fairway.run.duration < t, time + passed);
+}));
+
+test('the past can be looked at while the world goes on', () => withLive(async (page) => {
+  await until(page, () => window.fairway.run.duration > 2);
+  await page.click('#to-start');
+  assert.ok(await page.evaluate(() => window.fairway.time) < 0.2);
+  assert.ok(await page.isVisible('#go-live'));
+  const shown = await page.evaluate(() => window.fairway.time);
+  const { time } = await last(page);
+  await until(page, (t) => window.fairway.run.duration > t + 0.3, time);
+  assert.equal(await page.evaluate(() => window.fairway.time), shown);
+  await page.click('#go-live');
+  await until(page, () => window.fairway.run.duration - window.fairway.time < 0.5);
+  assert.ok(!(await page.isVisible('#go-live')));
+}));
+
+test('settings have their units, take effect at once, and are refused where they make no sense', () => withLive(async (page) => {
+  await page.click('[data-group="mpc"] summary');
+  const row = page.locator('[data-setting="mpc.linear_max"]');
+  assert.match(await row.textContent(), /m\/s/);
+  await row.locator('input[type="number"]').fill('0.3');
+  await row.locator('input[type="number"]').press('Enter');
+  await until(page, () => window.fairway.run.setting('mpc', 'linear_max') === 0.3);
+  await page.selectOption('#speed', '4');
+  await until(page, () => {
+    const { frames } = window.fairway.run;
+    return frames.slice(-10).every((f) => f.robots[0].cycle && f.robots[0].cycle.linear < 0.31);
+  });
+  assert.match(await page.textContent('[data-value="speed"]'), /of 0\.30 m\/s/);
+  const slider = row.locator('input[type="range"]');
+  const box = await slider.boundingBox();
+  await page.mouse.click(box.x + box.width * 0.9, box.y + box.height / 2);
+  await until(page, () => window.fairway.run.setting('mpc', 'linear_max') > 0.5);
+  // A decay rate above 1 / dt contradicts Eq. (14).
+  const decay = page.locator('[data-setting="mpc.decay_rate"] input[type="number"]');
+  await decay.fill('50');
+  await decay.press('Enter');
+  await until(page, () => !document.getElementById('notice').hidden);
+  assert.match(await page.textContent('#notice'), /mpc\.decay_rate/);
+  assert.notEqual(await page.evaluate(() => window.fairway.run.setting('mpc', 'decay_rate')), 50);
+  await page.click('[data-group="navigation"] summary');
+  await page.locator('[data-setting="navigation.target_mode"] select').selectOption({ index: 1 });
+  await until(page, () => window.fairway.run.settings.find((s) => s.name === 'target_mode').value !== 'timed_string');
+  await page.locator('[data-setting="navigation.step_regions"] input').uncheck();
+  await until(page, () => window.fairway.run.settings.find((s) => s.name === 'step_regions').value === false);
+}));
+
+test('each map can be chosen', () => withLive(async (page) => {
+  for (const name of await page.locator('#map-choice option').allTextContents()) {
+    await page.selectOption('#map-choice', { label: name });
+    await title(page, name);
+    await until(page, () => window.fairway.run.frames.length > 3);
+    assert.ok((await last(page)).robots[0].usable, name);
+  }
+}, { map: null }));
+
+test('maps are uploaded, with their YAML file or without', () => withLive(async (page) => {
+  const width = 200;
+  const pixels = Buffer.alloc(width * 100, 254);
+  for (let x = 0; x < width; ++x) pixels[50 * width + x] = x > 150 ? 254 : 0;
+  const image = join(folder, 'walls.pgm');
+  await writeFile(image, Buffer.concat([Buffer.from(`P5 ${width} 100 255\n`), pixels]));
+  const yaml = join(folder, 'walls.yaml');
+  await writeFile(yaml, 'image: /etc/passwd\nresolution: 0.1\norigin: [3, -2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n');
+  await page.setInputFiles('#map-files', [image, yaml]);
+  await title(page, 'walls');
+  const frame = await page.evaluate(() => window.fairway.run.grids[0][0].frame);
+  assert.deepEqual(frame, { width: 200, height: 100, resolution: 0.1, origin: { x: 3, y: -2, heading: 0 } });
+  assert.equal(await cellAt(page, 5, 2.95), 1);
+  await page.setInputFiles('#map-files', image);
+  await page.fill('#resolution', '0.2');
+  await page.click('#resolution-ok');
+  await until(page, () => window.fairway.run.grids[0][0].frame.resolution === 0.2);
+  assert.ok((await last(page)).robots[0].usable);
+  const nonsense = join(folder, 'nonsense.png');
+  await writeFile(nonsense, 'no picture');
+  await page.setInputFiles('#map-files', [nonsense, yaml]);
+  await until(page, () => !document.getElementById('notice').hidden);
+  assert.match(await page.textContent('#notice'), /expected/);
+}));
+
+test('what is saved can be used: scenario, recording, report', () => withLive(async (page) => {
+  await page.click('#tool-wall');
+  await drag(page, [8, 12], [12, 6]);
+  await page.click('#tool-person');
+  await click(page, 4, 8);
+  await page.click('#tool-goal');
+  await click(page, 14, 4);
+  await page.click('[data-group="mpc"] summary');
+  const box = page.locator('[data-setting="mpc.linear_max"] input[type="number"]');
+  await box.fill('0.8');
+  await box.press('Enter');
+  await page.selectOption('#speed', '8');
+  await until(page, () => window.fairway.run.duration > 12);
+  await page.click('#play');
+  const save = async (text, name) => {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'), page.click(`#files a:has-text("${text}")`)]);
+    assert.equal(download.suggestedFilename(), name);
+    const path = join(folder, name);
+    await download.saveAs(path);
+    return path;
+  };
+  const recording = await save('Recording', 'run.mcap');
+  const told = execFileSync(program('fairway'), ['replay', recording], { encoding: 'utf8' });
+  assert.match(told, /every command the same to the bit/);
+  const archive = await save('Scenario', 'scenario.zip');
+  execFileSync('python3', ['-m', 'zipfile', '-e', archive, join(folder, 'scenario')]);
+  const result = JSON.parse(execFileSync(program('fairway'),
+    ['simulate', join(folder, 'scenario/scenario.yaml'), '--json', '-'], { encoding: 'utf8' }));
+  assert.ok(result.success);
+  assert.match(await readFile(join(folder, 'scenario/scenario.yaml'), 'utf8'), /linear_max: 0\.8/);
+  const report = await save('Report', 'run.html');
+  const { page: replay, errors, context } = await openPage(browser, pathToFileURL(report).href);
+  await replay.waitForFunction(() => window.fairway?.drawn > 0);
+  assert.ok(await replay.evaluate(() => window.fairway.run.duration) > 12);
+  assert.ok(await replay.evaluate(() => window.fairway.run.frames.at(-1).bodies.length) === 1);
+  assert.deepEqual(errors, []);
+  await context.close();
+}));
+
+test('two pages show and change one world', () => withLive(async (one, two) => {
+  await two.waitForFunction(() => window.fairway?.drawn > 0);
+  await two.click('#tool-goal');
+  await title(two, 'Empty hall');
+  await click(two, 6, 11);
+  await until(one, () => Math.abs((window.fairway.run.frames.at(-1).robots[0].plan?.goal.y ?? 0) - 11) < 0.1);
+  await one.click('#play');
+  await until(two, () => document.getElementById('connection').textContent === 'paused');
+  await two.waitForTimeout(300);
+  const [a, b] = [await last(one), await last(two)];
+  assert.deepEqual(a, b);
+}, { pages: 2 }));
+
+test('who joins late sees the past, and a page comes back after the server was away', async () => {
+  const server = await serve();
+  const first = await openPage(browser, server.url);
+  await until(first.page, () => window.fairway?.run?.duration > 3);
+  const second = await openPage(browser, server.url);
+  await until(second.page, () => window.fairway?.run?.frames[0].time === 0 && window.fairway.run.duration > 3);
+  await second.context.close();
+  await server.stop();
+  await until(first.page, () => /trying again/.test(document.getElementById('connection').textContent));
+  await first.context.close();
+});

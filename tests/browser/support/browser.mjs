@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A headless Chromium that talks to nobody but the page under test.
+import { chromium } from 'playwright-core';
+
+export const executablePath = process.env.FAIRWAY_CHROMIUM ?? '/usr/bin/chromium';
+
+export const launch = () => chromium.launch({
+  executablePath,
+  headless: true,
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+});
+
+/** A page whose errors fail the test that asks for them. */
+export async function openPage(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  const errors = [];
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') errors.push(message.text());
+  });
+  await page.goto(url);
+  return { context, page, errors };
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/recording.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/mcap_reader.hpp"
+#include "fairway/io/recording/run_stream.hpp"
+#include "fairway/simulation/replay_check.hpp"
+#include "support/random_world.hpp"
+#include "synthetic_run.hpp"
+
+namespace fairway::io {
+namespace {
+
+using test::SyntheticRun;
+
+std::string recorded(const SyntheticRun& run) {
+  Recording recording;
+  RunMessages messages(recording);
+  run.play(messages);
+  recording.finish();
+  return recording.take();
+}
+
+TEST(Recording, TellsWhenReadExactlyWhatWasTold) {
+  const SyntheticRun run;
+  const std::string bytes = recorded(run);
+  // What is told is compared as what it becomes when recorded once more.
+  Recording again;
+  RunMessages messages(again);
+  const auto read = read_recording(bytes, "run.mcap", messages);
+  ASSERT_TRUE(read) << read.error().message;
+  again.finish();
+  EXPECT_EQ(again.take(), bytes);
+}
+
+TEST(Recording, IsTheSameWhenItIsTakenPieceByPiece) {
+  const SyntheticRun run;
+  Recording recording;
+  RunMessages messages(recording);
+  std::string pieces = recording.take();
+  run.play(messages);
+  pieces += recording.take();
+  recording.finish();
+  pieces += recording.take();
+  EXPECT_EQ(pieces, recorded(run));
+}
+
+TEST(Recording, OfARunThatGoesOnCanBeFinishedAsACopy) {
+  Recording recording;
+  RunMessages messages(recording);
+  SyntheticRun{.seconds = 1.0}.play(messages);
+  McapWriter copy = recording.writer();
+  copy.finish();
+  const std::string so_far = copy.take();
+  RunStream stream;
+  EXPECT_TRUE(read_recording(so_far, "run.mcap", stream));
+}
+
+TEST(Recording, EveryDamagedByteIsNoticedOrHarmless) {
+  const std::string bytes = recorded({.robots = 1, .bodies = 1, .seconds = 0.5, .map_side = 20});
+  test::Random random(7);
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string damaged = bytes;
+    const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << random.integer(0, 7)));
+    RunStream stream;  // must not crash, whatever it is told
+    static_cast<void>(read_recording(damaged, "run.mcap", stream));
+  }
+}
+
+TEST(Recording, ThatIsCutOffIsAnErrorThatSaysSo) {
+  const std::string bytes = recorded({});
+  for (const double share : {0.0, 0.1, 0.5, 0.9}) {
+    RunStream stream;
+    const auto size = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
+    const auto read = read_recording(bytes.substr(0, size), "run.mcap", stream);
+    ASSERT_FALSE(read);
+    EXPECT_TRUE(read.error().message.starts_with("run.mcap: expected")) << read.error().message;
+  }
+}
+
+TEST(ExactJson, KeepsEveryDoubleToTheBit) {
+  test::Random random(3);
+  const double inf = std::numeric_limits<double>::infinity();
+  std::vector<double> values = {0.0, -0.0, 0.1, 1e300, 5e-324, inf, -inf, 1.0 / 3.0};
+  for (int i = 0; i < 1000; ++i)
+    values.push_back(random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-300.0, 300.0)));
+  for (const double value : values) {
+    const auto text = exact::to_json(value).dump();
+    const double back = exact::to_number(exact::Json::parse(text));
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(value)) << text;
+  }
+  EXPECT_TRUE(std::isnan(exact::to_number(exact::to_json(std::nan("")))));
+}
+
+TEST(ExactJson, ChangedCellsLeadFromOneGridToTheOther) {
+  test::Random random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    const GridFrame frame{.width = random.integer(1, 200),
+                          .height = random.integer(1, 20),
+                          .resolution = 0.05,
+                          .origin = {}};
+    BitGrid before(frame, false);
+    BitGrid now(frame, false);
+    for (int i = 0; i < frame.width * frame.height; ++i) {
+      const CellIndex cell{.x = i % frame.width, .y = i / frame.width};
+      before.set(cell, random.integer(0, 2) == 0);
+      now.set(cell, random.integer(0, 1) == 0);
+    }
+    exact::change_cells(exact::changed_cells(before, now), before);
+    EXPECT_TRUE(exact::changed_cells(before, now).empty());
+    const BitGrid copy = exact::to_grid(exact::to_json(now));
+    EXPECT_TRUE(exact::changed_cells(copy, now).empty());
+  }
+}
+
+TEST(ExactJson, RefusesWhatNoMapCouldHold) {
+  const BitGrid grid(GridFrame{.width = 8, .height = 4, .resolution = 0.1, .origin = {}}, false);
+  exact::Json json = exact::to_json(grid);
+  json["frame"]["width"] = 1000000;
+  EXPECT_THROW(static_cast<void>(exact::to_grid(json)), std::invalid_argument);
+  json["frame"]["width"] = 9;
+  json["bits"] = "AAAA";
+  EXPECT_THROW(static_cast<void>(exact::to_grid(json)), std::invalid_argument);
+  BitGrid changed = grid;
+  for (const char* runs : {"[0,0,65,1]", "[4,0,1,1]", "[0,7,2,1]", "[0,-1,1,1]"}) {
+    EXPECT_THROW(exact::change_cells(exact::Json::parse(runs), changed), std::invalid_argument)
+        << runs;
+  }
+}
+
+}  // namespace
+}  // namespace fairway::io

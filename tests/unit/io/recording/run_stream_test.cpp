@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/run_stream.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/io/recording/report.hpp"
+#include "synthetic_run.hpp"
+
+namespace fairway::io {
+namespace {
+
+using test::SyntheticRun;
+
+// Numbers as the page reads them; what the records mean is tested in the browser.
+std::uint64_t take_count(std::string_view& bytes) {
+  std::uint64_t value = 0;
+  for (int shift = 0; !bytes.empty(); shift += 7) {
+    const auto byte = static_cast<std::uint8_t>(bytes.front());
+    bytes.remove_prefix(1);
+    value |= static_cast<std::uint64_t>(byte & 127U) << shift;
+    if (byte < 128) return value;
+  }
+  ADD_FAILURE() << "a number ends too early";
+  return 0;
+}
+
+TEST(RunStream, IsACompleteListOfRecords) {
+  const SyntheticRun run{.robots = 3, .bodies = 1, .seconds = 2.0};
+  RunStream stream;
+  run.play(stream);
+  const std::string all = stream.take();
+  std::string_view rest = all;
+  std::vector<int> counts(7);
+  while (!rest.empty()) {
+    const auto kind = take_count(rest);
+    ASSERT_LT(kind, counts.size());
+    const std::uint64_t size = take_count(rest);
+    ASSERT_LE(size, rest.size());
+    rest.remove_prefix(size);
+    ++counts[kind];
+  }
+  EXPECT_EQ(counts, (std::vector<int>{0, 1, 2, 3, 63, 21, 1}));
+}
+
+TEST(RunStream, IsTheSameInPieces) {
+  const SyntheticRun run;
+  RunStream whole;
+  run.play(whole);
+  const std::string all = whole.take();
+  EXPECT_FALSE(all.empty());
+  EXPECT_TRUE(whole.take().empty());
+  RunStream again;
+  run.play(again);
+  EXPECT_EQ(again.take(), all);
+}
+
+TEST(Report, OfFiveMinutesOfFourRobotsIsBelowTenMegabytes) {
+  Report report;
+  SyntheticRun{.robots = 4, .bodies = 6, .seconds = 300.0, .map_side = 1000}.play(
+      report.observer());
+  const std::string page = report.page();
+  EXPECT_LT(page.size(), 10'000'000U);
+  RecordProperty("bytes", static_cast<int>(page.size()));
+}
+
+TEST(Report, NeedsNothingFromOutside) {
+  Report report;
+  SyntheticRun{.seconds = 1.0}.play(report.observer());
+  const std::string page = report.page();
+  for (const char* reference : {"src=\"", "href=\"http", "@import", "url(http"})
+    EXPECT_EQ(page.find(reference), std::string::npos) << reference;
+}
+
+}  // namespace
+}  // namespace fairway::io

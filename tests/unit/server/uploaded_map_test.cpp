@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/uploaded_map.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "fairway/io/recording/base64.hpp"
+
+namespace fairway::app {
+namespace {
+
+const std::string kPicture = io::to_base64("P2 2 2 255\n254 0\n205 254\n");
+
+TEST(UploadedMap, IsReadWithAResolution) {
+  const nlohmann::json json{{"name", "a"}, {"image", kPicture}, {"resolution", 0.1}};
+  const auto uploaded = read_uploaded_map(json.dump());
+  ASSERT_TRUE(uploaded) << uploaded.error().message;
+  EXPECT_EQ(uploaded->name, "a");
+  EXPECT_EQ(uploaded->map.frame().resolution, 0.1);
+  EXPECT_EQ(uploaded->map.at({.x = 1, .y = 1}), CellState::Occupied);
+  EXPECT_EQ(uploaded->map.at({.x = 0, .y = 0}), CellState::Unknown);
+}
+
+TEST(UploadedMap, NeverLooksForTheImageThatTheYamlNames) {
+  const std::string yaml =
+      "image: /dev/zero\nresolution: 0.2\norigin: [1, 2, 0.5]\nnegate: 1\n"
+      "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  const nlohmann::json json{{"name", "b"}, {"image", kPicture}, {"yaml", yaml}};
+  const auto uploaded = read_uploaded_map(json.dump());
+  ASSERT_TRUE(uploaded) << uploaded.error().message;
+  EXPECT_EQ(uploaded->map.frame().origin.heading, 0.5);
+  EXPECT_EQ(uploaded->map.at({.x = 1, .y = 1}), CellState::Free);
+}
+
+TEST(UploadedMap, RefusesWhatIsNone) {
+  for (const char* text :
+       {"", "[]", "{}", R"({"name":"a","image":"*","resolution":0.1})",
+        R"({"name":"a","image":"AAAA","resolution":0.1})", R"({"name":"a","image":7})"})
+    EXPECT_FALSE(read_uploaded_map(text)) << text;
+  nlohmann::json json{{"name", "a"}, {"image", kPicture}, {"resolution", 0.0}};
+  EXPECT_FALSE(read_uploaded_map(json.dump()));
+  json["resolution"] = "0.1";
+  EXPECT_FALSE(read_uploaded_map(json.dump()));
+}
+
+TEST(UploadedMap, RefusesAPictureThatPromisesTooMuchBeforeItIsDecoded) {
+  const std::string header("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\xEA\x60\0\0\xEA\x60", 24);
+  const nlohmann::json json{{"name", "a"}, {"image", io::to_base64(header)}, {"resolution", 0.1}};
+  const auto uploaded = read_uploaded_map(json.dump());
+  ASSERT_FALSE(uploaded);
+  EXPECT_NE(uploaded.error().message.find("16 million"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fairway::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/** The element of the page with this id. */
+export function element<T extends HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no element ${id}`);
+  return found as T;
+}
+
+type Child = Node | string | null;
+
+/** Makes an element: `make('b', {class: 'x'}, 'text')`. Text is never read as HTML. */
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K, attributes: Record<string, string> = {}, ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children.filter((child) => child !== null));
+  return made;
+}
+
+/** Metres and the like for a person: fixed digits, "far" where nothing is near. */
+export const shown = (value: number, digits = 2): string =>
+  Number.isFinite(value) ? value.toFixed(digits) : '–';

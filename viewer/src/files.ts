@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+import { element, make } from './dom';
+import type { Send } from './tools';
+
+type Tell = (notice: string) => void;
+
+const base64 = async (file: File): Promise<string> => {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  return btoa(text);
+};
+
+const isYaml = (file: File): boolean => /\.ya?ml$/i.test(file.name);
+
+/** Choosing and uploading maps, restarting, and saving. */
+export class Files {
+  private readonly maps = make('select', { id: 'map-choice', 'aria-label': 'Map' });
+  private readonly picker = make('input', { type: 'file', id: 'map-files', accept: '.pgm,.png,.yaml,.yml', multiple: '', hidden: '' });
+  private readonly dialog = make('dialog', { id: 'resolution-dialog' });
+  private readonly resolution = make('input', { type: 'number', id: 'resolution', min: '0.001', max: '10', step: 'any', value: '0.05' });
+  private names: string[] = [];
+
+  constructor(send: Send, private readonly tell: Tell) {
+    const button = (id: string, title: string, text: string, action: () => void): HTMLElement => {
+      const made = make('button', { type: 'button', id, title }, text);
+      made.addEventListener('click', action);
+      return made;
+    };
+    const link = (href: string, title: string, text: string): HTMLElement =>
+      make('a', { class: 'button', href, download: '', title }, text);
+    this.maps.addEventListener('change', () => send({ do: 'map', index: this.maps.selectedIndex }));
+    this.picker.addEventListener('change', () => void this.upload([...this.picker.files ?? []]));
+    this.askResolution();
+    const root = element('files');
+    root.append(this.maps,
+      button('upload', 'A map of your own: PGM or PNG, with or without its YAML file', 'Upload', () => this.picker.click()),
+      button('restart', 'Begin again', 'Restart', () => send({ do: 'restart' })),
+      make('span', { class: 'label' }, 'Save'),
+      link('/scenario.zip', 'Map, robots, people and settings, for `fairway simulate`', 'Scenario'),
+      link('/recording.mcap', 'For Foxglove, and for `fairway replay`', 'Recording'),
+      link('/report.html', 'A page that plays this run', 'Report'),
+      this.picker, this.dialog);
+    root.hidden = false;
+  }
+
+  show(maps: string[], index: number): void {
+    if (maps.join('\n') !== this.names.join('\n')) {
+      this.names = maps;
+      this.maps.replaceChildren(...maps.map((name) => make('option', {}, name)));
+    }
+    this.maps.selectedIndex = index;
+  }
+
+  private askResolution(): void {
+    const form = make('form', { method: 'dialog' },
+      make('label', {}, 'Metres per pixel ', this.resolution),
+      make('button', { class: 'primary', id: 'resolution-ok' }, 'Use the map'));
+    this.dialog.append(form);
+  }
+
+  private async upload(files: File[]): Promise<void> {
+    this.picker.value = '';
+    const yaml = files.find(isYaml);
+    const image = files.find((file) => !isYaml(file));
+    if (!image) return this.tell('Choose the map\'s picture too: a PGM or PNG file');
+    if (!yaml && !(await this.resolutionGiven())) return;
+    const body = {
+      name: image.name.replace(/\.\w+$/, ''),
+      image: await base64(image),
+      ...(yaml ? { yaml: await yaml.text() } : { resolution: this.resolution.valueAsNumber }),
+    };
+    const answer = await fetch('/map', {
+      method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body),
+    }).catch(() => null);
+    if (!answer?.ok) this.tell(answer ? await answer.text() : 'The map did not arrive');
+  }
+
+  private resolutionGiven(): Promise<boolean> {
+    this.dialog.returnValue = 'cancel';
+    this.dialog.showModal();
+    return new Promise((resolve) => {
+      this.dialog.addEventListener('close', () => resolve(this.dialog.returnValue !== 'cancel' && this.resolution.checkValidity()), { once: true });
+    });
+  }
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+import { element, make } from './dom';
+import type { Transport } from './playback';
+import type { Viewer } from './viewer';
+
+type Action = () => void;
+
+const help: [string, string][] = [
+  ['Space', 'play or pause'], ['← →', 'one step'], ['Shift ← →', 'one second'],
+  ['Home End', 'start, end'], ['+ −', 'zoom'], ['F', 'show the whole map'],
+  ['W A S D', 'move the map'], ['1 to 9', 'choose a robot'], ['L', 'layers'],
+  ['T', 'light or dark'], ['?', 'this list'],
+  ['wheel, pinch', 'zoom'], ['drag', 'move the map'], ['click', 'choose a robot, or a time'],
+];
+
+/** Opens and closes a popover with its button. */
+export function popover(button: string, panel: string): Action {
+  const root = element(panel);
+  const opener = element(button);
+  const toggle = (): void => {
+    const opening = root.hidden;
+    for (const other of document.querySelectorAll<HTMLElement>('.popover')) other.hidden = true;
+    for (const other of document.querySelectorAll('[aria-controls]')) {
+      if (other.getAttribute('aria-controls') !== 'panel') other.setAttribute('aria-expanded', 'false');
+    }
+    root.hidden = !opening;
+    opener.setAttribute('aria-expanded', `${opening}`);
+  };
+  opener.addEventListener('click', toggle);
+  return toggle;
+}
+
+/** All keys of both pages. */
+export function listenToKeys(viewer: Viewer, transport: Transport, extra: Record<string, Action> = {}): void {
+  const rows = [...help];
+  element('help').append(make('table', {}, ...rows.map(([key, what]) =>
+    make('tr', {}, make('td', {}, ...key.split(' ').flatMap((k) => [make('kbd', {}, k), ' '])),
+      make('td', {}, what)))));
+  const toggleHelp = popover('show-help', 'help');
+  const toggleLayers = popover('show-layers', 'layers');
+  const redraw = (change: Action): Action => () => { change(); viewer.invalidate(); };
+  const pan = (dx: number, dy: number): Action => redraw(() => viewer.camera.pan(dx, dy));
+  const actions: Record<string, Action> = {
+    ' ': () => transport.toggle(),
+    ArrowLeft: () => transport.step(-1),
+    ArrowRight: () => transport.step(1),
+    'Shift+ArrowLeft': () => transport.seek(viewer.time - 1),
+    'Shift+ArrowRight': () => transport.seek(viewer.time + 1),
+    Home: () => transport.start(),
+    End: () => transport.end(),
+    '+': redraw(() => viewer.camera.zoom(1.3)),
+    '=': redraw(() => viewer.camera.zoom(1.3)),
+    '-': redraw(() => viewer.camera.zoom(1 / 1.3)),
+    f: () => viewer.fit(),
+    '0': () => viewer.fit(),
+    w: pan(0, 60), s: pan(0, -60), a: pan(60, 0), d: pan(-60, 0),
+    l: toggleLayers,
+    t: () => viewer.themes.toggle(),
+    '?': toggleHelp,
+    ...extra,
+  };
+  addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const target = event.target as HTMLElement;
+    const types = target.matches('input:not([type=range]):not([type=checkbox]), select, textarea');
+    if (types || (event.key === ' ' && target.matches('button, summary'))) return;
+    // The time slider's own keys would move it by too little.
+    const moves = event.key.startsWith('Arrow') || event.key === 'Home' || event.key === 'End';
+    if (moves && target.matches('input[type=range]') && target.id !== 'time') return;
+    const digit = Number(event.key);
+    if (digit >= 1 && viewer.run && digit <= viewer.run.begin.robots.length) viewer.select(digit - 1);
+    const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const action = actions[event.shiftKey && moves ? `Shift+${name}` : name];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}
+
+/** The buttons that both pages have besides. */
+export function connectButtons(viewer: Viewer): void {
+  const zoom = (factor: number) => () => { viewer.camera.zoom(factor); viewer.invalidate(); };
+  element('zoom-in').addEventListener('click', zoom(1.3));
+  element('zoom-out').addEventListener('click', zoom(1 / 1.3));
+  element('fit').addEventListener('click', () => viewer.fit());
+  element('theme').addEventListener('click', () => viewer.themes.toggle());
+  const panel = element('panel');
+  element('show-panel').addEventListener('click', (event) => {
+    panel.hidden = !panel.hidden;
+    (event.currentTarget as HTMLElement).setAttribute('aria-expanded', `${!panel.hidden}`);
+  });
+  element('print').addEventListener('click', () => print());
+  addEventListener('beforeprint', () => viewer.print(true));
+  addEventListener('afterprint', () => viewer.print(false));
+}

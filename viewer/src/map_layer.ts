@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Camera } from './camera';
+import type { Grid } from './run';
+import type { Theme } from './theme';
+
+const rgb = (color: string): [number, number, number] => [
+  parseInt(color.slice(1, 3), 16), parseInt(color.slice(3, 5), 16), parseInt(color.slice(5, 7), 16)];
+
+/** A map as a picture of one pixel per cell, brought to any time and drawn through a camera. */
+export class MapLayer {
+  private readonly canvas = document.createElement('canvas');
+  private grid: Grid | null = null;
+  private cells = new Uint8Array(0);
+  private applied = 0; // changes carried out
+  private theme: Theme | null = null;
+
+  draw(context: CanvasRenderingContext2D, camera: Camera, grid: Grid, time: number, theme: Theme): void {
+    this.bring(grid, time, theme);
+    const { frame } = grid;
+    context.save();
+    // Cell (0, 0) is at the lower left; the picture's first row is the lowest one.
+    const at = camera.toScreen(frame.origin);
+    const pixels = frame.resolution * camera.scale;
+    context.translate(at.x, at.y);
+    context.rotate(-frame.origin.heading);
+    context.scale(pixels, -pixels);
+    context.imageSmoothingEnabled = pixels * devicePixelRatio < 1;
+    context.drawImage(this.canvas, 0, 0);
+    context.restore();
+  }
+
+  private bring(grid: Grid, time: number, theme: Theme): void {
+    let until = this.applied;
+    const { changes } = grid;
+    while (until < changes.length && changes[until]!.time <= time + 1e-9) ++until;
+    while (until > 0 && changes[until - 1]!.time > time + 1e-9) --until;
+    const fresh = grid !== this.grid || until < this.applied;
+    if (fresh) {
+      this.grid = grid;
+      this.cells = grid.cells.slice();
+      this.applied = 0;
+    }
+    const first = this.applied;
+    for (; this.applied < until; ++this.applied) this.apply(changes[this.applied]!.runs);
+    if (fresh || theme !== this.theme) this.paint(theme);
+    else for (let i = first; i < until; ++i) this.paintRuns(changes[i]!.runs, theme);
+  }
+
+  private apply(runs: number[]): void {
+    const width = this.grid!.frame.width;
+    for (let i = 0; i < runs.length; i += 4) {
+      const start = runs[i]! * width + runs[i + 1]!;
+      this.cells.fill(runs[i + 3]!, start, start + runs[i + 2]!);
+    }
+  }
+
+  private paint(theme: Theme): void {
+    this.theme = theme;
+    const { width, height } = this.grid!.frame;
+    this.canvas.width = width;
+    this.canvas.height = height;
+    const image = new ImageData(width, height);
+    const pixels = new Uint32Array(image.data.buffer);
+    const colors = [theme.free, theme.occupied, theme.unknown].map((color) => {
+      const [r, g, b] = rgb(color);
+      return (255 << 24 | b << 16 | g << 8 | r) >>> 0;
+    });
+    for (let i = 0; i < pixels.length; ++i) pixels[i] = colors[this.cells[i]!] ?? 0;
+    this.canvas.getContext('2d')!.putImageData(image, 0, 0);
+  }
+
+  private paintRuns(runs: number[], theme: Theme): void {
+    const context = this.canvas.getContext('2d')!;
+    const colors = [theme.free, theme.occupied, theme.unknown];
+    for (let i = 0; i < runs.length; i += 4) {
+      context.fillStyle = colors[runs[i + 3]!]!;
+      context.fillRect(runs[i + 1]!, runs[i]!, runs[i + 2]!, 1);
+    }
+  }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Body, Frame, Grid, Pose, Run } from './run';
+
+/** What is shown at one instant: the frame at or before it, moved on towards the next one. */
+export interface Moment {
+  time: number;
+  index: number;
+  frame: Frame;
+  poses: Pose[];
+  bodies: Body[];
+}
+
+const turn = (from: number, to: number): number => {
+  const difference = (to - from) % (2 * Math.PI);
+  if (difference > Math.PI) return difference - 2 * Math.PI;
+  return difference < -Math.PI ? difference + 2 * Math.PI : difference;
+};
+
+export function momentAt(run: Run, time: number): Moment | null {
+  const index = run.frameIndex(time);
+  const frame = run.frames[index];
+  if (!frame) return null;
+  const next = run.frames[index + 1];
+  const span = next ? next.time - frame.time : 0;
+  const share = next && span > 0 ? Math.min(Math.max((time - frame.time) / span, 0), 1) : 0;
+  const poses = frame.robots.map((robot, i) => {
+    const to = next?.robots[i];
+    if (!to) return robot;
+    return {
+      x: robot.x + share * (to.x - robot.x),
+      y: robot.y + share * (to.y - robot.y),
+      heading: robot.heading + share * turn(robot.heading, to.heading),
+    };
+  });
+  const bodies = frame.bodies.map((body, i) => {
+    const to = next?.bodies[i];
+    return to ? { ...body, x: body.x + share * (to.x - body.x), y: body.y + share * (to.y - body.y) } : body;
+  });
+  return { time, index, frame, poses, bodies };
+}
+
+/** The map of a slot that was the newest at `time`. */
+export function gridAt(run: Run, slot: number, time: number): Grid | null {
+  const grids = run.grids[slot] ?? [];
+  let found = grids[0] ?? null;
+  for (const grid of grids) {
+    if (grid.time > time + 1e-9) break;
+    found = grid;
+  }
+  return found;
+}

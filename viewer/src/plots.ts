@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+import { type Run, separation } from './run';
+import { type Theme, robotColor, statusTone, toneColor } from './theme';
+
+/** Room left of and right of the plots, for axes; the time slider above them has the same. */
+export const plotGutter = { left: 46, right: 14 };
+
+const RIBBON = 10;
+const GAP = 13;
+const FAR = 2; // clearances are measured up to here [m]
+
+interface Row {
+  top: number;
+  height: number;
+  min: number;
+  max: number;
+}
+
+const niceStep = (span: number, count: number): number => {
+  const raw = span / Math.max(count, 1);
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const unit = [1, 2, 5, 10].find((n) => n * power >= raw) ?? 10;
+  return unit * power;
+};
+
+/** Status, speed and distances of one robot over time. */
+export class Plots {
+  private readonly still = document.createElement('canvas'); // all but the cursor
+  private key = '';
+  private from = 0;
+  private to = 1;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {}
+
+  /** The time under a pixel column. */
+  timeAt(x: number): number {
+    const share = (x - plotGutter.left) / this.room();
+    return this.from + Math.min(Math.max(share, 0), 1) * (this.to - this.from);
+  }
+
+  draw(run: Run, robot: number, time: number, from: number, to: number, theme: Theme): void {
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    if (width < 100 || height < 40) return;
+    const ratio = devicePixelRatio;
+    [this.from, this.to] = [from, Math.max(to, from + 1e-3)];
+    const key = [width, height, ratio, run.frames.length, robot, from, to, theme.dark].join();
+    if (key !== this.key) {
+      this.key = key;
+      this.still.width = Math.round(width * ratio);
+      this.still.height = Math.round(height * ratio);
+      const context = this.still.getContext('2d')!;
+      context.setTransform(ratio, 0, 0, ratio, 0, 0);
+      this.drawStill(context, run, robot, width, height, theme);
+    }
+    if (this.canvas.width !== this.still.width || this.canvas.height !== this.still.height) {
+      this.canvas.width = this.still.width;
+      this.canvas.height = this.still.height;
+    }
+    const context = this.canvas.getContext('2d')!;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    context.drawImage(this.still, 0, 0);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const x = this.column(time);
+    context.strokeStyle = theme.ink;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.moveTo(x, 0);
+    context.lineTo(x, height - 18);
+    context.stroke();
+  }
+
+  private room(): number {
+    return Math.max(this.canvas.clientWidth - plotGutter.left - plotGutter.right, 1);
+  }
+
+  private column(time: number): number {
+    return plotGutter.left + (time - this.from) / (this.to - this.from) * this.room();
+  }
+
+  private drawStill(
+    context: CanvasRenderingContext2D, run: Run, robot: number, width: number, height: number,
+    theme: Theme,
+  ): void {
+    context.clearRect(0, 0, width, height);
+    const axis = 18;
+    const each = (height - axis - RIBBON - 2 * GAP) / 2;
+    const most = run.setting('mpc', 'linear_max') || 1;
+    const least = Math.min(0, run.setting('mpc', 'linear_min') || 0);
+    const speed: Row = { top: RIBBON + GAP, height: each, min: least * 1.1, max: most * 1.15 };
+    const room: Row = { top: RIBBON + 2 * GAP + each, height: each, min: 0, max: FAR };
+    this.ribbon(context, run, robot, theme);
+    this.times(context, height - axis, theme);
+    const name = (text: string, row: Row): void => this.frame(context, row, text, theme);
+    name('speed m/s', speed);
+    name('room m', room);
+    const color = robotColor(robot, theme);
+    this.level(context, speed, most, theme.limit);
+    this.level(context, room, run.setting('navigation', 'obstacle_margin'), theme.body);
+    const cycle = (i: number) => run.frames[i]!.robots[robot]?.cycle;
+    this.curve(context, run, speed, theme.faint, 1, (i) => cycle(i)?.commandLinear ?? null);
+    this.curve(context, run, speed, color, 1.75, (i) => cycle(i)?.linear ?? null);
+    this.curve(context, run, room, color, 1.75, (i) => cycle(i)?.clearance ?? null);
+    this.curve(context, run, room, theme.body, 1.5, (i) => {
+      const gap = separation(run.frames[i]!, robot, run.radius);
+      return gap <= FAR ? gap : null;
+    });
+  }
+
+  private ribbon(context: CanvasRenderingContext2D, run: Run, robot: number, theme: Theme): void {
+    context.fillStyle = theme.grid;
+    context.fillRect(plotGutter.left, 0, this.room(), RIBBON);
+    const { frames } = run;
+    for (let i = run.frameIndex(this.from); i < frames.length; ++i) {
+      const frame = frames[i]!;
+      if (frame.time > this.to) break;
+      const me = frame.robots[robot];
+      if (!me || (!me.cycle && !me.collided)) continue;
+      const x = Math.max(this.column(frame.time), plotGutter.left);
+      const end = this.column(frames[i + 1]?.time ?? frame.time + 0.1);
+      context.fillStyle = me.collided ? theme.limit : toneColor(statusTone(me.cycle!.status), theme);
+      context.fillRect(x, 0, Math.min(end, this.column(this.to)) - x + 0.5, RIBBON);
+    }
+  }
+
+  private times(context: CanvasRenderingContext2D, top: number, theme: Theme): void {
+    const step = niceStep(this.to - this.from, this.room() / 80);
+    context.font = '11px system-ui, sans-serif';
+    context.textAlign = 'center';
+    context.textBaseline = 'top';
+    for (let t = Math.ceil(this.from / step - 1e-9) * step; t <= this.to + 1e-9; t += step) {
+      const x = this.column(t);
+      context.fillStyle = theme.grid;
+      context.fillRect(x - 0.5, RIBBON + GAP, 1, top - RIBBON - GAP);
+      context.fillStyle = theme.faint;
+      const text = `${+t.toFixed(2)} s`;
+      const half = context.measureText(text).width / 2;
+      context.fillText(text, Math.min(x, this.canvas.clientWidth - half - 2), top + 4);
+    }
+  }
+
+  private frame(context: CanvasRenderingContext2D, row: Row, text: string, theme: Theme): void {
+    context.font = '11px system-ui, sans-serif';
+    context.textAlign = 'right';
+    context.textBaseline = 'middle';
+    const step = niceStep(row.max - row.min, row.height / 24);
+    for (let v = Math.ceil(row.min / step - 1e-9) * step; v <= row.max + 1e-9; v += step) {
+      const y = this.height(row, v);
+      context.fillStyle = theme.grid;
+      context.fillRect(plotGutter.left, y - 0.5, this.room(), 1);
+      context.fillStyle = theme.faint;
+      context.fillText(`${+v.toFixed(2)}`, plotGutter.left - 6, y);
+    }
+    if (context.measureText(text).width > row.height + GAP) return;
+    context.save();
+    context.translate(9, row.top + row.height / 2);
+    context.rotate(-Math.PI / 2);
+    context.textAlign = 'center';
+    context.fillStyle = theme.faint;
+    context.fillText(text, 0, 0);
+    context.restore();
+  }
+
+  private height(row: Row, value: number): number {
+    const share = (Math.min(Math.max(value, row.min), row.max) - row.min) / (row.max - row.min);
+    return row.top + (1 - share) * row.height;
+  }
+
+  private level(context: CanvasRenderingContext2D, row: Row, value: number, color: string): void {
+    if (!Number.isFinite(value)) return;
+    const y = this.height(row, value);
+    context.save();
+    context.strokeStyle = color;
+    context.globalAlpha = 0.7;
+    context.setLineDash([4, 4]);
+    context.beginPath();
+    context.moveTo(plotGutter.left, y);
+    context.lineTo(plotGutter.left + this.room(), y);
+    context.stroke();
+    context.restore();
+  }
+
+  private curve(
+    context: CanvasRenderingContext2D, run: Run, row: Row, color: string, width: number,
+    value: (index: number) => number | null,
+  ): void {
+    context.strokeStyle = color;
+    context.lineWidth = width;
+    context.lineJoin = 'round';
+    context.beginPath();
+    let drawing = false;
+    for (let i = run.frameIndex(this.from); i < run.frames.length; ++i) {
+      const { time } = run.frames[i]!;
+      if (time > this.to) break;
+      const v = time < this.from ? null : value(i);
+      if (v === null) {
+        drawing = false;
+        continue;
+      }
+      const [x, y] = [this.column(time), this.height(row, v)];
+      if (drawing) context.lineTo(x, y);
+      else context.moveTo(x, y);
+      drawing = true;
+    }
+    context.stroke();
+  }
+}

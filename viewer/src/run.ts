@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/** Lengths in metres, angles in radians, times in seconds, as everywhere in Fairway. */
+export interface Point {
+  x: number;
+  y: number;
+}
+
+export interface Pose extends Point {
+  heading: number;
+}
+
+export interface Body extends Point {
+  vx: number;
+  vy: number;
+  radius: number;
+}
+
+/** Where the row that limits a plan lies. */
+export type Mark = { shape: 'side'; a: Point; b: Point } | { shape: 'disc'; a: Point; radius: number };
+
+/** A robot in a control cycle. */
+export interface Cycle {
+  slot: number;
+  linear: number;
+  angular: number;
+  commandLinear: number;
+  commandAngular: number;
+  status: number;
+  limit: number;
+  rectangle: number;
+  clearance: number;
+  micros: number;
+  row: number;
+  mark: Mark | null;
+  iterations: number;
+  violation: number;
+  prediction: Point[];
+  believed: Body[];
+}
+
+export interface RobotFrame extends Pose {
+  collided: boolean;
+  plan: Plan | null;
+  cycle: Cycle | null;
+}
+
+/** Everything at one time. */
+export interface Frame {
+  time: number;
+  bodies: Body[];
+  robots: RobotFrame[];
+}
+
+export interface Goal extends Point {
+  heading: number | null;
+}
+
+export interface Plan {
+  robot: number;
+  time: number;
+  usable: boolean;
+  goal: Goal;
+  reason: string;
+  path: Point[];
+  /** Where the robot's centre may be: four corners each, counter-clockwise. */
+  rectangles: Point[][];
+}
+
+export interface GridFrame {
+  width: number;
+  height: number;
+  resolution: number;
+  origin: Pose;
+}
+
+/** A map from some time on. Cells: 0 free, 1 occupied, 2 unknown, lowest row first. */
+export interface Grid {
+  slot: number;
+  time: number;
+  frame: GridFrame;
+  cells: Uint8Array;
+  changes: CellChange[];
+}
+
+/** Runs of cells: y, x, count, value. */
+export interface CellChange {
+  time: number;
+  runs: number[];
+}
+
+export interface Setting {
+  group: string;
+  name: string;
+  unit: string;
+  meaning: string;
+  kind: 'number' | 'integer' | 'switch' | 'choice';
+  value: number | boolean | string;
+  min?: number;
+  max?: number;
+  choices?: string[];
+}
+
+export interface RobotTask {
+  name: string;
+  start: [number, number, number];
+  goal: number[];
+}
+
+/** What is said once, at the beginning. */
+export interface Begin {
+  version: number;
+  name: string;
+  robots: RobotTask[];
+  bodies: string[];
+  statuses: string[];
+  limits: string[];
+  rows: string[];
+  settings: Setting[];
+}
+
+/** A run, as far as it is known. */
+export class Run {
+  frames: Frame[] = [];
+  plans: Plan[][];
+  /** By slot, in order of time: 0 is the true map, the others are what robots see. */
+  grids: Grid[][] = [[]];
+  settings: Setting[];
+
+  constructor(readonly begin: Begin) {
+    this.plans = begin.robots.map(() => []);
+    this.settings = begin.settings;
+  }
+
+  get duration(): number {
+    return this.frames.at(-1)?.time ?? 0;
+  }
+
+  /** Index of the last frame at or before `time`; 0 before the first. */
+  frameIndex(time: number): number {
+    let low = 0;
+    let high = this.frames.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.frames[middle]!.time <= time + 1e-9) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  /** Forgets what was before `time`, but for the map and the plans that were made of it. */
+  forget(time: number): void {
+    this.frames.splice(0, this.frameIndex(time));
+    this.plans = this.plans.map((list) => list.slice(Math.max(list.findIndex((p) => p.time >= time) - 1, 0)));
+    this.grids = this.grids.map((list) => list.map((grid) => folded(grid, time)));
+  }
+
+  setting(group: string, name: string): number {
+    const found = this.settings.find((s) => s.group === group && s.name === name);
+    return typeof found?.value === 'number' ? found.value : NaN;
+  }
+
+  get radius(): number {
+    return this.setting('robot', 'radius');
+  }
+}
+
+/** The gap between a robot's body and the nearest other body; infinite when alone. */
+export function separation(frame: Frame, robot: number, radius: number): number {
+  const me = frame.robots[robot];
+  if (!me) return Infinity;
+  let gap = Infinity;
+  for (const body of frame.bodies) {
+    gap = Math.min(gap, Math.hypot(body.x - me.x, body.y - me.y) - body.radius - radius);
+  }
+  frame.robots.forEach((other, i) => {
+    if (i !== robot) gap = Math.min(gap, Math.hypot(other.x - me.x, other.y - me.y) - 2 * radius);
+  });
+  return gap;
+}
+
+// The same map, with the changes before `time` in its cells.
+function folded(grid: Grid, time: number): Grid {
+  const old = grid.changes.filter((change) => change.time < time);
+  if (old.length === 0) return grid;
+  const cells = grid.cells.slice();
+  for (const { runs } of old) {
+    for (let i = 0; i < runs.length; i += 4) {
+      const start = runs[i]! * grid.frame.width + runs[i + 1]!;
+      cells.fill(runs[i + 3]!, start, start + runs[i + 2]!);
+    }
+  }
+  return { ...grid, cells, changes: grid.changes.slice(old.length) };
+}

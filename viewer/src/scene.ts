@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Camera } from './camera';
+import { MapLayer } from './map_layer';
+import { type Moment, gridAt } from './moment';
+import type { Body, Goal, Point, Pose, RobotFrame, Run } from './run';
+import { type Theme, robotColor } from './theme';
+
+/** What can be shown or hidden. */
+export const layerNames = {
+  path: 'Path',
+  corridor: 'Corridor',
+  prediction: 'Prediction',
+  trail: 'Way driven',
+  limit: 'What limits',
+  velocity: 'Velocities',
+  names: 'Names',
+} as const;
+export type Layer = keyof typeof layerNames;
+export type Layers = Record<Layer, boolean>;
+
+const TAU = 2 * Math.PI;
+
+/** Draws a moment of a run. */
+export class Scene {
+  private readonly map = new MapLayer();
+  private context!: CanvasRenderingContext2D;
+  private camera!: Camera;
+  private theme!: Theme;
+  private layers!: Layers;
+
+  /** @param selected the robot whose corridor is shown. */
+  draw(
+    context: CanvasRenderingContext2D, camera: Camera, theme: Theme, layers: Layers, run: Run,
+    moment: Moment, selected: number,
+  ): void {
+    Object.assign(this, { context, camera, theme, layers });
+    context.fillStyle = theme.outside;
+    context.fillRect(0, 0, camera.width, camera.height);
+    const grid = gridAt(run, 0, moment.time);
+    if (grid) this.map.draw(context, camera, grid, moment.time, theme);
+    const { robots } = moment.frame;
+    robots.forEach((robot, i) => {
+      if (i === selected) this.corridor(robot);
+    });
+    if (layers.trail) this.trails(run, moment);
+    robots.forEach((robot, i) => this.way(robot, i, i === selected));
+    for (const body of moment.bodies) this.body(body, theme.body);
+    robots.forEach((robot, i) => {
+      if (i === selected) robot.cycle?.believed.forEach((body) => this.believed(body));
+      if (layers.prediction) this.prediction(robot, i, run.radius);
+    });
+    moment.poses.forEach((pose, i) => this.robot(pose, robots[i]!, i, run, i === selected));
+    if (layers.limit) {
+      robots.forEach((robot, i) => {
+        if (i === selected) this.limit(robot);
+      });
+    }
+    this.scaleBar();
+  }
+
+  private pixels(metres: number): number {
+    return metres * this.camera.scale;
+  }
+
+  private trace(points: readonly Point[], close = false): void {
+    this.context.beginPath();
+    points.forEach((p, i) => {
+      const at = this.camera.toScreen(p);
+      if (i === 0) this.context.moveTo(at.x, at.y);
+      else this.context.lineTo(at.x, at.y);
+    });
+    if (close) this.context.closePath();
+  }
+
+  private stroke(color: string, width: number, alpha = 1, dash: number[] = []): void {
+    const { context } = this;
+    context.save();
+    context.strokeStyle = color;
+    context.lineWidth = width;
+    context.globalAlpha = alpha;
+    context.lineJoin = 'round';
+    context.lineCap = 'round';
+    context.setLineDash(dash);
+    context.stroke();
+    context.restore();
+  }
+
+  private fill(color: string, alpha = 1): void {
+    const { context } = this;
+    context.save();
+    context.fillStyle = color;
+    context.globalAlpha = alpha;
+    context.fill();
+    context.restore();
+  }
+
+  private disc(center: Point, radius: number): void {
+    const at = this.camera.toScreen(center);
+    this.context.beginPath();
+    this.context.arc(at.x, at.y, Math.max(this.pixels(radius), 0.5), 0, TAU);
+  }
+
+  private corridor(robot: RobotFrame): void {
+    const { plan, cycle } = robot;
+    if (!this.layers.corridor || !plan) return;
+    plan.rectangles.forEach((corners, i) => {
+      const current = cycle !== null && i === cycle.rectangle && plan.usable;
+      this.trace(corners, true);
+      this.fill(this.theme.corridor, current ? 0.26 : 0.1);
+      this.stroke(current ? this.theme.current : this.theme.corridor, current ? 2 : 1,
+        current ? 1 : 0.55);
+    });
+  }
+
+  private way(robot: RobotFrame, index: number, selected: boolean): void {
+    const { plan } = robot;
+    if (!plan) return;
+    if (this.layers.path && plan.path.length > 1) {
+      this.trace(plan.path);
+      this.stroke(this.theme.path, selected ? 1.75 : 1, selected ? 0.95 : 0.4, [7, 5]);
+    }
+    this.goal(plan.goal, robotColor(index, this.theme), plan.usable);
+  }
+
+  private goal(goal: Goal, color: string, usable: boolean): void {
+    const radius = Math.max(6 / this.camera.scale, 0.14);
+    this.disc(goal, radius);
+    this.fill(this.theme.halo, 0.85);
+    this.stroke(color, 2, 1, usable ? [] : [3, 3]);
+    this.disc(goal, radius / 3);
+    this.fill(color);
+    if (goal.heading === null) return;
+    this.arrow(goal, goal.heading, 2.4 * radius, color);
+  }
+
+  private arrow(from: Point, heading: number, length: number, color: string): void {
+    const ahead = (distance: number, turn = 0): Point => ({
+      x: from.x + distance * Math.cos(heading + turn),
+      y: from.y + distance * Math.sin(heading + turn),
+    });
+    this.trace([from, ahead(length)]);
+    this.stroke(color, 2);
+    this.trace([ahead(0.72 * length, 0.28), ahead(1.08 * length), ahead(0.72 * length, -0.28)], true);
+    this.fill(color);
+  }
+
+  private trails(run: Run, moment: Moment): void {
+    moment.frame.robots.forEach((_, i) => {
+      const behind: Point[] = [];
+      const all: Point[] = [];
+      for (let k = 0; k < run.frames.length; ++k) {
+        const robot = run.frames[k]!.robots[i];
+        if (!robot) continue;
+        all.push(robot);
+        if (k <= moment.index) behind.push(robot);
+      }
+      behind.push(moment.poses[i]!);
+      const color = robotColor(i, this.theme);
+      this.trace(all);
+      this.stroke(color, 1.5, 0.22);
+      this.trace(behind);
+      this.stroke(color, 2.25, 0.9);
+    });
+  }
+
+  private prediction(robot: RobotFrame, index: number, radius: number): void {
+    const points = robot.cycle?.prediction ?? [];
+    if (points.length < 2) return;
+    const color = this.theme.prediction;
+    const last = points.at(-1)!;
+    this.disc(last, radius);
+    this.stroke(robotColor(index, this.theme), 1, 0.5, [3, 3]);
+    this.trace(points);
+    this.stroke(this.theme.halo, 4, 0.6);
+    this.trace(points);
+    this.stroke(color, 2);
+    for (const p of points.slice(1)) {
+      this.disc(p, 2 / this.camera.scale);
+      this.fill(color);
+    }
+  }
+
+  private body(body: Body, color: string): void {
+    this.disc(body, body.radius);
+    this.fill(color, 0.85);
+    this.stroke(this.theme.halo, 1.25, 0.9);
+    const speed = Math.hypot(body.vx, body.vy);
+    if (!this.layers.velocity || speed < 0.05) return;
+    // Where it will be in a second.
+    this.trace([body, { x: body.x + body.vx, y: body.y + body.vy }]);
+    this.stroke(color, 2, 0.9);
+    this.disc({ x: body.x + body.vx, y: body.y + body.vy }, body.radius);
+    this.stroke(color, 1.25, 0.6, [3, 3]);
+  }
+
+  private believed(body: Body): void {
+    this.disc(body, body.radius);
+    this.stroke(this.theme.believed, 2, 0.9, [2, 3]);
+  }
+
+  private robot(pose: Pose, robot: RobotFrame, index: number, run: Run, selected: boolean): void {
+    const radius = run.radius;
+    const color = robotColor(index, this.theme);
+    this.disc(pose, radius);
+    this.fill(robot.collided ? this.theme.limit : color);
+    this.stroke(this.theme.halo, 1.5);
+    const ahead = (distance: number, turn: number): Point => ({
+      x: pose.x + distance * Math.cos(pose.heading + turn),
+      y: pose.y + distance * Math.sin(pose.heading + turn),
+    });
+    this.trace([ahead(0.82 * radius, 0), ahead(0.66 * radius, 2.4), ahead(0.25 * radius, Math.PI),
+      ahead(0.66 * radius, -2.4)], true);
+    this.fill(this.theme.halo, 0.95);
+    if (selected && run.begin.robots.length > 1) {
+      this.disc(pose, radius + 4 / this.camera.scale);
+      this.stroke(color, 1.5, 0.9);
+    }
+    if (this.layers.names && run.begin.robots.length > 1) {
+      const at = this.camera.toScreen(pose);
+      this.label(run.begin.robots[index]!.name, at.x, at.y - this.pixels(radius) - 9);
+    }
+  }
+
+  private limit(robot: RobotFrame): void {
+    const mark = robot.cycle?.mark;
+    if (!mark) return;
+    if (mark.shape === 'side') {
+      this.trace([mark.a, mark.b]);
+      this.stroke(this.theme.halo, 7, 0.7);
+      this.trace([mark.a, mark.b]);
+      this.stroke(this.theme.limit, 3.5);
+    } else {
+      this.disc(mark.a, mark.radius);
+      this.fill(this.theme.limit, 0.12);
+      this.stroke(this.theme.limit, 2.5);
+    }
+  }
+
+  private label(text: string, x: number, y: number): void {
+    const { context, theme } = this;
+    context.font = '600 12px system-ui, sans-serif';
+    context.textAlign = 'center';
+    context.textBaseline = 'middle';
+    context.lineWidth = 3;
+    context.strokeStyle = theme.halo;
+    context.strokeText(text, x, y);
+    context.fillStyle = theme.ink;
+    context.fillText(text, x, y);
+  }
+
+  private scaleBar(): void {
+    const { context, camera, theme } = this;
+    const lengths = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+    const metres = lengths.filter((m) => this.pixels(m) <= 130).at(-1) ?? 0.1;
+    const [x, y] = [16, camera.height - 16];
+    context.fillStyle = theme.outside;
+    context.globalAlpha = 0.75;
+    context.fillRect(x - 8, y - 22, this.pixels(metres) + 16, 32);
+    context.globalAlpha = 1;
+    context.beginPath();
+    context.moveTo(x, y - 4);
+    context.lineTo(x, y);
+    context.lineTo(x + this.pixels(metres), y);
+    context.lineTo(x + this.pixels(metres), y - 4);
+    context.strokeStyle = theme.ink;
+    context.lineWidth = 1.5;
+    context.stroke();
+    context.font = '12px system-ui, sans-serif';
+    context.textAlign = 'left';
+    context.textBaseline = 'bottom';
+    context.fillStyle = theme.ink;
+    context.fillText(`${metres} m`, x + 3, y - 3);
+  }
+}
+
+/** The robot nearest to `p`, if it is within `reach` of its body. */
+export function robotAt(moment: Moment, p: Point, radius: number, reach: number): number | null {
+  let best: number | null = null;
+  let least = radius + reach;
+  moment.poses.forEach((pose, i) => {
+    const distance = Math.hypot(pose.x - p.x, pose.y - p.y);
+    if (distance < least) [least, best] = [distance, i];
+  });
+  return best;
+}
+

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+import { make } from './dom';
+import type { Setting } from './run';
+
+type Change = (group: string, name: string, value: number | boolean | string) => void;
+
+const groupNames: Record<string, string> = {
+  map: 'Map', robot: 'Robot', path: 'Path', corridor: 'Corridor', mpc: 'Controller',
+  navigation: 'Navigation',
+};
+
+/** Sliders would be useless over a range like 0 to 1e6: they span a useful part of it. */
+function sliderRange(setting: Setting): { min: number; max: number; step: number } {
+  const value = setting.value as number;
+  const size = Math.max(Math.abs(value), 1e-3);
+  const low = setting.min ?? -10 * size;
+  const high = setting.max ?? 10 * size;
+  const wide = high > 20 * size;
+  const max = wide ? Math.max(value === 0 ? Math.min(high, 1) : 4 * size, value) : high;
+  const min = low < -20 * size ? -4 * size : low;
+  const span = max - min;
+  const step = setting.kind === 'integer' ? 1 : 10 ** Math.floor(Math.log10(span / 100));
+  return { min, max, step };
+}
+
+/** All settings with their units: a table on the replay page, controls on the live page. */
+export class SettingsPanel {
+  private list: Setting[] | null = null;
+  private readonly defaults = new Map<string, Setting['value']>();
+  private readonly setters = new Map<string, (value: Setting['value']) => void>();
+
+  /** @param change what a control does; without it nothing can be changed. */
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly change: Change | null,
+  ) {}
+
+  show(list: Setting[]): void {
+    if (list === this.list) return;
+    const fresh = this.list === null || this.list.length !== list.length;
+    this.list = list;
+    if (fresh) this.rebuild(list);
+    for (const setting of list) this.setters.get(`${setting.group}.${setting.name}`)?.(setting.value);
+  }
+
+  /** Begins anew, with sliders around other values. */
+  reset(): void {
+    this.list = null;
+  }
+
+  private rebuild(list: Setting[]): void {
+    this.setters.clear();
+    const groups = new Map<string, HTMLDetailsElement>();
+    for (const setting of list) {
+      const key = `${setting.group}.${setting.name}`;
+      if (!this.defaults.has(key)) this.defaults.set(key, setting.value);
+      let details = groups.get(setting.group);
+      if (!details) {
+        details = make('details', { 'data-group': setting.group },
+          make('summary', {}, groupNames[setting.group] ?? setting.group));
+        groups.set(setting.group, details);
+      }
+      details.append(this.row(setting, key));
+    }
+    const kept = new Set([...this.root.querySelectorAll('details[open]')]
+      .map((d) => (d as HTMLElement).dataset.group));
+    for (const [name, details] of groups) details.open = kept.has(name);
+    this.root.replaceChildren(make('h2', {}, 'Settings'), ...groups.values());
+  }
+
+  private row(setting: Setting, key: string): HTMLElement {
+    const unit = make('span', { class: 'unit' }, setting.unit);
+    const name = make('span', { class: 'name' }, setting.name);
+    const head = make('div', { class: 'row' }, name);
+    const row = make('div', { class: 'setting', title: setting.meaning, 'data-setting': key }, head);
+    const changed = (value: Setting['value']): void => {
+      row.classList.toggle('changed', value !== this.defaults.get(key));
+    };
+    if (!this.change) {
+      const text = make('span');
+      head.append(make('span', {}, text, ' ', unit));
+      this.setters.set(key, (value) => { text.textContent = `${value}`; changed(value); });
+      return row;
+    }
+    const send = (value: Setting['value']): void => this.change!(setting.group, setting.name, value);
+    if (setting.kind === 'switch') {
+      const box = make('input', { type: 'checkbox', 'aria-label': key });
+      box.addEventListener('change', () => send(box.checked));
+      head.append(box);
+      this.setters.set(key, (value) => { box.checked = value === true; changed(value); });
+    } else if (setting.kind === 'choice') {
+      const box = make('select', { 'aria-label': key },
+        ...(setting.choices ?? []).map((choice) => make('option', { value: choice }, choice)));
+      box.addEventListener('change', () => send(box.value));
+      head.append(box);
+      this.setters.set(key, (value) => { box.value = `${value}`; changed(value); });
+    } else {
+      this.number(setting, key, row, head, unit, send, changed);
+    }
+    return row;
+  }
+
+  private number(
+    setting: Setting, key: string, row: HTMLElement, head: HTMLElement, unit: HTMLElement,
+    send: (value: number) => void, changed: (value: Setting['value']) => void,
+  ): void {
+    const { min, max, step } = sliderRange(setting);
+    const bounds: Record<string, string> = {};
+    if (setting.min !== undefined) bounds.min = `${setting.min}`;
+    if (setting.max !== undefined) bounds.max = `${setting.max}`;
+    const box = make('input', { type: 'number', step: 'any', 'aria-label': `${key} [${setting.unit}]`, ...bounds });
+    const slider = make('input', {
+      type: 'range', min: `${min}`, max: `${max}`, step: `${step}`, 'aria-label': key });
+    slider.addEventListener('input', () => {
+      box.value = slider.value;
+      send(slider.valueAsNumber);
+    });
+    box.addEventListener('change', () => {
+      if (Number.isFinite(box.valueAsNumber) && box.checkValidity()) send(box.valueAsNumber);
+    });
+    head.append(make('span', {}, box, ' ', unit));
+    row.append(slider);
+    this.setters.set(key, (value) => {
+      if (document.activeElement !== box) box.value = `${+(value as number).toPrecision(6)}`;
+      if (document.activeElement !== slider) slider.value = `${value}`;
+      changed(value);
+    });
+  }
+}

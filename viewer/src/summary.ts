@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+import { make, shown } from './dom';
+import { type Run, separation } from './run';
+
+interface Facts {
+  name: string;
+  outcome: string;
+  tone: string;
+  time: number;
+  length: number;
+  room: number;
+  gap: number;
+}
+
+function facts(run: Run, robot: number): Facts {
+  const reached = run.begin.statuses.indexOf('goal reached');
+  const result: Facts = {
+    name: run.begin.robots[robot]!.name, outcome: 'not there', tone: 'warn', time: run.duration,
+    length: 0, room: Infinity, gap: Infinity,
+  };
+  let arrived: number | null = null;
+  let last: { x: number; y: number } | null = null;
+  for (const frame of run.frames) {
+    const me = frame.robots[robot];
+    if (!me) continue;
+    if (last) result.length += Math.hypot(me.x - last.x, me.y - last.y);
+    last = me;
+    if (me.cycle) result.room = Math.min(result.room, me.cycle.clearance);
+    result.gap = Math.min(result.gap, separation(frame, robot, run.radius));
+    if (me.cycle && me.cycle.status !== reached) arrived = null;
+    if (me.cycle && me.cycle.status === reached) arrived ??= frame.time;
+    if (me.collided) {
+      Object.assign(result, { outcome: 'contact', tone: 'bad', time: frame.time });
+      return result;
+    }
+  }
+  if (arrived !== null) Object.assign(result, { outcome: 'arrived', tone: 'good', time: arrived });
+  return result;
+}
+
+/** How the run ended, robot by robot. */
+export function showSummary(root: HTMLElement, run: Run): void {
+  const cards = run.begin.robots.map((_, i) => {
+    const fact = facts(run, i);
+    const list = make('dl');
+    const add = (title: string, text: string): void => {
+      list.append(make('dt', {}, title), make('dd', {}, text));
+    };
+    add('Time', `${shown(fact.time, 1)} s`);
+    add('Way driven', `${shown(fact.length, 1)} m`);
+    add('Mean speed', `${shown(fact.length / Math.max(fact.time, 1e-9))} m/s`);
+    add('Least room to walls', `${shown(fact.room, 3)} m`);
+    if (Number.isFinite(fact.gap)) add('Least room to others', `${shown(fact.gap, 3)} m`);
+    return make('section', { class: 'card' },
+      make('span', { class: 'head' }, make('span', {}, `Whole run: ${fact.name}`),
+        make('span', { class: 'space' }), make('span', { class: `pill ${fact.tone}` }, fact.outcome)),
+      list);
+  });
+  root.replaceChildren(...cards);
+}
