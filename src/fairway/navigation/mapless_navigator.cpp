@@ -95,8 +95,11 @@ bool MaplessNavigator::corridor_is_free() const noexcept {
   const CorridorString& corridor = navigator_.corridor();
   const Corridor& built = corridor.corridor();
   const bool workspace = built.space == CorridorSpace::Workspace;
+  // A cell that flickers in and out at the side is no reason for another way.
+  const double tolerance = 0.5 * settings_.perception.resolution;
   const double clearance =
-      workspace ? 0.0 : std::min(built.robot_radius, settings_.robot.radius) - 2e-3;
+      workspace ? 0.0
+                : std::max(0.0, std::min(built.robot_radius, settings_.robot.radius) - tolerance);
   for (std::size_t i = corridor.current(); i < corridor.size(); ++i) {
     if (!is_free(map_.obstacles, built.rectangles[i], clearance)) return false;
   }
@@ -131,7 +134,12 @@ Goal MaplessNavigator::reachable_goal(const Vector2d& position) const noexcept {
 void MaplessNavigator::plan(double time, const Pose2& pose) {
   planned_ = true;
   plan_time_ = time;
-  Plan found = planner_.plan(map_, pose.position, reachable_goal(pose.position), settings_);
+  // The margin that was possible last time, or twice that: the planner need not fail with all the
+  // larger ones first each time.
+  Settings settings = settings_;
+  settings.path.margin = std::min(settings.path.margin, 2.0 * last_margin_);
+  Plan found = planner_.plan(map_, pose.position, reachable_goal(pose.position), settings);
+  last_margin_ = found.usable() ? found.margin : settings_.path.margin;
   // An old way is better than none while the map may be wrong about a narrow place: what is done on
   // it is checked anyway.
   if (found.usable() || !navigator_.plan().usable()) navigator_.follow(std::move(found));

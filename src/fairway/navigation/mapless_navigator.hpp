@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
+
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/perception/perception.hpp"
 
@@ -52,6 +54,7 @@ class MaplessNavigator {
   bool wants_plan_ = true;
   bool planned_ = false;
   double plan_time_ = 0.0;
+  double last_margin_ = std::numeric_limits<double>::infinity();  // of the last usable plan
 };
 
 }  // namespace fairway

@@ -187,7 +187,14 @@ void RollingGrid::mark(const Beam& beam) noexcept {
   if (!(length > 0.0)) return;
   // A cell reaches out before the point that marked it, by half a side on average, and every error
   // of the range adds to that; a little depth keeps narrow ways open.
-  const CellIndex cell = frame().cell_at(beam.to + settings_.hit_depth / length * way);
+  const Vector2d along = way / length;
+  CellIndex cell = frame().cell_at(beam.to + settings_.hit_depth * along);
+  // Of the errors around a known surface those to the front would make a skin of false cells.
+  const CellIndex behind =
+      frame().cell_at(beam.to + (settings_.hit_depth + settings_.hit_snap) * along);
+  if (behind != cell && at(behind) == CellState::Occupied && at(cell) != CellState::Occupied) {
+    cell = behind;
+  }
   if (!frame().contains(cell)) return;
   Cell& value = cell_of(cell);
   if (value.scan != scan_) add(cell, value, settings_.hit_evidence);
