@@ -30,7 +30,7 @@ struct PlanCommand {
   std::optional<double> clearance;
   std::optional<double> inward_offset;
   std::optional<double> robot_radius;
-  int repeats = 5;
+  int repeats = 0;
   std::string json;
   std::string picture;
   SettingsOptions settings;
@@ -76,8 +76,15 @@ Expected<void> PlanCommand::apply_options(Settings& target) const {
 PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats) {
   PlanAnswer best;
   Planner planner;
-  // Each stage counts with its fastest repeat: others may use the machine meanwhile.
-  for (int i = 0; i < repeats; ++i) {
+  // Each stage counts with its fastest repeat: the first ones still fetch memory from the system,
+  // and others may use the machine meanwhile. 0 repeats: as many as take no noticeable time.
+  constexpr int kMostRepeats = 50;
+  constexpr double kUnnoticed = 0.4;  // [s]
+  const Stopwatch all;
+  const auto enough = [&](int done) {
+    return repeats > 0 ? done >= repeats : done >= kMostRepeats || all.seconds() > kUnnoticed;
+  };
+  for (int i = 0; i == 0 || !enough(i); ++i) {
     const Stopwatch prepare;
     const PreparedMap map(grid, unknown_cells(query.settings.map));
     const double seconds = prepare.seconds();
@@ -173,9 +180,9 @@ void add_plan_command(CLI::App& tool, Command& chosen) {
   sub->add_option("--robot-radius", command->robot_radius,
                   "Build rectangles in configuration space, for the centre of a disc [m]")
       ->check(number_between(0.01, 10.0));
-  sub->add_option("--repeat", command->repeats, "Times are those of the fastest of N runs")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  sub->add_option("--repeat", command->repeats,
+                  "Times are those of the fastest of N runs; else as many as fit in 0.4 s")
+      ->check(CLI::Range(1, 1000));
   sub->add_option("--json", command->json, "Write the plan as JSON; - is standard output")
       ->type_name("FILE");
   sub->add_option("--picture", command->picture, "Draw the plan; .svg, .png or .pdf")

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same port speaks foxglove.websocket.v1, as that protocol's own client library understands it.
-import { FoxgloveClient } from '@foxglove/ws-protocol';
+import protocol from '@foxglove/ws-protocol';
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import test, { after, before } from 'node:test';
 import { WebSocket } from 'ws';
 import { serve } from './support/server.mjs';
 
+const { FoxgloveClient } = protocol;
 let server;
 
 before(async () => {

@@ -24,8 +24,11 @@ after(async () => {
   await rm(folder, { recursive: true });
 });
 
-/** A server of its own for each test, so that none sees what another did; opened at `map`. */
-async function withLive(work, { map = 'Empty hall', pages = 1 } = {}) {
+/**
+ * A server of its own for each test, so that none sees what another did; opened at `map`.
+ * `expected`: what each page may complain about in its console.
+ */
+async function withLive(work, { map = 'Empty hall', pages = 1, expected = [] } = {}) {
   const server = await serve();
   const opened = [];
   try {
@@ -37,7 +40,7 @@ async function withLive(work, { map = 'Empty hall', pages = 1 } = {}) {
       await title(page, map);
     }
     await work(...opened.map((one) => one.page), server);
-    for (const { errors } of opened) assert.deepEqual(errors, []);
+    for (const { errors } of opened) assert.deepEqual(errors, expected);
   } finally {
     for (const { context } of opened) await context.close();
     assert.equal(await server.stop(), 0);
@@ -231,8 +234,9 @@ test('settings have their units, take effect at once, and are refused where they
   });
   assert.match(await page.textContent('[data-value="speed"]'), /of 0\.30 m\/s/);
   const slider = row.locator('input[type="range"]');
+  await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
-  await page.mouse.click(box.x + box.width * 0.9, box.y + box.height / 2);
+  await slider.click({ position: { x: box.width * 0.9, y: box.height / 2 } });
   await until(page, () => window.fairway.run.setting('mpc', 'linear_max') > 0.5);
   // A decay rate above 1 / dt contradicts Eq. (14).
   const decay = page.locator('[data-setting="mpc.decay_rate"] input[type="number"]');
@@ -280,7 +284,7 @@ test('maps are uploaded, with their YAML file or without', () => withLive(async 
   await page.setInputFiles('#map-files', [nonsense, yaml]);
   await until(page, () => !document.getElementById('notice').hidden);
   assert.match(await page.textContent('#notice'), /expected/);
-}));
+}, { expected: ['Failed to load resource: the server responded with a status of 422 (Unprocessable Entity)'] }));
 
 test('what is saved can be used: scenario, recording, report', () => withLive(async (page) => {
   await page.click('#tool-wall');

@@ -55,7 +55,7 @@ export class Files {
   private askResolution(): void {
     const form = make('form', { method: 'dialog' },
       make('label', {}, 'Metres per pixel ', this.resolution),
-      make('button', { class: 'primary', id: 'resolution-ok' }, 'Use the map'));
+      make('button', { class: 'primary', id: 'resolution-ok', value: 'ok' }, 'Use the map'));
     this.dialog.append(form);
   }
 
@@ -77,10 +77,10 @@ export class Files {
   }
 
   private resolutionGiven(): Promise<boolean> {
-    this.dialog.returnValue = 'cancel';
+    this.dialog.returnValue = '';
     this.dialog.showModal();
     return new Promise((resolve) => {
-      this.dialog.addEventListener('close', () => resolve(this.dialog.returnValue !== 'cancel' && this.resolution.checkValidity()), { once: true });
+      this.dialog.addEventListener('close', () => resolve(this.dialog.returnValue === 'ok' && this.resolution.checkValidity()), { once: true });
     });
   }
 }

@@ -31,8 +31,10 @@ export function popover(button: string, panel: string): Action {
 }
 
 /** All keys of both pages. */
-export function listenToKeys(viewer: Viewer, transport: Transport, extra: Record<string, Action> = {}): void {
-  const rows = [...help];
+export function listenToKeys(
+  viewer: Viewer, transport: Transport, extra: Record<string, Action> = {}, extraHelp: [string, string][] = [],
+): void {
+  const rows = [...help, ...extraHelp];
   element('help').append(make('table', {}, ...rows.map(([key, what]) =>
     make('tr', {}, make('td', {}, ...key.split(' ').flatMap((k) => [make('kbd', {}, k), ' '])),
       make('td', {}, what)))));

@@ -116,10 +116,10 @@ export class Plots {
       const frame = frames[i]!;
       if (frame.time > this.to) break;
       const me = frame.robots[robot];
-      if (!me || (!me.cycle && !me.collided)) continue;
+      if (!me || (me.status === null && !me.collided)) continue;
       const x = Math.max(this.column(frame.time), plotGutter.left);
       const end = this.column(frames[i + 1]?.time ?? frame.time + 0.1);
-      context.fillStyle = me.collided ? theme.limit : toneColor(statusTone(me.cycle!.status), theme);
+      context.fillStyle = me.collided ? theme.limit : toneColor(statusTone(me.status!), theme);
       context.fillRect(x, 0, Math.min(end, this.column(this.to)) - x + 0.5, RIBBON);
     }
   }

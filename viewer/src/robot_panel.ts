@@ -67,9 +67,9 @@ export class RobotPanel {
     card.root.setAttribute('aria-pressed', `${selected}`);
     card.dot.style.background = robotColor(index, theme);
     const { cycle } = robot;
-    const text = robot.collided ? 'contact' : cycle ? run.begin.statuses[cycle.status]! : 'standing';
-    card.status.textContent = text;
-    card.status.className = `pill ${robot.collided ? 'bad' : cycle ? statusTone(cycle.status) : 'idle'}`;
+    const status = robot.collided ? null : robot.status;
+    card.status.textContent = robot.collided ? 'contact' : status === null ? 'waiting' : run.begin.statuses[status]!;
+    card.status.className = `pill ${robot.collided ? 'bad' : status === null ? 'idle' : statusTone(status)}`;
     this.reason(card, run, index, moment);
     const most = run.setting('mpc', 'linear_max') || 1;
     const speed = cycle?.linear ?? 0;
@@ -96,7 +96,7 @@ export class RobotPanel {
       const name = cycle.row > 0 && row && cycle.limit < 5 ? row : limit;
       card.why.append('held back by: ', make('b', {}, name));
     } else {
-      card.why.append(cycle ? 'nothing holds it back' : 'no command');
+      card.why.append(cycle ? 'nothing holds it back' : 'stands');
     }
   }
 }

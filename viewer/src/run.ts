@@ -43,6 +43,8 @@ export interface RobotFrame extends Pose {
   collided: boolean;
   plan: Plan | null;
   cycle: Cycle | null;
+  /** Of its last cycle, also where it has none in this frame: it has arrived, say. */
+  status: number | null;
 }
 
 /** Everything at one time. */

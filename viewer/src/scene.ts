@@ -4,6 +4,7 @@ import { MapLayer } from './map_layer';
 import { type Moment, gridAt } from './moment';
 import type { Body, Goal, Point, Pose, RobotFrame, Run } from './run';
 import { type Theme, robotColor } from './theme';
+import { Trails } from './trails';
 
 /** What can be shown or hidden. */
 export const layerNames = {
@@ -13,6 +14,7 @@ export const layerNames = {
   trail: 'Way driven',
   limit: 'What limits',
   velocity: 'Velocities',
+  seen: 'What it sees',
   names: 'Names',
 } as const;
 export type Layer = keyof typeof layerNames;
@@ -22,7 +24,9 @@ const TAU = 2 * Math.PI;
 
 /** Draws a moment of a run. */
 export class Scene {
-  private readonly map = new MapLayer();
+  private readonly map = new MapLayer((theme) => [theme.free, theme.occupied, theme.unknown]);
+  private readonly seen = new MapLayer((theme) => [`${theme.believed}00`, `${theme.believed}cc`, `${theme.ink}18`]);
+  private readonly trails = new Trails();
   private context!: CanvasRenderingContext2D;
   private camera!: Camera;
   private theme!: Theme;
@@ -39,10 +43,21 @@ export class Scene {
     const grid = gridAt(run, 0, moment.time);
     if (grid) this.map.draw(context, camera, grid, moment.time, theme);
     const { robots } = moment.frame;
+    const slot = robots[selected]?.cycle?.slot ?? 0;
+    const seen = slot > 0 && layers.seen ? gridAt(run, slot, moment.time) : null;
+    if (seen) this.seen.draw(context, camera, seen, moment.time, theme);
     robots.forEach((robot, i) => {
       if (i === selected) this.corridor(robot);
     });
-    if (layers.trail) this.trails(run, moment);
+    if (layers.trail) {
+      const colors = robots.map((_, i) => robotColor(i, theme));
+      this.trails.draw(context, camera, run, moment.index, colors);
+      // From the last frame to where the robot is shown now.
+      moment.poses.forEach((pose, i) => {
+        this.trace([robots[i]!, pose]);
+        this.stroke(colors[i]!, 2.25, 0.9);
+      });
+    }
     robots.forEach((robot, i) => this.way(robot, i, i === selected));
     for (const body of moment.bodies) this.body(body, theme.body);
     robots.forEach((robot, i) => {
@@ -142,25 +157,6 @@ export class Scene {
     this.stroke(color, 2);
     this.trace([ahead(0.72 * length, 0.28), ahead(1.08 * length), ahead(0.72 * length, -0.28)], true);
     this.fill(color);
-  }
-
-  private trails(run: Run, moment: Moment): void {
-    moment.frame.robots.forEach((_, i) => {
-      const behind: Point[] = [];
-      const all: Point[] = [];
-      for (let k = 0; k < run.frames.length; ++k) {
-        const robot = run.frames[k]!.robots[i];
-        if (!robot) continue;
-        all.push(robot);
-        if (k <= moment.index) behind.push(robot);
-      }
-      behind.push(moment.poses[i]!);
-      const color = robotColor(i, this.theme);
-      this.trace(all);
-      this.stroke(color, 1.5, 0.22);
-      this.trace(behind);
-      this.stroke(color, 2.25, 0.9);
-    });
   }
 
   private prediction(robot: RobotFrame, index: number, radius: number): void {

@@ -22,7 +22,8 @@ export class Viewer {
   readonly map = element<HTMLCanvasElement>('map');
   readonly slider = element<HTMLInputElement>('time');
   readonly layers: Layers = {
-    path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, names: true,
+    path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, seen: true,
+    names: true,
   };
   run: Run | null = null;
   time = 0;
@@ -37,6 +38,7 @@ export class Viewer {
   onSeek: (time: number) => void = () => {};
   /** Pictures drawn, for those who measure. */
   drawn = 0;
+  firstDrawn = 0; // when the first one was, since the page was asked for [ms]
 
   private readonly scene = new Scene();
   private readonly plots = new Plots(element<HTMLCanvasElement>('plots'));
@@ -103,7 +105,7 @@ export class Viewer {
     this.slider.valueAsNumber = this.time;
     this.slider.setAttribute('aria-valuetext', `${shown(this.time, 1)} seconds`);
     element('clock').textContent = `${shown(this.time, 1)} of ${shown(this.run.duration, 1)} s`;
-    ++this.drawn;
+    if (this.drawn++ === 0) this.firstDrawn = performance.now();
   }
 
   /** Draws for paper, light and sharp; afterwards for the screen again. */

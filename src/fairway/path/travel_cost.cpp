@@ -97,7 +97,7 @@ TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
     sum += in_first * static_cast<double>(at_distance(d0)) +
            (width - in_first) * static_cast<double>(at_distance(d1));
     least = std::min(least, std::min(d0, d1));
-    if (sum > bound) return {};
+    if (sum + (u1 - u_next) > bound) return {};  // no cell costs less than 1
     u = u_next;
     v = v_next;
     v_cell = next_cell;

@@ -6,7 +6,7 @@
 namespace fairway::test {
 
 /// A run that nobody drove, put together so that every field has something in it: robots go round
-/// on a circle, bodies cross it, plans change, cells appear.
+/// on a circle, bodies cross it, plans change, cells appear, and one robot sees a world of its own.
 struct SyntheticRun {
   int robots = 2;
   int bodies = 2;
