@@ -23,7 +23,7 @@ namespace {
 constexpr double kStandingLinear = 0.02;   // [m/s]
 constexpr double kStandingAngular = 0.05;  // [rad/s]
 constexpr double kAligned = 0.2;           // [rad]
-constexpr double kLeastMargin = 2e-3;      // [m], of the stop check where the way is tight
+constexpr double kLeastMargin = 5e-4;      // [m], of the stop check where the way is tight
 constexpr double kNoticeable = 1e-3;       // [m]; smaller violations are within the plan's margin
 
 bool stands(const Twist2& twist) noexcept {
@@ -68,6 +68,7 @@ void Navigator::follow(Plan plan) {
   at_goal_ = false;
   goal_distance_ = std::numeric_limits<double>::infinity();
   plan_time_ = -1.0;
+  new_way_ = true;
 }
 
 void Navigator::cancel() { follow(Plan{}); }
@@ -97,12 +98,24 @@ NavigationStep Navigator::cycle(const NavigationInput& input) noexcept {
     outside.wants_plan = true;
     return outside;
   }
+  note_remaining();
   pose_problem(input);
   NavigationStep result = recover(input, drive(input));
   const double period = settings_.navigation.rebuild_period;
   if (period > 0.0 && input.time - plan_time_ >= period) result.wants_plan = true;
   result.rectangle = corridor_.current();
   return result;
+}
+
+// A new way may be longer or shorter than the old one was; only what was driven counts as progress.
+void Navigator::note_remaining() noexcept {
+  const double now = corridor_.remaining();
+  if (new_way_) {
+    const double driven = std::max(0.0, sent_.linear) * settings_.mpc.dt;
+    recovery_.change_way(now - (remaining_ - driven));
+  }
+  remaining_ = now;
+  new_way_ = false;
 }
 
 Limit Navigator::check(const NavigationInput& input) const noexcept {
@@ -263,29 +276,32 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
 }
 
 StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
-  StopSurroundings around{
-      .obstacles = input.map, .body = body_, .moving = input.obstacles, .moving_margin = 0.0};
   const NavigationSettings& nav = settings_.navigation;
-  // Where the way is tight, the plan's own margin is all that there can be.
-  const double margin = std::min(nav.stop_margin, std::max(kLeastMargin, 0.5 * plan_.margin));
-  // While the covering disc has room it must keep it, so that the robot can always turn; the body
-  // alone counts where it stands too narrow for the disc already. In both cases: a robot that
-  // measures itself nearer than the margin, or (a little) inside an obstacle, must still be able to
-  // leave. Then what counts is to come no nearer.
-  const double radius = settings_.robot.radius;
-  const double disc_room =
-      distance_to_blocked(*input.map, input.pose.position, radius + margin + 4.0 * kFreeSpaceSkin) -
-      radius - 2.0 * kFreeSpaceSkin;
-  if (radius >= body_.circumscribed_radius() && disc_room > 0.0) {
-    around.body = Footprint::disc(radius);
-    around.static_margin = std::min(margin, disc_room);
-    return around;
-  }
+  const Eigen::Vector2d& position = input.pose.position;
+  // A disc where the way is tight: the plan's own margin is all that there can be.
+  const bool disc = !body_.is_rectangle();
+  const double margin = disc ? std::min(nav.stop_margin, std::max(kLeastMargin, 0.5 * plan_.margin))
+                             : nav.stop_margin;
+  // A robot that measures itself nearer than the margin, or (a little) inside an obstacle, must
+  // still be able to leave. Then what counts is to come no nearer.
   const double room =
       footprint_clearance(*input.map, body_, input.pose, margin + 4.0 * kFreeSpaceSkin) -
       2.0 * kFreeSpaceSkin;
-  around.static_margin = std::clamp(room, 0.0, margin);
-  if (room < 0.0) around.body = body_.shrunk(-room);
+  StopSurroundings around{.obstacles = input.map,
+                          .body = room < 0.0 ? body_.shrunk(-room) : body_,
+                          .static_margin = std::clamp(room, 0.0, margin),
+                          .moving = input.obstacles,
+                          .moving_margin = 0.0};
+  const double radius = settings_.robot.radius;
+  if (disc || radius < body_.circumscribed_radius()) return around;
+  // The plan keeps the covering disc free, so that the robot can turn anywhere. As long as the body
+  // is free a little of that may be lost on the way, but no more than is lost already. Where the
+  // disc has less room than the margin, the margin must not forbid to turn.
+  const double disc_room =
+      distance_to_blocked(*input.map, position, radius + margin) - 2.0 * kFreeSpaceSkin;
+  around.turning_radius = std::min(radius - nav.turning_play, disc_room);
+  const double turning_margin = disc_room - body_.circumscribed_radius();
+  if (turning_margin > 0.0) around.static_margin = std::min(around.static_margin, turning_margin);
   return around;
 }
 
