@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "fairway/mpc/control_solver.hpp"
@@ -80,6 +81,8 @@ class Navigator {
   [[nodiscard]] bool reached(const Pose2& pose) noexcept;
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
+  void note_remaining() noexcept;
+  [[nodiscard]] double length_to_stop_in(const NavigationInput& input) const noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
   [[nodiscard]] bool try_command(const NavigationInput& input, const Twist2& command) noexcept;
@@ -104,6 +107,8 @@ class Navigator {
   double goal_distance_ = 0.0;
   bool at_goal_ = false;
   double plan_time_ = -1.0;  // when the present plan was first driven on
+  double remaining_ = std::numeric_limits<double>::infinity();  // in the last cycle [m]
+  bool new_way_ = false;                                        // since then
   Recovery recovery_;
 };
 
