@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fairway/io/recording/cell_tracker.hpp"
+#include "fairway/io/recording/fleet_ledger.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_sink.hpp"
 #include "fairway/simulation/episode_observer.hpp"
@@ -63,6 +64,7 @@ class RunMessages final : public EpisodeObserver {
   BitGrid shown_obstacles_;
   double shown_time_ = 0.0;
   CellTracker tracker_;
+  FleetLedger fleet_;
 };
 
 }  // namespace fairway::io
