@@ -33,8 +33,14 @@ MaplessNavigator::MaplessNavigator(const Settings& settings,
 
 void MaplessNavigator::set_goal(const Goal& goal) {
   goal_ = goal;
+  has_goal_ = true;
   wants_plan_ = true;
   plan_time_ = -std::numeric_limits<double>::infinity();
+}
+
+void MaplessNavigator::cancel() {
+  has_goal_ = false;
+  navigator_.cancel();
 }
 
 void MaplessNavigator::observe(const LidarScan& scan, const Vector2d& position) noexcept {
@@ -48,22 +54,31 @@ void MaplessNavigator::observe(const LidarScan& scan, const Vector2d& position) 
                    .y = std::max(changed_.last.y, now.last.y)};
 }
 
-NavigationStep MaplessNavigator::update(double time, const Pose2& pose) {
+NavigationStep MaplessNavigator::update(double time, const Pose2& pose, double pose_time) {
   planned_ = false;
   const bool pose_known = is_finite(pose) && std::isfinite(time);
   if (pose_known && std::isfinite(perception_.time())) {
     refresh_map();
     const bool usable = navigator_.plan().usable();
     const bool waited = time - plan_time_ >= kRetryAfter;
-    if ((usable && !corridor_is_free()) || ((wants_plan_ || !usable) && waited)) plan(time, pose);
+    if (has_goal_ && ((usable && !corridor_is_free()) || ((wants_plan_ || !usable) && waited))) {
+      plan(time, pose);
+    }
   }
-  const NavigationStep step = navigator_.update({.time = time,
-                                                 .pose = pose,
-                                                 .pose_time = time,
-                                                 .obstacles = perception_.tracker().obstacles(),
-                                                 .obstacles_time = perception_.time(),
-                                                 .map = &perception_.grid().not_seen_free(),
-                                                 .map_time = perception_.time()});
+  NavigationStep step = navigator_.update({.time = time,
+                                           .pose = pose,
+                                           .pose_time = pose_time,
+                                           .obstacles = perception_.tracker().obstacles(),
+                                           .obstacles_time = perception_.time(),
+                                           .map = &perception_.grid().not_seen_free(),
+                                           .map_time = perception_.time()});
+  if (step.status == NavigationStatus::GoalReached &&
+      navigator_.plan().goal.position != goal_.position) {
+    // Only as near as it could get so far: look again.
+    step.status = NavigationStatus::Blocked;
+    step.limit = Limit::NoPath;
+    step.wants_plan = true;
+  }
   wants_plan_ = step.wants_plan;
   return step;
 }
