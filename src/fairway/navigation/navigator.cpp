@@ -143,7 +143,8 @@ Limit Navigator::check(const NavigationInput& input) const noexcept {
       return Limit::NonFiniteTracks;
     }
   }
-  if (!input.obstacles.empty() && !fresh(input.obstacles_time, nav.tracks_timeout)) {
+  if ((input.obstacles_due || !input.obstacles.empty()) &&
+      !fresh(input.obstacles_time, nav.tracks_timeout)) {
     return Limit::StaleTracks;
   }
   for (const FleetMember& member : input.fleet) {

@@ -21,7 +21,8 @@ struct NavigationInput {
   Pose2 pose;                    ///< of the robot, in the map's frame
   double pose_time = 0.0;        ///< when the pose was true
   MovingObstacles obstacles;     ///< what moves
-  double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none
+  double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none, unless
+  bool obstacles_due = false;    ///< someone looks for them all the time: then "none" ages, too
   const BitGrid* map = nullptr;  ///< the newest static obstacles; must live through the call
   double map_time = 0.0;         ///< when they were seen; a fixed map is always as new as `time`
   Fleet fleet{};                 ///< what other robots told; they are not among the obstacles
