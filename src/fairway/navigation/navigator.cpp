@@ -63,6 +63,7 @@ void Navigator::follow(Plan plan) {
   corridor_ = plan_.usable()
                   ? CorridorString(plan_.corridor, plan_.goal.position, settings_.navigation)
                   : CorridorString();
+  fleet_way_.reset();
   at_goal_ = false;
   goal_distance_ = std::numeric_limits<double>::infinity();
   plan_time_ = -1.0;
@@ -72,6 +73,7 @@ void Navigator::cancel() { follow(Plan{}); }
 
 void Navigator::reset(const Twist2& actual) noexcept {
   sent_ = is_finite(actual) ? actual : Twist2{};
+  sent_before_ = sent_;
   solution_.horizon = 0;
   stop_ = brake_from(sent_, settings_.mpc);
   stop_done_ = 0;
@@ -80,6 +82,7 @@ void Navigator::reset(const Twist2& actual) noexcept {
 
 NavigationStep Navigator::update(const NavigationInput& input) noexcept {
   const NavigationStep result = cycle(input);
+  sent_before_ = sent_;
   sent_ = result.command;
   return result;
 }
@@ -95,6 +98,13 @@ NavigationStep Navigator::cycle(const NavigationInput& input) noexcept {
     outside.wants_plan = true;
     return outside;
   }
+  way_ =
+      fleet_way_.update(corridor_.string(), {.speed_max = settings_.mpc.linear_max,
+                                             .radius = settings_.robot.radius,
+                                             .standing = std::abs(sent_.linear) < kStandingLinear,
+                                             .dt = settings_.mpc.dt,
+                                             .fleet = input.fleet,
+                                             .obstacles = input.map});
   pose_problem(input);
   NavigationStep result = recover(input, drive(input));
   const double period = settings_.navigation.rebuild_period;
@@ -121,7 +131,36 @@ Limit Navigator::check(const NavigationInput& input) const noexcept {
   if (!input.obstacles.empty() && !fresh(input.obstacles_time, nav.tracks_timeout)) {
     return Limit::StaleTracks;
   }
+  for (const FleetMember& member : input.fleet) {
+    if (!is_finite(*member.motion)) return Limit::NonFiniteTracks;
+    if (!fresh(member.motion->time, nav.tracks_timeout)) return Limit::StaleTracks;
+  }
   return Limit::None;
+}
+
+SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pose) const noexcept {
+  const MpcSettings& mpc = settings_.mpc;
+  SharedMotion motion{.robot = robot,
+                      .time = time,
+                      .position = pose.position,
+                      .speed = std::abs(sent_before_.linear),
+                      .radius = std::max(settings_.robot.radius, body_.circumscribed_radius()),
+                      .speed_max = std::max(mpc.linear_max, -mpc.linear_min),
+                      .acceleration = mpc.linear_acceleration_max,
+                      .turn_max = mpc.angular_max};
+  motion.stop = stop_track(pose, sent_before_, sent_, stop_, stop_done_, mpc.dt, time);
+  motion.plan = motion.stop;
+  motion.under_way = plan_.usable() && !at_goal_;
+  if (motion.under_way && !corridor_.empty()) motion.way_end = corridor_.string().points[1];
+  const bool driven = solution_.horizon > 0 && solution_.commands[0].linear == sent_.linear &&
+                      solution_.commands[0].angular == sent_.angular;
+  if (driven) {
+    motion.plan = {.start = time + settings_.navigation.actuation_lag * mpc.dt, .interval = mpc.dt};
+    for (int k = 0; k <= solution_.horizon; ++k)
+      motion.plan.add(solution_.poses[static_cast<std::size_t>(k)].position);
+  }
+  motion.roundabout = fleet_way_.roundabout();
+  return motion;
 }
 
 // At the goal once it is near and either slow or past the nearest point; then until pushed away.
@@ -157,13 +196,17 @@ NavigationStep Navigator::arrive(const NavigationInput& input) noexcept {
 // Targets, limits and predictions of this cycle: everything but the regions.
 void Navigator::pose_problem(const NavigationInput& input) noexcept {
   set_limits(settings_, input.pose, sent_, problem_);
-  const double age =
-      input.time - input.obstacles_time + settings_.navigation.actuation_lag * settings_.mpc.dt;
-  set_predictions(settings_, input.obstacles, age, input.pose.position, problem_);
+  const double lag = settings_.navigation.actuation_lag * settings_.mpc.dt;
+  set_predictions(settings_,
+                  {.obstacles = input.obstacles,
+                   .age = input.time - input.obstacles_time + lag,
+                   .fleet = input.fleet,
+                   .time = input.time + lag},
+                  input.pose.position, problem_);
   switch (settings_.navigation.target_mode) {
     case TargetMode::TimedString:
-      set_timed_targets(corridor_.string(), sent_.linear, input.pose.heading, plan_.goal.heading,
-                        settings_, problem_);
+      set_timed_targets(way_, sent_.linear, input.pose.heading, plan_.goal.heading, settings_,
+                        problem_);
       break;
     case TargetMode::DualWaypoints:
       set_dual_targets(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
@@ -211,8 +254,7 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
 
 // Looks whether the robot stands where it should drive, and does something about it.
 NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep step) noexcept {
-  const StringAhead& string = corridor_.string();
-  const Eigen::Vector2d chord = string.at(settings_.navigation.chord_length) - string.at(0.0);
+  const Eigen::Vector2d chord = way_.at(settings_.navigation.chord_length) - way_.at(0.0);
   const double turn = chord.norm() > 1e-6
                           ? shortest_turn(input.pose.heading, std::atan2(chord.y(), chord.x()))
                           : 0.0;
@@ -252,7 +294,9 @@ StopSurroundings Navigator::surroundings(const NavigationInput& input) const noe
                           .body = body_,
                           .static_margin = settings_.navigation.stop_margin,
                           .moving = input.obstacles,
-                          .moving_margin = 0.0};
+                          .moving_margin = 0.0,
+                          .fleet = input.fleet,
+                          .time = input.time};
   // While the covering disc has room it must keep it, so that the robot can always turn; the body
   // alone counts where it stands too narrow for the disc already.
   const double radius = settings_.robot.radius;
