@@ -9,7 +9,7 @@ reference_packages=(coinor-libipopt-dev)
 test_packages=(libgtest-dev libbenchmark-dev python3 chromium)
 # physics: MuJoCo, optional; its CMake config asks for qhull. OSMesa draws its pictures off-screen.
 physics_packages=(libmujoco-dev libqhull-dev libosmesa6-dev)
-# live page: Boost.Beast, optional.
+# live page (Boost.Beast) and fairway reproduce (Boost.Math), optional.
 live_packages=(libboost-dev)
 # ROS 1 nodes and their tests, optional; the Python packages are for the tests and the tools.
 ros1_packages=(libroscpp-dev libtf2-ros-dev libactionlib-dev libmove-base-msgs-dev
