@@ -8,6 +8,8 @@ export class Camera {
   scale = 20; // pixels per metre
   width = 1;
   height = 1;
+  /** What covers the top of the canvas: a map that is fitted keeps below it. */
+  insetTop = 0;
   private least = 1;
   private fitted: { frame: GridFrame; automatic: boolean } | null = null;
 
@@ -42,7 +44,9 @@ export class Camera {
     this.y = (minY + maxY) / 2;
     const margin = 16;
     const room = (pixels: number) => Math.max(pixels - 2 * margin, 10);
-    this.scale = Math.min(room(this.width) / (maxX - minX), room(this.height) / (maxY - minY));
+    const height = room(this.height - this.insetTop);
+    this.scale = Math.min(room(this.width) / (maxX - minX), height / (maxY - minY));
+    this.y += this.insetTop / 2 / this.scale;
     this.least = this.scale / 3;
     this.fitted = { frame, automatic: true };
   }

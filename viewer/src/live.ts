@@ -41,6 +41,7 @@ class Live implements Transport {
     const { viewer } = this;
     const send = (command: Record<string, unknown>): void => this.send(command);
     const toolbar = new Toolbar(viewer, send);
+    viewer.camera.insetTop = 48;
     this.files = new Files(send, (notice) => this.tell(notice));
     const change = throttled((assignment: string) => send({ do: 'set', assignment }), 100);
     this.settings = new SettingsPanel(element('settings'),
@@ -49,7 +50,7 @@ class Live implements Transport {
     viewer.span = () => this.span();
     connect(this);
     connectButtons(viewer);
-    listenToKeys(viewer, this, toolbar.keys);
+    listenToKeys(viewer, this, toolbar.keys, toolbar.help);
     element('go-live').addEventListener('click', () => this.end());
     this.open();
     requestAnimationFrame((now) => this.tick(now));
@@ -73,6 +74,7 @@ class Live implements Transport {
     if (!this.run) return;
     const first = this.run.frames[0]?.time ?? 0;
     if (this.following) this.frozen = this.span();
+    if (time < this.frozen[0]) this.frozen = [Math.max(time, first), this.frozen[1]];
     this.following = time >= this.run.duration - 1e-6;
     this.viewer.time = Math.min(Math.max(time, first), this.run.duration);
     element('go-live').hidden = this.following;

@@ -3,8 +3,14 @@ import type { Camera } from './camera';
 import type { Grid } from './run';
 import type { Theme } from './theme';
 
-const rgb = (color: string): [number, number, number] => [
-  parseInt(color.slice(1, 3), 16), parseInt(color.slice(3, 5), 16), parseInt(color.slice(5, 7), 16)];
+/** '#rrggbb' or '#rrggbbaa' as it stands in a picture's memory. */
+const pixel = (color: string): number => {
+  const part = (at: number): number => parseInt(color.slice(at, at + 2) || 'ff', 16);
+  return (part(7) << 24 | part(5) << 16 | part(3) << 8 | part(1)) >>> 0;
+};
+
+/** Colours of free, occupied and unknown cells. */
+export type CellColors = (theme: Theme) => [string, string, string];
 
 /** A map as a picture of one pixel per cell, brought to any time and drawn through a camera. */
 export class MapLayer {
@@ -13,6 +19,8 @@ export class MapLayer {
   private cells = new Uint8Array(0);
   private applied = 0; // changes carried out
   private theme: Theme | null = null;
+
+  constructor(private readonly colors: CellColors) {}
 
   draw(context: CanvasRenderingContext2D, camera: Camera, grid: Grid, time: number, theme: Theme): void {
     this.bring(grid, time, theme);
@@ -61,18 +69,16 @@ export class MapLayer {
     this.canvas.height = height;
     const image = new ImageData(width, height);
     const pixels = new Uint32Array(image.data.buffer);
-    const colors = [theme.free, theme.occupied, theme.unknown].map((color) => {
-      const [r, g, b] = rgb(color);
-      return (255 << 24 | b << 16 | g << 8 | r) >>> 0;
-    });
+    const colors = this.colors(theme).map(pixel);
     for (let i = 0; i < pixels.length; ++i) pixels[i] = colors[this.cells[i]!] ?? 0;
     this.canvas.getContext('2d')!.putImageData(image, 0, 0);
   }
 
   private paintRuns(runs: number[], theme: Theme): void {
     const context = this.canvas.getContext('2d')!;
-    const colors = [theme.free, theme.occupied, theme.unknown];
+    const colors = this.colors(theme);
     for (let i = 0; i < runs.length; i += 4) {
+      context.clearRect(runs[i + 1]!, runs[i]!, runs[i + 2]!, 1);
       context.fillStyle = colors[runs[i + 3]!]!;
       context.fillRect(runs[i + 1]!, runs[i]!, runs[i + 2]!, 1);
     }

@@ -5,19 +5,19 @@ import type { Setting } from './run';
 type Change = (group: string, name: string, value: number | boolean | string) => void;
 
 const groupNames: Record<string, string> = {
-  map: 'Map', robot: 'Robot', path: 'Path', corridor: 'Corridor', mpc: 'Controller',
-  navigation: 'Navigation',
+  mpc: 'Controller',
 };
+
+const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** Sliders would be useless over a range like 0 to 1e6: they span a useful part of it. */
 function sliderRange(setting: Setting): { min: number; max: number; step: number } {
   const value = setting.value as number;
-  const size = Math.max(Math.abs(value), 1e-3);
-  const low = setting.min ?? -10 * size;
-  const high = setting.max ?? 10 * size;
-  const wide = high > 20 * size;
-  const max = wide ? Math.max(value === 0 ? Math.min(high, 1) : 4 * size, value) : high;
-  const min = low < -20 * size ? -4 * size : low;
+  const reach = value === 0 ? 1 : 4 * Math.abs(value);
+  const low = setting.min ?? -reach;
+  const high = setting.max ?? reach;
+  const max = Math.max(Math.min(high, reach), value);
+  const min = Math.min(Math.max(low, -reach), value);
   const span = max - min;
   const step = setting.kind === 'integer' ? 1 : 10 ** Math.floor(Math.log10(span / 100));
   return { min, max, step };
@@ -57,7 +57,7 @@ export class SettingsPanel {
       let details = groups.get(setting.group);
       if (!details) {
         details = make('details', { 'data-group': setting.group },
-          make('summary', {}, groupNames[setting.group] ?? setting.group));
+          make('summary', {}, groupNames[setting.group] ?? capitalised(setting.group)));
         groups.set(setting.group, details);
       }
       details.append(this.row(setting, key));
@@ -69,8 +69,10 @@ export class SettingsPanel {
   }
 
   private row(setting: Setting, key: string): HTMLElement {
-    const unit = make('span', { class: 'unit' }, setting.unit);
-    const name = make('span', { class: 'name' }, setting.name);
+    const unit = make('span', { class: 'unit' }, setting.unit.replaceAll('^2', '²'));
+    // Long names may break after an underscore.
+    const parts = setting.name.split('_').flatMap((part, i) => (i === 0 ? [part] : ['_', make('wbr'), part]));
+    const name = make('span', { class: 'name' }, ...parts);
     const head = make('div', { class: 'row' }, name);
     const row = make('div', { class: 'setting', title: setting.meaning, 'data-setting': key }, head);
     const changed = (value: Setting['value']): void => {

@@ -158,12 +158,14 @@ export class StreamReader {
   private world(run: Run, fields: Fields): void {
     const time = fields.millis();
     const list = bodies(fields);
+    const before = run.frames.at(-1)?.robots;
     const robots = [];
     for (let n = fields.count(), i = 0; i < n; ++i) {
       const { x, y } = point(fields);
       const heading = fields.angle();
       const collided = fields.count() !== 0;
-      robots.push({ x, y, heading, collided, plan: run.plans[i]?.at(-1) ?? null, cycle: null });
+      const plan = run.plans[i]?.at(-1) ?? null;
+      robots.push({ x, y, heading, collided, plan, cycle: null, status: before?.[i]?.status ?? null });
     }
     run.frames.push({ time, bodies: list, robots });
   }
@@ -200,5 +202,6 @@ export class StreamReader {
     }
     cycle.believed = bodies(fields);
     robot.cycle = cycle;
+    robot.status = cycle.status;
   }
 }

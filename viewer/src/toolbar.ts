@@ -26,6 +26,7 @@ export class Toolbar {
     const withHeading = (turn: number | null) => (turn === null ? {} : { heading: turn });
     const pose = (turn: number | null): number => turn ?? viewer.moment?.poses[robot()]?.heading ?? 0;
     this.entries = [
+      { id: 'hand', title: 'Move', key: 'm', tool: null },
       { id: 'goal', title: 'Goal', key: 'g', tool: new PlaceTool(viewer, 'Click where the robot shall go; drag for a heading',
         (at, turn) => send({ do: 'goal', robot: robot(), x: at.x, y: at.y, ...withHeading(turn) })) },
       { id: 'start', title: 'Start', key: 'b', tool: new PlaceTool(viewer, 'Click where the robot begins; drag for a heading',
@@ -33,11 +34,10 @@ export class Toolbar {
       { id: 'wall', title: 'Wall', key: 'o', tool: wall },
       { id: 'erase', title: 'Erase', key: 'e', tool: erase },
       { id: 'person', title: 'Person', key: 'p', tool: new PersonTool(viewer, 'Click to place a person; drag to lead one', send) },
-      { id: 'robot', title: 'Robot', key: 'n', tool: new PlaceTool(viewer, 'Click where one more robot begins; drag for a heading',
+      { id: 'robot', title: '+ Robot', key: 'n', tool: new PlaceTool(viewer, 'Click where one more robot begins; drag for a heading',
         (at, turn) => send({ do: 'add_robot', x: at.x, y: at.y, heading: turn ?? 0 })) },
-      { id: 'hand', title: 'Move', key: 'm', tool: null },
     ];
-    this.chosen = this.entries[0]!;
+    this.chosen = this.entries[1]!;
     this.size = this.brushSize();
     this.build(send);
     this.choose(this.chosen);
@@ -49,6 +49,11 @@ export class Toolbar {
     return Object.fromEntries(this.entries.map((entry) => [entry.key, () => this.choose(entry)]));
   }
 
+  get help(): [string, string][] {
+    return [[this.entries.map((entry) => entry.key.toUpperCase()).join(' '),
+      this.entries.map((entry) => entry.title.toLowerCase()).join(', ')]];
+  }
+
   private build(send: Send): void {
     const root = element('tools');
     for (const entry of this.entries) {
@@ -57,6 +62,7 @@ export class Toolbar {
       }, entry.title);
       button.addEventListener('click', () => this.choose(entry));
       this.buttons.set(entry.id, button);
+      if (['goal', 'wall', 'person', 'robot'].includes(entry.id)) root.append(make('i'));
       root.append(button);
     }
     const remove = make('button', { type: 'button', id: 'remove-robot', title: 'Take the chosen robot away' }, '− Robot');

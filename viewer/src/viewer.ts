@@ -13,6 +13,7 @@ import { Themes } from './theme';
 export type Overlay = (context: CanvasRenderingContext2D, camera: Camera) => void;
 
 const paper: [number, number] = [703, 446]; // room for the map on paper, in CSS pixels
+const PAPER_PLOTS = 168; // height of the plots there
 
 /** The map, the plots and the robots' cards at one time of a run. Who moves the time is elsewhere. */
 export class Viewer {
@@ -22,7 +23,8 @@ export class Viewer {
   readonly map = element<HTMLCanvasElement>('map');
   readonly slider = element<HTMLInputElement>('time');
   readonly layers: Layers = {
-    path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, names: true,
+    path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, seen: true,
+    names: true,
   };
   run: Run | null = null;
   time = 0;
@@ -37,6 +39,7 @@ export class Viewer {
   onSeek: (time: number) => void = () => {};
   /** Pictures drawn, for those who measure. */
   drawn = 0;
+  firstDrawn = 0; // when the first one was, since the page was asked for [ms]
 
   private readonly scene = new Scene();
   private readonly plots = new Plots(element<HTMLCanvasElement>('plots'));
@@ -103,7 +106,7 @@ export class Viewer {
     this.slider.valueAsNumber = this.time;
     this.slider.setAttribute('aria-valuetext', `${shown(this.time, 1)} seconds`);
     element('clock').textContent = `${shown(this.time, 1)} of ${shown(this.run.duration, 1)} s`;
-    ++this.drawn;
+    if (this.drawn++ === 0) this.firstDrawn = performance.now();
   }
 
   /** Draws for paper, light and sharp; afterwards for the screen again. */
@@ -115,7 +118,12 @@ export class Viewer {
     }
     this.camera.resize(...paper);
     this.moment = this.run && momentAt(this.run, this.time);
-    if (this.moment) this.drawMap(3);
+    if (!this.run || !this.moment) return;
+    this.drawMap(3);
+    const [from, to] = this.span();
+    const size = { width: paper[0], height: PAPER_PLOTS, ratio: 3 };
+    this.plots.draw(this.run, this.selected, this.time, from, to, this.themes.current, size);
+    this.panel.show(this.run, this.moment, this.selected, this.themes.current);
   }
 
   private drawMap(ratio: number): void {

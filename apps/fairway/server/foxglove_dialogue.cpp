@@ -46,6 +46,7 @@ void FoxgloveDialogue::on_open(Connection& connection) {
       shared(
           Json{{"op", "serverInfo"}, {"name", "fairway"}, {"capabilities", Json::array()}}.dump()),
       false);
+  if (channels_.empty()) return;  // the first run is about to begin
   Json list = Json::array();
   for (const auto& [id, channel] : channels_)
     list.push_back(advertisement(id, channel));

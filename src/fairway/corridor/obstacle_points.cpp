@@ -38,7 +38,7 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
                                  double reach) noexcept {
   static const Rays rays;
   constexpr double kFirstStep = 1.0;  // [cells]
-  constexpr double kStretch = 1.1;   // each sample lies this much further out
+  constexpr double kStretch = 1.1;    // each sample lies this much further out
   size_ = 0;
   const GridFrame& frame = obstacles.frame();
   const Vector2d low = Vector2d::Constant(radius) - origin;

@@ -24,6 +24,8 @@ struct GrowthSettings {
 /// the end none can advance by another cell. The gained strip is tested exactly, not sampled. Ties
 /// go to the smaller angle; the first orientation is the world's x-axis.
 ///
+/// Grown on a part of the obstacles first, see greedy_box: only what the map then confirms counts.
+///
 /// @param clearance  0 in workspace, the robot's radius in configuration space [m].
 /// @return A rectangle for which is_free holds, seed at `seed`; none when the start rectangle is
 ///         not free in any orientation, or the seed is not finite.

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "fairway/base/contract.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
-#include "fairway/simulation/sensed_episode.hpp"
+#include "fairway/simulation/robot_driver.hpp"
+#include "fairway/simulation/timed_solver.hpp"
 
 namespace fairway {
 
@@ -16,38 +18,15 @@ namespace {
 
 constexpr std::size_t kStatuses = static_cast<std::size_t>(NavigationStatus::GoalReached) + 1;
 
-// A solver that adds up what it takes, on a lent clock.
-class TimedSolver final : public ControlSolver {
- public:
-  TimedSolver(ControlSolver& solver, const std::function<double()>& clock)
-      : solver_(solver),
-        clock_(clock) {}
-
-  const MpcSolution& solve(const ControlProblem& problem,
-                           const InitialGuess& guess) noexcept override {
-    const double before = clock_();
-    const MpcSolution& solution = solver_.solve(problem, guess);
-    seconds_ += clock_() - before;
-    return solution;
-  }
-
-  // What was taken since the last call.
-  double take_seconds() noexcept { return std::exchange(seconds_, 0.0); }
-
- private:
-  ControlSolver& solver_;
-  const std::function<double()>& clock_;
-  double seconds_ = 0.0;
-};
-
 class Episode final : public EpisodeControl {
  public:
   Episode(const Scenario& scenario, const EpisodeHooks& hooks)
       : scenario_(scenario),
         hooks_(hooks),
         settings_(scenario.settings),
-        world_(scenario),
-        map_(world_.obstacles()) {
+        world_(scenario, hooks.physics ? hooks.physics(scenario) : nullptr),
+        map_(world_.obstacles()),
+        radio_(scenario.radio, scenario.robots.size(), scenario.seed) {
     if (hooks_.observer != nullptr) hooks_.observer->on_start(scenario);
     for (const RobotTask& task : scenario.robots) {
       goals_.push_back(task.goal);
@@ -55,21 +34,23 @@ class Episode final : public EpisodeControl {
     }
     commands_.resize(goals_.size());
     done_.resize(goals_.size());
-    make_navigators();
-    for (std::size_t i = 0; i < navigators_.size(); ++i)
-      replan(i);
+    make_drivers();
+    for (std::size_t i = 0; i < drivers_.size(); ++i)
+      head_for_goal(i);
   }
 
+  // Sense, control, move: until all stand at their goals, or the time is up.
   EpisodeResult run() {
     for (int cycle = 0;; ++cycle) {
       const bool time_left = cycle * settings_.mpc.dt < scenario_.time_limit;
       show_world();
-      for (std::size_t i = 0; i < navigators_.size(); ++i)
+      measure();
+      for (std::size_t i = 0; i < drivers_.size(); ++i)
         control(i);
       const bool all_done = std::all_of(done_.begin(), done_.end(), [](bool done) { return done; });
       if (!hooks_.play && (all_done || !time_left)) break;
       if (hooks_.on_cycle && !hooks_.on_cycle(world_.time())) break;
-      world_.advance(commands_, settings_.mpc.dt);
+      advance(settings_.mpc.dt);
       if (hooks_.play && !hooks_.play(*this)) break;
     }
     finish();
@@ -83,7 +64,7 @@ class Episode final : public EpisodeControl {
     goals_[robot] = goal;
     done_[robot] = false;
     result_.robots[robot].reached = false;
-    replan(robot);
+    head_for_goal(robot);
   }
 
   void set_cells(std::span<const CellIndex> cells, bool blocked) override {
@@ -110,100 +91,109 @@ class Episode final : public EpisodeControl {
   void set_settings(const Settings& settings) override {
     settings_ = settings;
     world_.set_robots(settings);
-    make_navigators();
+    make_drivers();
     replan_all();
   }
 
  private:
-  [[nodiscard]] double now() const { return hooks_.clock ? hooks_.clock() : 0.0; }
-
   // One for every robot, which goes on as it moves now, but without a plan.
-  void make_navigators() {
+  void make_drivers() {
     if (hooks_.solver == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings_.mpc);
     ControlSolver* solver = hooks_.solver == nullptr ? own_solver_.get() : hooks_.solver;
-    if (hooks_.clock) {
-      timed_solver_ = std::make_unique<TimedSolver>(*solver, hooks_.clock);
-      solver = timed_solver_.get();
-    }
-    navigators_.clear();
+    if (hooks_.clock) solver = &timed_solver_.emplace(*solver, hooks_.clock);
+    const DriverContext context{.scenario = scenario_,
+                                .settings = settings_,
+                                .map = map_,
+                                .planner = planner_,
+                                .solver = *solver,
+                                .radio = radio_,
+                                .clock = hooks_.clock};
+    drivers_.clear();
     std::vector<Twist2> twists;
-    for (const UnicycleRobot& robot : world_.robots()) {
-      navigators_.emplace_back(settings_, *solver).reset(robot.twist);
-      twists.push_back(robot.twist);
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+      drivers_.push_back(make_driver(context, world_, i, result_.robots[i]));
+      twists.push_back(world_.robots()[i].twist);
     }
     if (hooks_.observer != nullptr) {
       hooks_.observer->on_navigators(world_.time(), settings_, twists);
     }
   }
 
-  void replan(std::size_t i) {
-    const double before = now();
-    navigators_[i].follow(
-        planner_.plan(map_, world_.robots()[i].pose.position, goals_[i], settings_));
-    if (hooks_.clock) result_.robots[i].plan_seconds.push_back(now() - before);
-    if (hooks_.observer != nullptr) {
-      hooks_.observer->on_plan(world_.time(), i, navigators_[i].plan());
-    }
+  void head_for_goal(std::size_t i) {
+    drivers_[i]->head_for(goals_[i], world_);
+    show_plan(i);
   }
 
   void replan_all() {
-    for (std::size_t i = 0; i < navigators_.size(); ++i) {
-      if (!done_[i]) replan(i);
+    for (std::size_t i = 0; i < drivers_.size(); ++i) {
+      if (!done_[i]) head_for_goal(i);
     }
+  }
+
+  void measure() {
+    for (const auto& driver : drivers_)
+      driver->measure(world_);
+  }
+
+  // Lets the world go on for one cycle, with stops where something is measured in between.
+  void advance(double dt) {
+    constexpr double kSameTime = 1e-9;  // [s]
+    const double end = world_.time() + dt;
+    double left = dt;
+    while (true) {
+      double next = end;
+      for (const auto& driver : drivers_)
+        next = std::min(next, driver->next_measurement());
+      if (next >= end - kSameTime) break;
+      world_.advance(commands_, next - world_.time());
+      measure();
+      left = end - world_.time();
+    }
+    world_.advance(commands_, left);
   }
 
   void control(std::size_t i) {
     RobotResult& result = result_.robots[i];
-    const UnicycleRobot& robot = world_.robots()[i];
     if (done_[i] || world_.encounters()[i].collided) {
       done_[i] = true;
       commands_[i] = {};
+      drivers_[i]->tell_standing(world_);
       return;
     }
-    world_.moving_around(i, seen_);
-    const NavigationInput input{.time = world_.time(),
-                                .pose = robot.pose,
-                                .pose_time = world_.time(),
-                                .obstacles = seen_,
-                                .obstacles_time = world_.time(),
-                                .map = &world_.obstacles(),
-                                .map_time = world_.time()};
-    const double before = now();
-    const NavigationStep step = navigators_[i].update(input);
-    const double seconds = now() - before;
+    const DrivenCycle cycle = drivers_[i]->drive(world_);
+    const NavigationStep& step = cycle.step;
     if (hooks_.clock) {
-      result.cycle_seconds.push_back(seconds);
+      result.cycle_seconds.push_back(cycle.seconds);
       result.solve_seconds.push_back(timed_solver_->take_seconds());
     }
     commands_[i] = step.command;
-    record(i, input, step, seconds);
+    record(i, cycle);
     if (step.status == NavigationStatus::GoalReached) {
       result.reached = true;
       result.time = world_.time();
       done_[i] = true;
     } else if (step.wants_plan) {
-      replan(i);
+      drivers_[i]->plan_again(world_);
+      show_plan(i);
     }
   }
 
-  void record(std::size_t i,
-              const NavigationInput& input,
-              const NavigationStep& step,
-              double seconds) {
+  void record(std::size_t i, const DrivenCycle& cycle) {
+    const NavigationStep& step = cycle.step;
     RobotResult& result = result_.robots[i];
     const UnicycleRobot& robot = world_.robots()[i];
     const double radius = settings_.robot.radius;
     const double clearance = distance_to_blocked(world_.obstacles(), robot.pose.position,
                                                  radius + World::kClearanceLimit) -
                              radius;
-    if (hooks_.observer != nullptr) {
+    if (is_observed(i)) {
       hooks_.observer->on_cycle({.robot = i,
-                                 .input = input,
+                                 .input = cycle.input,
                                  .step = step,
                                  .twist = robot.twist,
                                  .clearance = clearance,
-                                 .seconds = seconds,
-                                 .mark = limit_mark(navigators_[i], step)});
+                                 .seconds = cycle.seconds,
+                                 .mark = limit_mark(drivers_[i]->navigator(), step)});
     }
     ++result.cycles;
     ++result.status_counts[static_cast<std::size_t>(step.status)];
@@ -217,6 +207,16 @@ class Episode final : public EpisodeControl {
                                   .limit = step.limit,
                                   .rectangle = step.rectangle,
                                   .clearance = clearance});
+  }
+
+  [[nodiscard]] bool is_observed(std::size_t i) const {
+    return hooks_.observer != nullptr && drivers_[i]->is_observable();
+  }
+
+  void show_plan(std::size_t i) {
+    if (is_observed(i)) {
+      hooks_.observer->on_plan(world_.time(), i, drivers_[i]->navigator().plan());
+    }
   }
 
   void show_world() {
@@ -247,7 +247,7 @@ class Episode final : public EpisodeControl {
       robot.collided = met.collided;
       robot.min_clearance = met.min_clearance;
       robot.min_separation = met.min_separation;
-      robot.plan = navigators_[i].plan();
+      robot.plan = drivers_[i]->navigator().plan();
       if (!robot.reached) robot.time = met.collided ? met.collision_time : world_.time();
       result_.success = result_.success && robot.reached && !robot.collided;
     }
@@ -258,14 +258,14 @@ class Episode final : public EpisodeControl {
   Settings settings_;
   std::vector<Goal> goals_;
   std::unique_ptr<ControlSolver> own_solver_;
-  std::unique_ptr<TimedSolver> timed_solver_;
+  std::optional<TimedSolver> timed_solver_;
   World world_;
   PreparedMap map_;
   Planner planner_;
-  std::vector<Navigator> navigators_;
+  FleetRadio radio_;
+  std::vector<std::unique_ptr<RobotDriver>> drivers_;
   std::vector<Twist2> commands_;
   std::vector<bool> done_;
-  std::vector<MovingObstacle> seen_;
   std::vector<MovingObstacle> bodies_;
   EpisodeResult result_;
 };
@@ -273,9 +273,6 @@ class Episode final : public EpisodeControl {
 }  // namespace
 
 EpisodeResult run_episode(const Scenario& scenario, const EpisodeHooks& hooks) {
-  if (scenario.sensing.sensing != Sensing::Map || hooks.physics) {
-    return run_sensed_episode(scenario, hooks);
-  }
   return Episode(scenario, hooks).run();
 }
 

@@ -23,44 +23,72 @@ class MapDriver final : public RobotDriver {
       : context_(context),
         robot_(robot),
         result_(result),
-        navigator_(context.scenario.settings, context.solver) {
-    replan(world);
+        navigator_(context.settings, context.solver) {
+    navigator_.reset(world.robots()[robot].twist);
+    tell(world);
   }
 
+  [[nodiscard]] bool is_observable() const override { return true; }
   [[nodiscard]] double next_measurement() const override {
     return std::numeric_limits<double>::infinity();
   }
   void measure(const World& /*world*/) override {}
-  [[nodiscard]] const Plan& plan() const override { return navigator_.plan(); }
+  [[nodiscard]] const Navigator& navigator() const override { return navigator_; }
 
-  [[nodiscard]] NavigationStep drive(const World& world) override {
-    world.moving_around(robot_, seen_);
+  [[nodiscard]] DrivenCycle drive(const World& world) override {
+    const Pose2& pose = world.robots()[robot_].pose;
+    const bool radio = context_.radio.model().on;
+    if (radio) {
+      world.moving_bodies(seen_);
+    } else {
+      world.moving_around(robot_, seen_);
+    }
+    DrivenCycle cycle{.input = {.time = world.time(),
+                                .pose = pose,
+                                .pose_time = world.time(),
+                                .obstacles = seen_,
+                                .obstacles_time = world.time(),
+                                .map = &world.obstacles(),
+                                .map_time = world.time(),
+                                .fleet = {}},
+                      .step = {}};
+    if (radio) cycle.input.fleet = context_.radio.hear(robot_, pose.position, world.time());
     const double before = now(context_);
-    const NavigationStep step = navigator_.update({.time = world.time(),
-                                                   .pose = world.robots()[robot_].pose,
-                                                   .pose_time = world.time(),
-                                                   .obstacles = seen_,
-                                                   .obstacles_time = world.time(),
-                                                   .map = &world.obstacles(),
-                                                   .map_time = world.time()});
-    if (context_.clock) result_.cycle_seconds.push_back(now(context_) - before);
-    if (step.wants_plan) replan(world);
-    return step;
+    cycle.step = navigator_.update(cycle.input);
+    cycle.seconds = now(context_) - before;
+    tell(world);
+    return cycle;
+  }
+
+  void tell_standing(const World& world) override {
+    navigator_.reset();
+    tell(world);
+  }
+
+  void head_for(const Goal& goal, const World& world) override {
+    goal_ = goal;
+    plan_again(world);
+  }
+
+  void plan_again(const World& world) override {
+    const double before = now(context_);
+    navigator_.follow(context_.planner.plan(context_.map, world.robots()[robot_].pose.position,
+                                            goal_, context_.settings));
+    if (context_.clock) result_.plan_seconds.push_back(now(context_) - before);
   }
 
  private:
-  void replan(const World& world) {
-    const double before = now(context_);
-    navigator_.follow(context_.planner.plan(context_.map, world.robots()[robot_].pose.position,
-                                            context_.scenario.robots[robot_].goal,
-                                            context_.scenario.settings));
-    if (context_.clock) result_.plan_seconds.push_back(now(context_) - before);
+  void tell(const World& world) {
+    if (!context_.radio.model().on) return;
+    context_.radio.tell(robot_, navigator_.share(static_cast<std::uint32_t>(robot_), world.time(),
+                                                 world.robots()[robot_].pose));
   }
 
   DriverContext context_;
   std::size_t robot_;
   RobotResult& result_;
   Navigator navigator_;
+  Goal goal_;
   std::vector<MovingObstacle> seen_;
 };
 
@@ -74,33 +102,32 @@ class LidarDriver final : public RobotDriver {
       : context_(context),
         result_(result),
         senses_(context.scenario.sensing, world, robot, context.scenario.seed + robot),
-        navigator_(context.scenario.settings,
+        navigator_(context.settings,
                    context.solver,
                    static_cast<std::size_t>(context.scenario.sensing.lidar.beams),
-                   world.robots()[robot].pose.position) {
-    navigator_.set_goal(context.scenario.robots[robot].goal);
-    senses_.measure(world);
-  }
+                   world.robots()[robot].pose.position) {}
 
+  [[nodiscard]] bool is_observable() const override { return false; }
   [[nodiscard]] double next_measurement() const override { return senses_.next_scan(); }
   void measure(const World& world) override { senses_.measure(world); }
-  [[nodiscard]] const Plan& plan() const override { return navigator_.navigator().plan(); }
+  [[nodiscard]] const Navigator& navigator() const override { return navigator_.navigator(); }
+  void head_for(const Goal& goal, const World& /*world*/) override { navigator_.set_goal(goal); }
+  void plan_again(const World& /*world*/) override {}
+  void tell_standing(const World& /*world*/) override {}
 
-  [[nodiscard]] NavigationStep drive(const World& world) override {
-    senses_.measure(world);
+  [[nodiscard]] DrivenCycle drive(const World& world) override {
     const double before = now(context_);
     senses_.deliver(world.time(), [this](const LidarScan& scan, const Eigen::Vector2d& position) {
       navigator_.observe(scan, position);
     });
     const double sensed = now(context_);
     const NavigationStep step = navigator_.update(world.time(), senses_.pose());
+    const double after = now(context_);
     if (context_.clock) {
-      const double after = now(context_);
       result_.sense_seconds.push_back(sensed - before);
-      result_.cycle_seconds.push_back(after - before);
       if (navigator_.planned()) result_.plan_seconds.push_back(after - sensed);
     }
-    return step;
+    return {.input = {}, .step = step, .seconds = after - before};
   }
 
  private:

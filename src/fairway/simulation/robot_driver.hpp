@@ -5,12 +5,20 @@
 #include <memory>
 
 #include "fairway/navigation/navigator.hpp"
+#include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/world.hpp"
 
 namespace fairway {
 
 struct RobotResult;
+
+/// One control cycle of a driver: what its navigator got, gave and took.
+struct DrivenCycle {
+  NavigationInput input;
+  NavigationStep step;
+  double seconds = 0.0;  ///< 0 without a clock
+};
 
 /// What drives one robot of an episode: a navigator, and what tells it about the world.
 class RobotDriver {
@@ -20,29 +28,45 @@ class RobotDriver {
   RobotDriver& operator=(const RobotDriver&) = delete;
   virtual ~RobotDriver() = default;
 
+  /// Whether its navigator's inputs and plans are all told to an observer.
+  [[nodiscard]] virtual bool is_observable() const = 0;
+
   /// When `measure` wants to be called next [s]; infinite for never.
   [[nodiscard]] virtual double next_measurement() const = 0;
 
-  /// Looks at the world between two cycles.
+  /// Looks at the world, between cycles and right before each.
   virtual void measure(const World& world) = 0;
 
   /// One control cycle at the world's time.
-  [[nodiscard]] virtual NavigationStep drive(const World& world) = 0;
+  [[nodiscard]] virtual DrivenCycle drive(const World& world) = 0;
 
-  /// The plan that is being followed.
-  [[nodiscard]] virtual const Plan& plan() const = 0;
+  /// Makes a way to `goal` from where the robot is.
+  virtual void head_for(const Goal& goal, const World& world) = 0;
+
+  /// Makes a new way to the same goal after a cycle that wants one. A driver without a map has
+  /// seen to it within the cycle.
+  virtual void plan_again(const World& world) = 0;
+
+  /// Tells the other robots that it stands where it is, and why it need not be waited for: it has
+  /// arrived, or cannot move any more.
+  virtual void tell_standing(const World& world) = 0;
+
+  [[nodiscard]] virtual const Navigator& navigator() const = 0;
 };
 
 /// What all drivers of an episode share. Everything outlives them.
 struct DriverContext {
-  const Scenario& scenario;
+  const Scenario& scenario;  ///< for sensing and seed
+  const Settings& settings;
   const PreparedMap& map;
   Planner& planner;
   ControlSolver& solver;
+  FleetRadio& radio;
   const std::function<double()>& clock;  ///< empty: nothing is timed
 };
 
-/// Makes the driver that the scenario's sensing asks for. Times go to `result`, which outlives it.
+/// Makes the driver that the scenario's sensing asks for, without a goal, for a robot that moves
+/// as it does now. Times go to `result`, which outlives it.
 [[nodiscard]] std::unique_ptr<RobotDriver> make_driver(const DriverContext& context,
                                                        const World& world,
                                                        std::size_t robot,

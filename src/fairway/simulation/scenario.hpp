@@ -7,6 +7,7 @@
 
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/navigation/planner.hpp"
+#include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/moving_body.hpp"
 #include "fairway/simulation/sensing.hpp"
 
@@ -27,6 +28,7 @@ struct Scenario {
   std::vector<RobotTask> robots;
   std::vector<MovingBody> bodies;
   SensingModel sensing;       ///< what each robot knows of all this
+  RadioModel radio;           ///< what robots tell each other
   double time_limit = 120.0;  ///< [s]
   std::uint64_t seed = 1;     ///< of everything random
 };

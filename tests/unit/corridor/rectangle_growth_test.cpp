@@ -2,10 +2,12 @@
 #include "fairway/corridor/rectangle_growth.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "support/geometry_oracle.hpp"
+#include "support/growth_oracle.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {
@@ -48,6 +50,38 @@ TEST(RectangleGrowth, IsFreeHoldsTheSeedAndCannotGrowByACell) {
     }
   }
   EXPECT_GT(found, 120);
+}
+
+TEST(RectangleGrowth, IsWhatGrowingStepByStepOnTheMapGives) {
+  test::Random random(44);
+  int compared = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 100));
+    const double cell = obstacles.frame().resolution;
+    const double clearance = random.chance(0.5) ? 0.0 : cell * random.uniform(0.0, 4.0);
+    GrowthSettings settings{.num_orientations = 1,
+                            .growth_step = cell * random.uniform(1.1, 4.0),
+                            .max_growth = cell * random.uniform(10.0, 80.0),
+                            .start_size = cell * random.uniform(0.0, 3.0)};
+    const Vector2d seed = random_point(random, obstacles.frame());
+    const auto slow = test::grow_step_by_step(obstacles, clearance, seed, 0.0, settings);
+    const auto quick = grow_rectangle(obstacles, clearance, seed, settings);
+    ASSERT_EQ(quick.has_value(), slow.has_value()) << trial;
+    if (!slow) continue;
+    ++compared;
+    EXPECT_TRUE(quick->min.isApprox(slow->min, 1e-9)) << trial;
+    EXPECT_TRUE(quick->max.isApprox(slow->max, 1e-9)) << trial;
+
+    settings.num_orientations = 7;
+    double largest = 0.0;
+    for (int k = 0; k < 7; ++k) {
+      const auto turned = test::grow_step_by_step(obstacles, clearance, seed,
+                                                  std::numbers::pi / 14.0 * k, settings);
+      if (turned) largest = std::max(largest, turned->area());
+    }
+    EXPECT_NEAR(grow_rectangle(obstacles, clearance, seed, settings)->area(), largest, 1e-9);
+  }
+  EXPECT_GT(compared, 120);
 }
 
 TEST(RectangleGrowth, TheBestOrientationIsNeverSmallerThanTheFirst) {

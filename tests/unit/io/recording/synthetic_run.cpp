@@ -42,6 +42,7 @@ Plan plan_along(double time, double phase, const Eigen::Vector2d& center, double
 Scenario SyntheticRun::scenario() const {
   Scenario scenario;
   scenario.name = "synthetic";
+  if (rectangular) scenario.settings.robot = {.radius = 0.37, .length = 0.6, .width = 0.4};
   const GridFrame frame{.width = map_side,
                         .height = map_side,
                         .resolution = 0.05,
@@ -75,6 +76,10 @@ void SyntheticRun::play(EpisodeObserver& observer) const {
       all.map.frame().origin.position + Eigen::Vector2d::Constant(0.5 * side);
   const double radius = 0.35 * side;
   BitGrid obstacles(all.map);
+  // The first robot drives on what it sees, and believes in somebody who is not there.
+  BitGrid seen(all.map.frame(), false);
+  for (int x = 0; x < map_side / 2; ++x)
+    seen.set({.x = x, .y = map_side / 3}, true);
   observer.on_start(all);
   observer.on_navigators(0.0, all.settings, std::vector<Twist2>(all.robots.size()));
   MpcSolution solution;
@@ -107,14 +112,16 @@ void SyntheticRun::play(EpisodeObserver& observer) const {
         solution.poses[static_cast<std::size_t>(k)] =
             pose_at(time + 0.1 * k, phase(i), center, radius);
       const Pose2& pose = bases[i].pose;
+      std::vector<MovingObstacle> believed = moving;
+      if (i == 0) believed.push_back({.position = center, .velocity = {0.1, 0.0}, .radius = 0.2});
       observer.on_cycle(
           {.robot = i,
            .input = {.time = time,
                      .pose = pose,
                      .pose_time = time,
-                     .obstacles = moving,
+                     .obstacles = believed,
                      .obstacles_time = time,
-                     .map = &obstacles,
+                     .map = i == 0 ? &seen : &obstacles,
                      .map_time = time},
            .step = {.command = {.linear = 0.8 + 0.2 * std::sin(time), .angular = kTurn / kPeriod},
                     .status = cycle % 40 < 30 ? NavigationStatus::Ok : NavigationStatus::Degraded,
