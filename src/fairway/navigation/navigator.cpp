@@ -107,10 +107,17 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
                                              .radius = settings_.robot.radius,
                                              .standing = std::abs(sent_.linear) < kStandingLinear,
                                              .dt = settings_.mpc.dt,
+                                             .robot = input.robot,
                                              .fleet = input.fleet,
-                                             .obstacles = input.map});
+                                             .obstacles = input.map,
+                                             .room = corridor_.admissible(corridor_.current())});
   pose_problem(input);
-  NavigationStep result = recover(input, drive(input));
+  NavigationStep result = drive(input);
+  if (fleet_way_.waits()) {
+    recovery_.reset();
+  } else {
+    result = recover(input, result);
+  }
   const double period = settings_.navigation.rebuild_period;
   if (period > 0.0 && input.time - plan_time_ >= period) result.wants_plan = true;
   result.rectangle = corridor_.current();
@@ -156,7 +163,15 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
   motion.stop = stop_track(pose, sent_before_, sent_, stop_.sequence(), stop_.done(), mpc.dt, time);
   motion.plan = motion.stop;
   motion.under_way = plan_.usable() && !at_goal_;
-  if (motion.under_way && !corridor_.empty()) motion.way_end = corridor_.string().points[1];
+  if (motion.under_way && !corridor_.empty()) {
+    const StringAhead& string = corridor_.string();
+    for (int i = 1; i < string.count && motion.way.count < WayAhead::kMaxPoints; ++i) {
+      motion.way.points[static_cast<std::size_t>(motion.way.count++)] =
+          string.points[static_cast<std::size_t>(i)];
+    }
+    motion.to_narrow = fleet_way_.to_narrow();
+    motion.can_step_aside = fleet_way_.can_step_aside();
+  }
   const bool driven = solution_.horizon > 0 && solution_.commands[0].linear == sent_.linear &&
                       solution_.commands[0].angular == sent_.angular;
   if (driven) {

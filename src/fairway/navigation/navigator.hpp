@@ -25,6 +25,7 @@ struct NavigationInput {
   const BitGrid* map = nullptr;  ///< the newest static obstacles; must live through the call
   double map_time = 0.0;         ///< when they were seen; a fixed map is always as new as `time`
   Fleet fleet{};                 ///< what other robots told; they are not among the obstacles
+  std::uint32_t robot = 0;       ///< its own number in the fleet
 };
 
 /// What the navigator answers.
