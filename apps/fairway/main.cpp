@@ -7,6 +7,9 @@
 #include "command.hpp"
 #include "output.hpp"
 #include "replay_command.hpp"
+#ifdef FAIRWAY_HAS_REPRODUCTION
+#include "reproduce_command.hpp"
+#endif
 #ifdef FAIRWAY_HAS_SERVER
 #include "serve_command.hpp"
 #endif
@@ -25,6 +28,9 @@ int run(int argc, char** argv) {
   add_simulate_command(tool, chosen);
   add_solve_command(tool, chosen);
   add_replay_command(tool, chosen);
+#ifdef FAIRWAY_HAS_REPRODUCTION
+  add_reproduce_command(tool, chosen);
+#endif
 #ifdef FAIRWAY_HAS_SERVER
   add_serve_command(tool, chosen);
 #endif

@@ -6,11 +6,14 @@
 #include "command.hpp"
 #include "episode_output.hpp"
 #include "fairway/io/map_file.hpp"
+#include "fairway/io/number_text.hpp"
 #include "fairway/io/scenario_file.hpp"
 #include "fairway/io/trace_file.hpp"
+#include "fairway/simulation/swap_scenario.hpp"
 #include "map_bounds.hpp"
 #include "number_option.hpp"
 #include "output.hpp"
+#include "physics_choice.hpp"
 #include "point_argument.hpp"
 #include "progress.hpp"
 #include "run_outputs.hpp"
@@ -26,6 +29,7 @@ struct SimulateCommand {
   std::string map;
   std::string start;
   std::string goal;
+  std::string swap;
   std::optional<int> seed;
   std::optional<double> time_limit;
   std::string json;
@@ -38,6 +42,7 @@ struct SimulateCommand {
   [[nodiscard]] Expected<int> run();
   [[nodiscard]] Expected<Scenario> load() const;
   [[nodiscard]] Expected<Scenario> scenario_of_options() const;
+  [[nodiscard]] Expected<Scenario> scenario_of_swap() const;
   [[nodiscard]] Expected<void> write(const Scenario& world, const EpisodeResult& result) const;
 };
 
@@ -65,13 +70,36 @@ Expected<Scenario> SimulateCommand::scenario_of_options() const {
   return result;
 }
 
+Expected<Scenario> SimulateCommand::scenario_of_swap() const {
+  constexpr int kMostRobots = 1000;
+  constexpr double kWidest = 400.0;  // [m]; the ground is a map of 0.1 m
+  const std::optional<std::vector<double>> numbers = parse_list(swap);
+  const bool known =
+      numbers && (numbers->size() == 1 || numbers->size() == 2) &&
+      numbers->front() == std::floor(numbers->front()) && numbers->front() >= 2.0 &&
+      numbers->front() <= kMostRobots &&
+      (numbers->size() == 1 || (numbers->back() > 0.0 && numbers->back() <= kWidest));
+  if (!known) {
+    return fail("--swap: expected N from 2 to 1000, or N,RADIUS with a radius up to 400 m, found " +
+                io::excerpt(swap));
+  }
+  const int robots = static_cast<int>(numbers->front());
+  const double radius = numbers->size() == 2 ? numbers->back() : swap_radius(robots);
+  return swap_scenario(robots, radius, {}, static_cast<std::uint64_t>(seed.value_or(1)));
+}
+
 Expected<Scenario> SimulateCommand::load() const {
   const bool by_options = !map.empty() || !start.empty() || !goal.empty();
-  if (by_options != scenario.empty() ||
+  if (static_cast<int>(by_options) + static_cast<int>(!scenario.empty()) +
+              static_cast<int>(!swap.empty()) !=
+          1 ||
       (by_options && (map.empty() || start.empty() || goal.empty()))) {
-    return fail("simulate: expected either SCENARIO.yaml or all of --map, --start and --goal");
+    return fail(
+        "simulate: expected either SCENARIO.yaml, or all of --map, --start and --goal, or --swap");
   }
-  Expected<Scenario> loaded = by_options ? scenario_of_options() : io::read_scenario(scenario);
+  Expected<Scenario> loaded = by_options      ? scenario_of_options()
+                              : !swap.empty() ? scenario_of_swap()
+                                              : io::read_scenario(scenario);
   if (!loaded) return loaded;
   const Expected<Settings> own = load_settings(settings, loaded->settings);
   if (!own) return tl::unexpected(own.error());
@@ -111,6 +139,9 @@ Expected<int> SimulateCommand::run() {
   }
   const Expected<Scenario> world = load();
   if (!world) return tl::unexpected(world.error());
+  const Expected<PhysicsMaker> engine =
+      choose_physics(setting_names(world->engine)[static_cast<std::size_t>(world->engine)]);
+  if (!engine) return tl::unexpected(engine.error());
   if (const auto opened = outputs.open(); !opened) return tl::unexpected(opened.error());
   Progress progress(world->name);
   const EpisodeHooks hooks{.clock = steady_seconds,
@@ -120,6 +151,7 @@ Expected<int> SimulateCommand::run() {
                                                            time, world->time_limit));
                                  return true;
                                },
+                           .physics = *engine,
                            .solver = nullptr,
                            .observer = outputs.observer(),
                            .play = {}};
@@ -143,6 +175,10 @@ void add_simulate_command(CLI::App& tool, Command& chosen) {
       ->type_name("X,Y[,HEADING]");
   sub->add_option("--goal", command->goal, "Where it shall go [m, rad]")
       ->type_name("X,Y[,HEADING]");
+  sub->add_option("--swap", command->swap,
+                  "Robots on a circle in the open exchange places with their opposites [-, m]; "
+                  "--seed moves their starts a little, 0 not at all")
+      ->type_name("N[,RADIUS]");
   sub->add_option("--seed", command->seed, "Seed of everything random")
       ->check(CLI::NonNegativeNumber);
   sub->add_option("--time-limit", command->time_limit, "Longest run [s]")

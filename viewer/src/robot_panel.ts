@@ -10,12 +10,12 @@ interface Card {
   status: HTMLElement;
   why: HTMLElement;
   bar: HTMLElement;
-  values: Record<'speed' | 'turn' | 'clearance' | 'separation' | 'cycle', HTMLElement>;
+  values: Record<keyof typeof titles, HTMLElement>;
 }
 
 const titles = {
   speed: 'Speed', turn: 'Turning', clearance: 'Room to walls', separation: 'Room to others',
-  cycle: 'Control cycle',
+  cycle: 'Control cycle', solver: 'Solver',
 };
 
 /** A card per robot: what it does, why, and how fast. */
@@ -77,10 +77,10 @@ export class RobotPanel {
     card.values.speed.textContent = `${shown(speed)} of ${shown(most)} m/s`;
     card.values.turn.textContent = `${shown(cycle?.angular ?? 0)} rad/s`;
     card.values.clearance.textContent = cycle ? `${shown(cycle.clearance)} m` : '–';
-    const gap = separation(moment.frame, index, run.radius);
+    const gap = separation(moment.frame, index, run.body);
     card.values.separation.textContent = Number.isFinite(gap) ? `${shown(gap)} m` : 'alone';
-    card.values.cycle.textContent = cycle && cycle.micros > 0
-      ? `${Math.round(cycle.micros)} µs, ${cycle.iterations} iterations` : '–';
+    card.values.cycle.textContent = cycle && cycle.micros > 0 ? `${Math.round(cycle.micros)} µs` : '–';
+    card.values.solver.textContent = cycle && cycle.iterations > 0 ? `${cycle.iterations} iterations` : '–';
   }
 
   private reason(card: Card, run: Run, index: number, moment: Moment): void {
@@ -88,13 +88,14 @@ export class RobotPanel {
     const { cycle, plan } = robot;
     card.why.replaceChildren();
     if (plan && !plan.usable) {
-      card.why.append(make('b', {}, plan.reason));
+      card.why.append(make('b', { class: 'bad' }, plan.reason));
     } else if (cycle && cycle.limit > 0) {
       // The row says more than the limit: which speed, which acceleration.
       const row = run.begin.rows[cycle.row];
       const limit = run.begin.limits[cycle.limit]!;
       const name = cycle.row > 0 && row && cycle.limit < 5 ? row : limit;
-      card.why.append('held back by: ', make('b', {}, name));
+      // Red as its mark on the map.
+      card.why.append('held back by: ', make('b', cycle.mark ? { class: 'bad' } : {}, name));
     } else {
       card.why.append(cycle ? 'nothing holds it back' : 'stands');
     }

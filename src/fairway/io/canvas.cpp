@@ -36,8 +36,12 @@ cairo_surface_t* make_surface(PictureFormat format,
   switch (format) {
     case PictureFormat::Svg:
       return cairo_svg_surface_create_for_stream(append, bytes, size.x(), size.y());
-    case PictureFormat::Pdf:
-      return cairo_pdf_surface_create_for_stream(append, bytes, size.x(), size.y());
+    case PictureFormat::Pdf: {
+      cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(append, bytes, size.x(), size.y());
+      // Without it the file holds the time of its making: the same picture, other bytes.
+      cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
+      return pdf;
+    }
     case PictureFormat::Png:
       break;
   }

@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
-#include "fairway/map/footprint_clearance.hpp"
-#include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
 #include "fairway/navigation/free_length.hpp"
 #include "fairway/navigation/problem_setup.hpp"
 #include "fairway/navigation/step_regions.hpp"
+#include "fairway/navigation/stop_surroundings.hpp"
 #include "fairway/navigation/timed_targets.hpp"
 #include "fairway/navigation/waypoint_targets.hpp"
 
@@ -23,7 +22,6 @@ namespace {
 constexpr double kStandingLinear = 0.02;   // [m/s]
 constexpr double kStandingAngular = 0.05;  // [rad/s]
 constexpr double kAligned = 0.2;           // [rad]
-constexpr double kLeastMargin = 5e-4;      // [m], of the stop check where the way is tight
 constexpr double kNoticeable = 1e-3;       // [m]; smaller violations are within the plan's margin
 
 bool stands(const Twist2& twist) noexcept {
@@ -65,6 +63,7 @@ void Navigator::follow(Plan plan) {
   corridor_ = plan_.usable()
                   ? CorridorString(plan_.corridor, plan_.goal.position, settings_.navigation)
                   : CorridorString();
+  fleet_way_.reset();
   at_goal_ = false;
   goal_distance_ = std::numeric_limits<double>::infinity();
   plan_time_ = -1.0;
@@ -75,6 +74,7 @@ void Navigator::cancel() { follow(Plan{}); }
 
 void Navigator::reset(const Twist2& actual) noexcept {
   sent_ = is_finite(actual) ? actual : Twist2{};
+  sent_before_ = sent_;
   solution_.horizon = 0;
   stop_ = brake_from(sent_, settings_.mpc);
   stop_done_ = 0;
@@ -83,6 +83,7 @@ void Navigator::reset(const Twist2& actual) noexcept {
 
 NavigationStep Navigator::update(const NavigationInput& input) noexcept {
   const NavigationStep result = cycle(input);
+  sent_before_ = sent_;
   sent_ = result.command;
   return result;
 }
@@ -99,6 +100,13 @@ NavigationStep Navigator::cycle(const NavigationInput& input) noexcept {
     return outside;
   }
   note_remaining();
+  way_ =
+      fleet_way_.update(corridor_.string(), {.speed_max = settings_.mpc.linear_max,
+                                             .radius = settings_.robot.radius,
+                                             .standing = std::abs(sent_.linear) < kStandingLinear,
+                                             .dt = settings_.mpc.dt,
+                                             .fleet = input.fleet,
+                                             .obstacles = input.map});
   pose_problem(input);
   NavigationStep result = recover(input, drive(input));
   const double period = settings_.navigation.rebuild_period;
@@ -136,7 +144,36 @@ Limit Navigator::check(const NavigationInput& input) const noexcept {
   if (!input.obstacles.empty() && !fresh(input.obstacles_time, nav.tracks_timeout)) {
     return Limit::StaleTracks;
   }
+  for (const FleetMember& member : input.fleet) {
+    if (!is_finite(*member.motion)) return Limit::NonFiniteTracks;
+    if (!fresh(member.motion->time, nav.tracks_timeout)) return Limit::StaleTracks;
+  }
   return Limit::None;
+}
+
+SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pose) const noexcept {
+  const MpcSettings& mpc = settings_.mpc;
+  SharedMotion motion{.robot = robot,
+                      .time = time,
+                      .position = pose.position,
+                      .speed = std::abs(sent_before_.linear),
+                      .radius = std::max(settings_.robot.radius, body_.circumscribed_radius()),
+                      .speed_max = std::max(mpc.linear_max, -mpc.linear_min),
+                      .acceleration = mpc.linear_acceleration_max,
+                      .turn_max = mpc.angular_max};
+  motion.stop = stop_track(pose, sent_before_, sent_, stop_, stop_done_, mpc.dt, time);
+  motion.plan = motion.stop;
+  motion.under_way = plan_.usable() && !at_goal_;
+  if (motion.under_way && !corridor_.empty()) motion.way_end = corridor_.string().points[1];
+  const bool driven = solution_.horizon > 0 && solution_.commands[0].linear == sent_.linear &&
+                      solution_.commands[0].angular == sent_.angular;
+  if (driven) {
+    motion.plan = {.start = time + settings_.navigation.actuation_lag * mpc.dt, .interval = mpc.dt};
+    for (int k = 0; k <= solution_.horizon; ++k)
+      motion.plan.add(solution_.poses[static_cast<std::size_t>(k)].position);
+  }
+  motion.roundabout = fleet_way_.roundabout();
+  return motion;
 }
 
 // At the goal once it is near and either slow or past the nearest point; then until pushed away.
@@ -172,13 +209,17 @@ NavigationStep Navigator::arrive(const NavigationInput& input) noexcept {
 // Targets, limits and predictions of this cycle: everything but the regions.
 void Navigator::pose_problem(const NavigationInput& input) noexcept {
   set_limits(settings_, input.pose, sent_, problem_);
-  const double age =
-      input.time - input.obstacles_time + settings_.navigation.actuation_lag * settings_.mpc.dt;
-  set_predictions(settings_, input.obstacles, age, input.pose.position, problem_);
+  const double lag = settings_.navigation.actuation_lag * settings_.mpc.dt;
+  set_predictions(settings_,
+                  {.obstacles = input.obstacles,
+                   .age = input.time - input.obstacles_time + lag,
+                   .fleet = input.fleet,
+                   .time = input.time + lag},
+                  input.pose.position, problem_);
   switch (settings_.navigation.target_mode) {
     case TargetMode::TimedString:
-      set_timed_targets(corridor_.string(), sent_.linear, input.pose.heading, plan_.goal.heading,
-                        settings_, problem_, length_to_stop_in(input));
+      set_timed_targets(way_, sent_.linear, input.pose.heading, plan_.goal.heading, settings_,
+                        problem_, length_to_stop_in(*input.map, way_, settings_));
       break;
     case TargetMode::DualWaypoints:
       set_dual_targets(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
@@ -187,21 +228,6 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
       set_centroid_target(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
       break;
   }
-}
-
-// How far the string is free on the newest map; no further than matters at the greatest speed.
-double Navigator::length_to_stop_in(const NavigationInput& input) const noexcept {
-  constexpr double kBeyond = 2.0;  // braking distances
-  const MpcSettings& mpc = settings_.mpc;
-  const double braking = 0.5 * mpc.linear_max * mpc.linear_max / mpc.linear_acceleration_max;
-  const double horizon = mpc.horizon * mpc.dt * mpc.linear_max;
-  const double limit = std::min(kBeyond * braking + 0.5, horizon) + horizon;
-  // A little less than the robot: the string may touch the edges of what the robot fits into.
-  const double radius = settings_.robot.radius - 1e-3;
-  const double length = free_length(*input.map, corridor_.string(), radius, limit);
-  return length < std::min(limit, corridor_.string().length())
-             ? length
-             : std::numeric_limits<double>::infinity();
 }
 
 // Solves from each start, and sends the better answer whose stop is proven; else stops.
@@ -241,8 +267,7 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
 
 // Looks whether the robot stands where it should drive, and does something about it.
 NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep step) noexcept {
-  const StringAhead& string = corridor_.string();
-  const Eigen::Vector2d chord = string.at(settings_.navigation.chord_length) - string.at(0.0);
+  const Eigen::Vector2d chord = way_.at(settings_.navigation.chord_length) - way_.at(0.0);
   const double turn = chord.norm() > 1e-6
                           ? shortest_turn(input.pose.heading, std::atan2(chord.y(), chord.x()))
                           : 0.0;
@@ -276,32 +301,11 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
 }
 
 StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
-  const NavigationSettings& nav = settings_.navigation;
-  const Eigen::Vector2d& position = input.pose.position;
-  // A disc where the way is tight: the plan's own margin is all that there can be.
-  const bool disc = !body_.is_rectangle();
-  const double margin = disc ? std::min(nav.stop_margin, std::max(kLeastMargin, 0.5 * plan_.margin))
-                             : nav.stop_margin;
-  // A robot that measures itself nearer than the margin, or (a little) inside an obstacle, must
-  // still be able to leave. Then what counts is to come no nearer.
-  const double room =
-      footprint_clearance(*input.map, body_, input.pose, margin + 4.0 * kFreeSpaceSkin) -
-      2.0 * kFreeSpaceSkin;
-  StopSurroundings around{.obstacles = input.map,
-                          .body = room < 0.0 ? body_.shrunk(-room) : body_,
-                          .static_margin = std::clamp(room, 0.0, margin),
-                          .moving = input.obstacles,
-                          .moving_margin = 0.0};
-  const double radius = settings_.robot.radius;
-  if (disc || radius < body_.circumscribed_radius()) return around;
-  // The plan keeps the covering disc free, so that the robot can turn anywhere. As long as the body
-  // is free a little of that may be lost on the way, but no more than is lost already. Where the
-  // disc has less room than the margin, the margin must not forbid to turn.
-  const double disc_room =
-      distance_to_blocked(*input.map, position, radius + margin) - 2.0 * kFreeSpaceSkin;
-  around.turning_radius = std::min(radius - nav.turning_play, disc_room);
-  const double turning_margin = disc_room - body_.circumscribed_radius();
-  if (turning_margin > 0.0) around.static_margin = std::min(around.static_margin, turning_margin);
+  StopSurroundings around =
+      static_surroundings(*input.map, body_, input.pose, plan_.margin, settings_);
+  around.moving = input.obstacles;
+  around.fleet = input.fleet;
+  around.time = input.time;
   return around;
 }
 

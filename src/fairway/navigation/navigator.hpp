@@ -6,6 +6,7 @@
 
 #include "fairway/mpc/control_solver.hpp"
 #include "fairway/navigation/corridor_string.hpp"
+#include "fairway/navigation/fleet_way.hpp"
 #include "fairway/navigation/navigation_status.hpp"
 #include "fairway/navigation/planner.hpp"
 #include "fairway/navigation/recovery.hpp"
@@ -23,6 +24,7 @@ struct NavigationInput {
   double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none
   const BitGrid* map = nullptr;  ///< the newest static obstacles; must live through the call
   double map_time = 0.0;         ///< when they were seen; a fixed map is always as new as `time`
+  Fleet fleet{};                 ///< what other robots told; they are not among the obstacles
 };
 
 /// What the navigator answers.
@@ -62,6 +64,12 @@ class Navigator {
   /// the stop that was verified last, and the status and limit say why.
   [[nodiscard]] NavigationStep update(const NavigationInput& input) noexcept;
 
+  /// What to tell the other robots after an update at `time` and `pose`: what it does in this cycle
+  /// and would do after it, and what it intends.
+  [[nodiscard]] SharedMotion share(std::uint32_t robot,
+                                   double time,
+                                   const Pose2& pose) const noexcept;
+
   [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
   [[nodiscard]] const CorridorString& corridor() const noexcept { return corridor_; }
   [[nodiscard]] const Plan& plan() const noexcept { return plan_; }
@@ -74,7 +82,6 @@ class Navigator {
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
   void note_remaining() noexcept;
-  [[nodiscard]] double length_to_stop_in(const NavigationInput& input) const noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
   [[nodiscard]] bool try_command(const NavigationInput& input, const Twist2& command) noexcept;
@@ -87,12 +94,15 @@ class Navigator {
   ControlSolver* solver_;
   Plan plan_;
   CorridorString corridor_;
+  FleetWay fleet_way_;
+  StringAhead way_;  // the corridor's string, led round other robots
   ControlProblem problem_;
   MpcSolution solution_;  // of the last cycle; horizon 0 when there is none
   std::array<MpcSolution, 2> answers_;
-  Twist2 sent_;        // in the last cycle
-  StopSequence stop_;  // verified last
-  int stop_done_ = 0;  // commands of it that were sent
+  Twist2 sent_;         // in the last cycle
+  Twist2 sent_before_;  // in the one before
+  StopSequence stop_;   // verified last
+  int stop_done_ = 0;   // commands of it that were sent
   double goal_distance_ = 0.0;
   bool at_goal_ = false;
   double plan_time_ = -1.0;  // when the present plan was first driven on

@@ -18,14 +18,19 @@ Range reachable(double low, double high, double last, double change) noexcept {
   return {.low = std::min(low, last + change), .high = std::max(high, last - change)};
 }
 
-// The indices of the nearest obstacles, counted in time until the bodies could touch.
-class NearestObstacles {
+// The indices of the nearest, counted in time until the bodies could touch; the fleet's come after
+// the obstacles'.
+class NearestMoving {
  public:
-  NearestObstacles(MovingObstacles obstacles, const Eigen::Vector2d& position) noexcept {
-    for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      const double gap = (obstacles[i].position - position).norm() - obstacles[i].radius -
-                         obstacles[i].velocity.norm();
-      insert(i, gap);
+  NearestMoving(const MovingAround& around, const Eigen::Vector2d& position) noexcept {
+    std::size_t index = 0;
+    for (const MovingObstacle& obstacle : around.obstacles) {
+      insert(index++,
+             (obstacle.position - position).norm() - obstacle.radius - obstacle.velocity.norm());
+    }
+    for (const FleetMember& member : around.fleet) {
+      const SharedMotion& motion = *member.motion;
+      insert(index++, (motion.position - position).norm() - motion.radius - motion.speed);
     }
   }
 
@@ -81,21 +86,27 @@ void set_limits(const Settings& settings,
 }
 
 void set_predictions(const Settings& settings,
-                     MovingObstacles obstacles,
-                     double age,
+                     const MovingAround& around,
                      const Eigen::Vector2d& position,
                      ControlProblem& problem) noexcept {
-  const NearestObstacles nearest(obstacles, position);
+  const NearestMoving nearest(around, position);
+  const double room = settings.robot.radius + settings.navigation.obstacle_margin;
   problem.num_obstacles = static_cast<int>(nearest.count());
   for (std::size_t j = 0; j < nearest.count(); ++j) {
-    const MovingObstacle& obstacle = obstacles[nearest[j]];
     PredictedObstacle& predicted = problem.obstacles[j];
-    const double keep_out =
-        settings.robot.radius + obstacle.radius + settings.navigation.obstacle_margin;
+    const bool robot = nearest[j] >= around.obstacles.size();
     for (int k = 0; k <= problem.horizon; ++k) {
       const auto at = static_cast<std::size_t>(k);
-      predicted.position[at] = predicted_position(obstacle, age + k * problem.dt);
-      predicted.keep_out[at] = keep_out;
+      const double ahead = k * problem.dt;
+      if (robot) {
+        const FleetMember& member = around.fleet[nearest[j] - around.obstacles.size()];
+        predicted.position[at] = member.motion->plan.at(around.time + ahead);
+        predicted.keep_out[at] = room + member.motion->radius;
+      } else {
+        const MovingObstacle& obstacle = around.obstacles[nearest[j]];
+        predicted.position[at] = predicted_position(obstacle, around.age + ahead);
+        predicted.keep_out[at] = room + obstacle.radius;
+      }
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "fairway/navigation/navigation_status.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
+#include "fairway/prediction/shared_motion.hpp"
 
 namespace fairway {
 
@@ -18,11 +19,18 @@ void set_limits(const Settings& settings,
                 const Twist2& last_command,
                 ControlProblem& problem) noexcept;
 
-/// The nearest kMaxObstacles moving obstacles at constant velocity over the horizon.
-/// @param age  How long ago they were seen [s]; they are moved on by as much.
+/// What moves around a robot, and how it is known.
+struct MovingAround {
+  MovingObstacles obstacles;
+  double age = 0.0;   ///< how long before the start of the problem they were seen [s]
+  Fleet fleet{};      ///< other robots
+  double time = 0.0;  ///< of the start of the problem, on the fleet's clock [s]
+};
+
+/// The nearest kMaxObstacles of what moves, over the horizon: obstacles at constant velocity, other
+/// robots as they told that they intend.
 void set_predictions(const Settings& settings,
-                     MovingObstacles obstacles,
-                     double age,
+                     const MovingAround& around,
                      const Eigen::Vector2d& position,
                      ControlProblem& problem) noexcept;
 

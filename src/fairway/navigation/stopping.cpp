@@ -16,6 +16,14 @@ double toward(double current, double wanted, double most) noexcept {
   return current + std::clamp(wanted - current, -most, most);
 }
 
+constexpr int kRampPieces = 4;  // of a cycle, in each of which the twist is taken as even
+
+Twist2 ramp_mean(const Twist2& from, const Twist2& to, int piece) noexcept {
+  const double share = (piece + 0.5) / kRampPieces;
+  return {.linear = from.linear + share * (to.linear - from.linear),
+          .angular = from.angular + share * (to.angular - from.angular)};
+}
+
 // Nearest approach of two points that move straight during one piece of time.
 double nearest_approach(const Vector2d& from, const Vector2d& to) noexcept {
   const Vector2d d = to - from;
@@ -32,12 +40,9 @@ class StopCheck {
 
   // One cycle in which the twist ramps from `from` to `to`.
   [[nodiscard]] StopVerdict ramp(const Twist2& from, const Twist2& to, double dt) noexcept {
-    constexpr int kPieces = 4;
-    const double h = dt / kPieces;
-    for (int i = 0; i < kPieces; ++i) {
-      const double share = (i + 0.5) / kPieces;
-      const Twist2 mean{.linear = from.linear + share * (to.linear - from.linear),
-                        .angular = from.angular + share * (to.angular - from.angular)};
+    const double h = dt / kRampPieces;
+    for (int i = 0; i < kRampPieces; ++i) {
+      const Twist2 mean = ramp_mean(from, to, i);
       if (const StopVerdict verdict = piece(mean, h); verdict != StopVerdict::Free) return verdict;
       pose_ = step(pose_, mean, h, Integration::Midpoint);
       time_ += h;
@@ -60,6 +65,7 @@ class StopCheck {
     } else if (disc_meets_moving(whole, radius + sagitta)) {
       verdict = StopVerdict::HitsMoving;
     }
+    if (disc_meets_fleet(whole, radius + sagitta)) return StopVerdict::HitsMoving;
     if (verdict == StopVerdict::Free || body.inscribed_radius() >= radius) return verdict;
     if (surroundings_.turning_radius > 0.0 &&
         !is_free(*surroundings_.obstacles, pose_.position, next.position,
@@ -134,6 +140,23 @@ class StopCheck {
     return false;
   }
 
+  // Other robots count as discs, and so does this one: they check against the same discs.
+  [[nodiscard]] bool disc_meets_fleet(const Sweep& sweep, double radius) const noexcept {
+    const double now = surroundings_.time + sweep.start;
+    for (const FleetMember& member : surroundings_.fleet) {
+      const SharedMotion& other = *member.motion;
+      const Vector2d before = sweep.from.position - other.stop.at(now);
+      const Vector2d after = sweep.to.position - other.stop.at(now + sweep.duration);
+      // Its samples are joined by straight lines; between them it leaves these by at most this.
+      const double interval = other.stop.interval;
+      const double sagitta =
+          (other.acceleration + other.speed_max * other.turn_max) * interval * interval / 8.0;
+      const double keep = radius + other.radius + sagitta + reach_beyond_stop(other, member.unseen);
+      if (nearest_approach(before, after) < keep && after.norm() < before.norm()) return true;
+    }
+    return false;
+  }
+
   [[nodiscard]] bool body_meets_moving(const Sweep& sweep) const noexcept {
     const Footprint& body = surroundings_.body;
     for (const MovingObstacle& obstacle : surroundings_.moving) {
@@ -178,6 +201,34 @@ StopSequence brake_from(const Twist2& current, const MpcSettings& limits) noexce
     stop.commands[static_cast<std::size_t>(stop.count++)] = now;
   }
   return stop;
+}
+
+SampledMotion stop_track(const Pose2& pose,
+                         const Twist2& current,
+                         const Twist2& command,
+                         const StopSequence& stop,
+                         int done,
+                         double dt,
+                         double time) noexcept {
+  SampledMotion track{.start = time, .interval = dt};
+  track.add(pose.position);
+  Pose2 at = pose;
+  Twist2 before = current;
+  const auto ramp = [&](const Twist2& to) {
+    for (int i = 0; i < kRampPieces; ++i) {
+      at = step(at, ramp_mean(before, to, i), dt / kRampPieces, Integration::Midpoint);
+    }
+    before = to;
+    if (track.count < SampledMotion::kMaxSamples) {
+      track.add(at.position);
+    } else {
+      track.positions.back() = at.position;
+    }
+  };
+  ramp(command);
+  for (int i = done; i < stop.count; ++i)
+    ramp(stop.commands[static_cast<std::size_t>(i)]);
+  return track;
 }
 
 StopVerdict check_stop(const Pose2& pose,

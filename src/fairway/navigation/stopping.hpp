@@ -7,6 +7,7 @@
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
+#include "fairway/prediction/shared_motion.hpp"
 
 namespace fairway {
 
@@ -36,10 +37,23 @@ struct StopSurroundings {
   double turning_radius = 0.0;
   MovingObstacles moving;      ///< assumed to keep their velocity until the robot stands
   double moving_margin = 0.0;  ///< room kept from them beyond both radii [m]
+  Fleet fleet{};               ///< other robots; each is held to the stop that it told
+  double time = 0.0;           ///< now, on the fleet's clock [s]
 };
 
 /// Why a stop is not proven.
 enum class StopVerdict : std::uint8_t { Free, HitsStatic, HitsMoving };
+
+/// Where a robot at `pose` that moves with `current` now will be at the end of each cycle while it
+/// executes `command` and then `stop` from its command number `done` on; the first sample is now.
+/// Cycles beyond those that fit are left out, and the last sample is where it stands.
+[[nodiscard]] SampledMotion stop_track(const Pose2& pose,
+                                       const Twist2& current,
+                                       const Twist2& command,
+                                       const StopSequence& stop,
+                                       int done,
+                                       double dt,
+                                       double time) noexcept;
 
 /// Whether a robot at `pose` that moves with `current` now can execute `command` for one cycle and
 /// then `stop`, and keep free until it stands.

@@ -25,7 +25,8 @@ class Episode final : public EpisodeControl {
         hooks_(hooks),
         settings_(scenario.settings),
         world_(scenario, hooks.physics ? hooks.physics(scenario) : nullptr),
-        map_(world_.obstacles()) {
+        map_(world_.obstacles()),
+        radio_(scenario.radio, scenario.robots.size(), scenario.seed) {
     if (hooks_.observer != nullptr) hooks_.observer->on_start(scenario);
     for (const RobotTask& task : scenario.robots) {
       goals_.push_back(task.goal);
@@ -105,6 +106,7 @@ class Episode final : public EpisodeControl {
                                 .map = map_,
                                 .planner = planner_,
                                 .solver = *solver,
+                                .radio = radio_,
                                 .clock = hooks_.clock};
     drivers_.clear();
     std::vector<Twist2> twists;
@@ -155,6 +157,7 @@ class Episode final : public EpisodeControl {
     if (done_[i] || world_.encounters()[i].collided) {
       done_[i] = true;
       commands_[i] = {};
+      drivers_[i]->tell_standing(world_);
       return;
     }
     const DrivenCycle cycle = drivers_[i]->drive(world_);
@@ -259,6 +262,7 @@ class Episode final : public EpisodeControl {
   World world_;
   PreparedMap map_;
   Planner planner_;
+  FleetRadio radio_;
   std::vector<std::unique_ptr<RobotDriver>> drivers_;
   std::vector<Twist2> commands_;
   std::vector<bool> done_;

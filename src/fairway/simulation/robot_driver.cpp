@@ -25,6 +25,7 @@ class MapDriver final : public RobotDriver {
         result_(result),
         navigator_(context.settings, context.solver) {
     navigator_.reset(world.robots()[robot].twist);
+    tell(world);
   }
 
   [[nodiscard]] bool is_observable() const override { return true; }
@@ -35,19 +36,33 @@ class MapDriver final : public RobotDriver {
   [[nodiscard]] const Navigator& navigator() const override { return navigator_; }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
-    world.moving_around(robot_, seen_);
+    const Pose2& pose = world.robots()[robot_].pose;
+    const bool radio = context_.radio.model().on;
+    if (radio) {
+      world.moving_bodies(seen_);
+    } else {
+      world.moving_around(robot_, seen_);
+    }
     DrivenCycle cycle{.input = {.time = world.time(),
-                                .pose = world.robots()[robot_].pose,
+                                .pose = pose,
                                 .pose_time = world.time(),
                                 .obstacles = seen_,
                                 .obstacles_time = world.time(),
                                 .map = &world.obstacles(),
-                                .map_time = world.time()},
+                                .map_time = world.time(),
+                                .fleet = {}},
                       .step = {}};
+    if (radio) cycle.input.fleet = context_.radio.hear(robot_, pose.position, world.time());
     const double before = now(context_);
     cycle.step = navigator_.update(cycle.input);
     cycle.seconds = now(context_) - before;
+    tell(world);
     return cycle;
+  }
+
+  void tell_standing(const World& world) override {
+    navigator_.reset();
+    tell(world);
   }
 
   void head_for(const Goal& goal, const World& world) override {
@@ -63,6 +78,12 @@ class MapDriver final : public RobotDriver {
   }
 
  private:
+  void tell(const World& world) {
+    if (!context_.radio.model().on) return;
+    context_.radio.tell(robot_, navigator_.share(static_cast<std::uint32_t>(robot_), world.time(),
+                                                 world.robots()[robot_].pose));
+  }
+
   DriverContext context_;
   std::size_t robot_;
   RobotResult& result_;
@@ -92,6 +113,7 @@ class LidarDriver final : public RobotDriver {
   [[nodiscard]] const Navigator& navigator() const override { return navigator_.navigator(); }
   void head_for(const Goal& goal, const World& /*world*/) override { navigator_.set_goal(goal); }
   void plan_again(const World& /*world*/) override {}
+  void tell_standing(const World& /*world*/) override {}
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
     const double before = now(context_);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "fairway/navigation/navigator.hpp"
+#include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/world.hpp"
 
@@ -46,6 +47,10 @@ class RobotDriver {
   /// seen to it within the cycle.
   virtual void plan_again(const World& world) = 0;
 
+  /// Tells the other robots that it stands where it is, and why it need not be waited for: it has
+  /// arrived, or cannot move any more.
+  virtual void tell_standing(const World& world) = 0;
+
   [[nodiscard]] virtual const Navigator& navigator() const = 0;
 };
 
@@ -56,6 +61,7 @@ struct DriverContext {
   const PreparedMap& map;
   Planner& planner;
   ControlSolver& solver;
+  FleetRadio& radio;
   const std::function<double()>& clock;  ///< empty: nothing is timed
 };
 

@@ -127,10 +127,14 @@ void World::set_robots(const Settings& settings) {
   }
 }
 
-void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {
+void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
   seen.clear();
   for (const MovingBody& body : bodies_)
     seen.push_back(body.at(time_));
+}
+
+void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {
+  moving_bodies(seen);
   for (std::size_t other = 0; other < robots_.size(); ++other) {
     if (other == robot) continue;
     const UnicycleRobot& r = robots_[other];

@@ -59,6 +59,9 @@ class World {
 
   [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
 
+  /// Every body as it moves now.
+  void moving_bodies(std::vector<MovingObstacle>& seen) const;
+
   /// What robot `robot` sees moving: every body, and every other robot.
   void moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const;
 

@@ -31,7 +31,7 @@ TEST(ProblemSetup, KeepsTheNearestObstaclesInOrderOfUrgency) {
         {.position = {random.uniform(-9, 9), random.uniform(-9, 9)}, .radius = 0.3});
   }
   ControlProblem problem;
-  set_predictions({}, obstacles, 0.0, {0, 0}, problem);
+  set_predictions({}, {.obstacles = obstacles, .age = 0.0, .fleet = {}}, {0, 0}, problem);
   ASSERT_EQ(problem.num_obstacles, kMaxObstacles);
   std::sort(obstacles.begin(), obstacles.end(),
             [](const auto& a, const auto& b) { return a.position.norm() < b.position.norm(); });
@@ -45,7 +45,7 @@ TEST(ProblemSetup, OldTracksAreMovedOn) {
   ControlProblem problem;
   problem.horizon = 10;
   problem.dt = 0.1;
-  set_predictions({}, one, 0.25, {0, 0}, problem);
+  set_predictions({}, {.obstacles = one, .age = 0.25, .fleet = {}}, {0, 0}, problem);
   EXPECT_NEAR(problem.obstacles[0].position[0].x(), 1.5, 1e-12);
   EXPECT_NEAR(problem.obstacles[0].position[10].x(), 3.5, 1e-12);
 }

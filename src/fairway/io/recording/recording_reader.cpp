@@ -6,6 +6,7 @@
 
 #include "fairway/io/recording/base64.hpp"
 #include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/fleet_ledger.hpp"
 #include "fairway/io/recording/mcap_reader.hpp"
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/settings_file.hpp"
@@ -180,7 +181,8 @@ class Player {
                   .obstacles = seen,
                   .obstacles_time = exact::to_number(in.at("obstacles_time")),
                   .map = map(in),
-                  .map_time = exact::to_number(in.at("map_time"))},
+                  .map_time = exact::to_number(in.at("map_time")),
+                  .fleet = json.contains("fleet") ? fleet_.read(json.at("fleet")) : Fleet()},
         .step = {.command = exact::to_twist(json.at("command")),
                  .status = checked(json.at("status"), NavigationStatus::GoalReached),
                  .limit = checked(json.at("limit"), Limit::NoPath),
@@ -221,6 +223,7 @@ class Player {
   EpisodeObserver& observer_;
   Json map_message_;
   std::map<int, BitGrid> grids_;
+  FleetReader fleet_;
   std::size_t robots_ = 0;
   bool started_ = false;
   bool told_navigators_ = false;

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reproduce_command.hpp"
+
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "output.hpp"
+#include "progress.hpp"
+#include "reproduction/case1.hpp"
+#include "reproduction/case2.hpp"
+#include "reproduction/case3.hpp"
+#include "reproduction/report.hpp"
+#include "thread_clock.hpp"
+#ifdef FAIRWAY_HAS_IPOPT
+#include "fairway/mpc/ipopt_solver.hpp"
+#endif
+
+namespace fairway::app {
+
+namespace {
+
+using reproduction::Chapter;
+using reproduction::StudyOptions;
+
+struct ReproduceCommand {
+  std::string which;
+  std::string folder;
+  std::string solver = "interior_point";
+  int seed = 0;
+  int maps = 0;
+  int threads = 2;
+
+  [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<StudyOptions> options() const;
+};
+
+Expected<StudyOptions> ReproduceCommand::options() const {
+  StudyOptions options{.seed = static_cast<std::uint64_t>(seed), .maps = maps, .threads = threads};
+  options.clock = [] { return 1e-6 * thread_cpu_us(); };
+  if (solver == "interior_point") return options;
+#ifdef FAIRWAY_HAS_IPOPT
+  options.make_solver = [] { return std::make_unique<IpoptSolver>(); };
+  options.threads = 1;  // MUMPS is not thread-safe
+  return options;
+#else
+  return fail("--solver: expected interior_point, found " + solver +
+              ", which this build lacks (coinor-libipopt-dev)");
+#endif
+}
+
+Expected<int> ReproduceCommand::run() const {
+  Expected<StudyOptions> options = this->options();
+  if (!options) return tl::unexpected(options.error());
+  if (const auto made = reproduction::make_report_folder(folder); !made) {
+    return tl::unexpected(made.error());
+  }
+  std::vector<Chapter> chapters;
+  {
+    Progress progress("reproduce");
+    options->progress = [&](const std::string& state) { progress.show(state); };
+    if (which == "case1" || which == "all") {
+      chapters.push_back(reproduction::run_case1(*options));
+    }
+    if (which == "case2" || which == "all") {
+      chapters.push_back(reproduction::run_case2(*options));
+    }
+    if (which == "case3" || which == "all") {
+      chapters.push_back(reproduction::run_case3(*options));
+    }
+    options->progress("drawing");
+    std::string command = fmt::format("fairway reproduce {} --seed {}", which, seed);
+    if (maps > 0) command += fmt::format(" --maps {}", maps);
+    if (solver != "interior_point") command += " --solver " + solver;
+    const reproduction::ReportInfo info{.command = command + " --out DIR",
+                                        .version = FAIRWAY_VERSION,
+                                        .solver = solver,
+                                        .seed = options->seed};
+    if (const auto done = reproduction::write_report(folder, chapters, info); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
+  if (const auto done = print(reproduction::report_summary(folder, chapters)); !done) {
+    return tl::unexpected(done.error());
+  }
+  for (const Chapter& chapter : chapters) {
+    if (chapter.faults.empty()) continue;
+    print_error(chapter.faults.front());
+    return kFailed;
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& tool, Command& chosen) {
+  const auto command = std::make_shared<ReproduceCommand>();
+  CLI::App* sub =
+      tool.add_subcommand("reproduce", "Write the paper's tables and figures beside ours");
+  sub->add_option("CASE", command->which, "Which of the paper's cases")
+      ->required()
+      ->check(CLI::IsMember({"case1", "case2", "case3", "all"}));
+  sub->add_option("--out", command->folder, "Folder for pictures, results.json and index.html")
+      ->required()
+      ->type_name("DIR");
+  sub->add_option("--solver", command->solver,
+                  "Of the optimal control problems; ipopt: the paper's")
+      ->check(CLI::IsMember({"interior_point", "ipopt"}))
+      ->capture_default_str();
+  sub->add_option("--seed", command->seed, "Of the maps that the figures show; others follow it")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  sub->add_option("--maps", command->maps,
+                  "How many maps the means are taken over; 0: as many as each case likes")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  sub->add_option("--threads", command->threads, "Threads; the results do not depend on it")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  sub->footer("Exit code 1: something happened that never may, such as a contact.");
+  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+}
+
+}  // namespace fairway::app

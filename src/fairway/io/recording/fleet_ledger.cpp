@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/fleet_ledger.hpp"
+
+#include <stdexcept>
+
+#include "fairway/io/recording/exact_json.hpp"
+
+namespace fairway::io {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kRemembered = 80;  // messages of a robot; more than a radio can be late
+
+json samples_json(const SampledMotion& motion) {
+  json positions = json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(motion.count); ++i)
+    positions.push_back(exact::to_json(motion.positions[i]));
+  return {{"start", exact::to_json(motion.start)},
+          {"interval", exact::to_json(motion.interval)},
+          {"positions", std::move(positions)}};
+}
+
+SampledMotion samples_of(const json& from) {
+  SampledMotion motion{.start = exact::to_number(from.at("start")),
+                       .interval = exact::to_number(from.at("interval"))};
+  for (const json& position : from.at("positions"))
+    motion.add(exact::to_point(position));
+  return motion;
+}
+
+}  // namespace
+
+json motion_json(const SharedMotion& motion) {
+  return {{"robot", motion.robot},
+          {"time", exact::to_json(motion.time)},
+          {"position", exact::to_json(motion.position)},
+          {"speed", exact::to_json(motion.speed)},
+          {"radius", exact::to_json(motion.radius)},
+          {"speed_max", exact::to_json(motion.speed_max)},
+          {"acceleration", exact::to_json(motion.acceleration)},
+          {"turn_max", exact::to_json(motion.turn_max)},
+          {"plan", samples_json(motion.plan)},
+          {"stop", samples_json(motion.stop)},
+          {"way_end", exact::to_json(motion.way_end)},
+          {"under_way", motion.under_way},
+          {"roundabout",
+           {{"center", exact::to_json(motion.roundabout.center)},
+            {"radius", exact::to_json(motion.roundabout.radius)}}}};
+}
+
+SharedMotion motion_of(const json& from) {
+  SharedMotion motion{.robot = from.at("robot").get<std::uint32_t>(),
+                      .time = exact::to_number(from.at("time")),
+                      .position = exact::to_point(from.at("position")),
+                      .speed = exact::to_number(from.at("speed")),
+                      .radius = exact::to_number(from.at("radius")),
+                      .speed_max = exact::to_number(from.at("speed_max")),
+                      .acceleration = exact::to_number(from.at("acceleration")),
+                      .turn_max = exact::to_number(from.at("turn_max")),
+                      .plan = samples_of(from.at("plan")),
+                      .stop = samples_of(from.at("stop")),
+                      .way_end = exact::to_point(from.at("way_end")),
+                      .under_way = from.at("under_way").get<bool>()};
+  const json& roundabout = from.at("roundabout");
+  motion.roundabout = {.center = exact::to_point(roundabout.at("center")),
+                       .radius = exact::to_number(roundabout.at("radius"))};
+  return motion;
+}
+
+json FleetLedger::to_json(Fleet fleet) {
+  json list = json::array();
+  for (const FleetMember& member : fleet) {
+    const SharedMotion& motion = *member.motion;
+    json written = motion_json(motion);
+    std::deque<Entry>& told = told_[motion.robot];
+    const Entry* known = nullptr;
+    for (const Entry& entry : told) {
+      if (entry.time == motion.time && entry.motion == written) known = &entry;
+    }
+    json item{{"told", known != nullptr ? known->number : next_},
+              {"unseen", exact::to_json(member.unseen)}};
+    if (known == nullptr) {
+      if (told.size() == kRemembered) told.pop_front();
+      told.push_back({.number = next_++, .time = motion.time, .motion = written});
+      item["motion"] = std::move(written);
+    }
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+Fleet FleetReader::read(const json& list) {
+  fleet_.clear();
+  for (const json& item : list) {
+    const auto number = item.at("told").get<std::int64_t>();
+    if (item.contains("motion")) told_.insert_or_assign(number, motion_of(item.at("motion")));
+    const auto found = told_.find(number);
+    if (found == told_.end()) throw std::invalid_argument("expected a motion that was told before");
+    fleet_.push_back({.motion = &found->second, .unseen = exact::to_number(item.at("unseen"))});
+  }
+  return fleet_;
+}
+
+}  // namespace fairway::io

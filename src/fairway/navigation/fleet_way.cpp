@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/fleet_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fairway/geometry/pose2.hpp"
+#include "fairway/map/free_space.hpp"
+#include "fairway/navigation/roundabout.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kFurthestTime = 8.0;  // [s] ahead that meetings are looked for
+constexpr double kRoom = 0.3;          // [m] between bodies that do not meet
+constexpr double kLane = 0.15;         // [m] between bodies on a roundabout
+constexpr double kNoticeable = 0.02;   // of a radius
+constexpr double kPatience = 1.0;      // [s] of standing, before a roundabout is made wider
+constexpr double kGrowth = 1.25;       // then
+constexpr double kWidest = 8.0;        // [m]
+constexpr double kHeadOn = -0.5;       // cosine between two ways; below it they are head-on
+
+// An even motion along a straight way, to its end.
+struct StraightWay {
+  Vector2d start;
+  Vector2d velocity;
+  double duration;  // [s]
+};
+
+StraightWay straight_way(const Vector2d& from, const Vector2d& to, double speed) noexcept {
+  const Vector2d way = to - from;
+  const double length = way.norm();
+  if (length < 1e-6) return {.start = from, .velocity = Vector2d::Zero(), .duration = 0.0};
+  return {.start = from, .velocity = speed / length * way, .duration = length / speed};
+}
+
+// When two ways come nearest while both robots are on theirs [s].
+double nearest_time(const StraightWay& a, const StraightWay& b) noexcept {
+  const Vector2d between = b.start - a.start;
+  const Vector2d relative = b.velocity - a.velocity;
+  const double most = std::min({a.duration, b.duration, kFurthestTime});
+  const double squared = relative.squaredNorm();
+  return squared > 0.0 ? std::clamp(-between.dot(relative) / squared, 0.0, most) : 0.0;
+}
+
+bool way_is_free(const StringAhead& string, double radius, const BitGrid& obstacles) noexcept {
+  for (std::size_t i = 1; i < static_cast<std::size_t>(string.count); ++i) {
+    if (!is_free(obstacles, string.points[i - 1], string.points[i], radius)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Roundabout FleetWay::meet(const StringAhead& string, const FleetWayInput& input) noexcept {
+  const double radius = input.radius;
+  const StraightWay own = straight_way(string.points[0], string.points[1], input.speed_max);
+  Vector2d sum = Vector2d::Zero();
+  int others = 0;
+  bool head_on = false;
+  double widest = radius;
+  for (const FleetMember& member : input.fleet) {
+    const SharedMotion& motion = *member.motion;
+    if (!motion.under_way) continue;
+    const StraightWay way = straight_way(motion.position, motion.way_end, motion.speed_max);
+    const double time = nearest_time(own, way);
+    const Vector2d a = own.start + time * own.velocity;
+    const Vector2d b = way.start + time * way.velocity;
+    if (time <= 0.0 || (b - a).norm() > radius + motion.radius + kRoom) continue;
+    sum += 0.5 * (a + b);
+    ++others;
+    widest = std::max(widest, motion.radius);
+    head_on = head_on ||
+              own.velocity.dot(way.velocity) < kHeadOn * own.velocity.norm() * way.velocity.norm();
+  }
+  if (others == 0 || (others == 1 && !head_on)) return {};
+  // A regular polygon with a robot at each corner and room along each side.
+  const double side = 2.0 * widest + kLane;
+  return {.center = sum / others,
+          .radius = side / (2.0 * std::sin(std::numbers::pi / (others + 1)))};
+}
+
+// The larger of two that overlap; of unequal ones both robots so come to the same.
+void FleetWay::give_way_to(const Roundabout& other) noexcept {
+  const double between = (other.center - roundabout_.center).norm();
+  if (between > other.radius + roundabout_.radius) return;
+  if (other.radius > (1.0 + kNoticeable) * roundabout_.radius) roundabout_ = other;
+}
+
+const StringAhead& FleetWay::update(const StringAhead& string,
+                                    const FleetWayInput& input) noexcept {
+  if (roundabout_.exists() && !lead_round(string, roundabout_, string_)) roundabout_ = {};
+  if (const Roundabout met = meet(string, input); met.exists()) {
+    if (roundabout_.exists()) {
+      give_way_to(met);
+    } else {
+      roundabout_ = met;
+    }
+  }
+  if (!roundabout_.exists()) return string;
+  for (const FleetMember& member : input.fleet) {
+    if (member.motion->roundabout.exists()) give_way_to(member.motion->roundabout);
+  }
+  standing_ = input.standing ? standing_ + input.dt : 0.0;
+  if (standing_ > kPatience) {
+    standing_ = 0.0;
+    roundabout_.radius = std::min(kGrowth * roundabout_.radius, kWidest);
+  }
+  if (lead_round(string, roundabout_, string_) &&
+      way_is_free(string_, input.radius, *input.obstacles)) {
+    return string_;
+  }
+  roundabout_ = {};
+  return string;
+}
+
+}  // namespace fairway

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/prediction/shared_motion.hpp"
+
+namespace fairway {
+
+namespace {
+
+bool is_finite(const SampledMotion& motion) noexcept {
+  if (!std::isfinite(motion.start) || !(motion.interval > 0.0) || motion.count < 1 ||
+      motion.count > SampledMotion::kMaxSamples) {
+    return false;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(motion.count); ++i) {
+    if (!motion.positions[i].allFinite()) return false;
+  }
+  return std::isfinite(motion.interval);
+}
+
+}  // namespace
+
+bool is_finite(const SharedMotion& motion) noexcept {
+  return std::isfinite(motion.time) && motion.position.allFinite() && std::isfinite(motion.speed) &&
+         std::isfinite(motion.radius) && std::isfinite(motion.speed_max) &&
+         std::isfinite(motion.turn_max) && motion.acceleration > 0.0 &&
+         std::isfinite(motion.acceleration) && is_finite(motion.plan) && is_finite(motion.stop) &&
+         motion.way_end.allFinite() && motion.roundabout.center.allFinite() &&
+         std::isfinite(motion.roundabout.radius);
+}
+
+}  // namespace fairway

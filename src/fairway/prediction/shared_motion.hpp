@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include <Eigen/Core>
+
+namespace fairway {
+
+/// Positions at even intervals, straight between them; before the first it stands at the first,
+/// after the last at the last.
+struct SampledMotion {
+  static constexpr int kMaxSamples = 51;
+  double start = 0.0;     ///< time of the first [s]
+  double interval = 0.1;  ///< between two [s]
+  int count = 0;          ///< at least 1 to be asked
+  std::array<Eigen::Vector2d, kMaxSamples> positions;
+
+  [[nodiscard]] Eigen::Vector2d at(double time) const noexcept {
+    const double steps = (time - start) / interval;
+    if (!(steps > 0.0) || count <= 1) return positions[0];
+    const auto last = static_cast<std::size_t>(count - 1);
+    if (steps >= count - 1) return positions[last];
+    const auto k = static_cast<std::size_t>(steps);
+    const double share = steps - static_cast<double>(k);
+    return positions[k] + share * (positions[k + 1] - positions[k]);
+  }
+
+  /// Adds a sample; beyond the most that fit they are dropped.
+  void add(const Eigen::Vector2d& position) noexcept {
+    if (count < kMaxSamples) positions[static_cast<std::size_t>(count++)] = position;
+  }
+};
+
+/// A place that several robots want to pass at a time: everybody goes round it with the centre on
+/// the left.
+struct Roundabout {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius = 0.0;  ///< [m]; 0: there is none
+
+  [[nodiscard]] bool exists() const noexcept { return radius > 0.0; }
+};
+
+/// What a robot tells the other robots about itself in every cycle.
+struct SharedMotion {
+  std::uint32_t robot = 0;  ///< who tells; no two of a fleet are alike
+  double time = 0.0;        ///< when it was told, on the clock of all [s]
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< then [m]
+  double speed = 0.0;                                  ///< then, without sign [m/s]
+  double radius = 0.0;                                 ///< of the disc that covers it [m]
+  double speed_max = 0.0;                              ///< [m/s]
+  double acceleration = 0.0;  ///< with which it gains and loses speed [m/s^2]
+  double turn_max = 0.0;      ///< [rad/s]
+  SampledMotion plan{};       ///< what it intends to do
+  SampledMotion stop{};  ///< what it has bound itself to until it tells something else: to stand
+  Eigen::Vector2d way_end = Eigen::Vector2d::Zero();  ///< its way goes straight up to here
+  bool under_way = false;                             ///< it has a way, and is not at its goal
+  Roundabout roundabout{};                            ///< that it goes round
+};
+
+/// Whether all that a robot tells is finite and makes sense.
+[[nodiscard]] bool is_finite(const SharedMotion& motion) noexcept;
+
+/// How far a robot can be from the stop that it told, when it was not heard for `unseen` seconds
+/// and may have told others since [m].
+///
+/// With v its speed when it told, v' = min(speed_max, v + a unseen) the fastest that it can be now,
+/// it is at most v' unseen further on, needs (v'^2 - v^2) / 2a more to stop, and has turned its
+/// braking by at most 2 turn_max unseen.
+[[nodiscard]] inline double reach_beyond_stop(const SharedMotion& motion, double unseen) noexcept {
+  if (!(unseen > 0.0)) return 0.0;
+  const double v = motion.speed;
+  const double now = std::fmin(std::fmax(v, motion.speed_max), v + motion.acceleration * unseen);
+  const double braking = now * now / (2.0 * motion.acceleration);
+  const double turned = std::fmin(2.0, 2.0 * motion.turn_max * unseen);
+  return now * unseen + braking - v * v / (2.0 * motion.acceleration) + turned * braking;
+}
+
+/// A robot of the fleet, as another one knows it.
+struct FleetMember {
+  const SharedMotion* motion = nullptr;  ///< the last that was heard of it
+  double unseen = 0.0;  ///< for how long it may have told others something else since [s]
+};
+
+using Fleet = std::span<const FleetMember>;
+
+}  // namespace fairway

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/prediction/shared_motion.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "fairway/navigation/stopping.hpp"
+#include "fairway/simulation/unicycle_robot.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+using Eigen::Vector2d;
+
+TEST(SampledMotion, IsStraightBetweenSamplesAndStandsAtItsEnds) {
+  SampledMotion motion{.start = 10.0, .interval = 0.5};
+  for (const double x : {0.0, 1.0, 3.0})
+    motion.add({x, 0});
+  EXPECT_EQ(motion.at(9.0), Vector2d(0, 0));
+  EXPECT_EQ(motion.at(10.25), Vector2d(0.5, 0));
+  EXPECT_EQ(motion.at(10.75), Vector2d(2, 0));
+  EXPECT_EQ(motion.at(11.0), Vector2d(3, 0));
+  EXPECT_EQ(motion.at(99.0), Vector2d(3, 0));
+}
+
+TEST(SharedMotion, IsNotFiniteAsSoonAsOneNumberIsNot) {
+  SharedMotion motion{.acceleration = 1.0};
+  motion.plan.add({0, 0});
+  motion.stop.add({0, 0});
+  EXPECT_TRUE(is_finite(motion));
+  SharedMotion bad = motion;
+  bad.stop.positions[0].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(is_finite(bad));
+  bad = motion;
+  bad.plan.interval = 0.0;
+  EXPECT_FALSE(is_finite(bad));
+  bad = motion;
+  bad.acceleration = 0.0;
+  EXPECT_FALSE(is_finite(bad));
+}
+
+// A robot tells how it would stop, then goes on as it likes for some cycles and stops. It is never
+// further from what it told than the bound.
+TEST(SharedMotion, ARobotUnheardStaysWithinItsReach) {
+  constexpr double kDt = 0.1;
+  test::Random random(7);
+  for (int trial = 0; trial < 2000; ++trial) {
+    MpcSettings limits;
+    limits.dt = kDt;
+    limits.linear_max = random.uniform(0.3, 2.0);
+    limits.angular_max = random.uniform(0.3, 3.0);
+    limits.linear_acceleration_max = random.uniform(0.5, 4.0);
+    limits.angular_acceleration_max = random.uniform(1.0, 8.0);
+    UnicycleRobot robot{
+        .pose = {.position = {0, 0}, .heading = random.uniform(-3, 3)},
+        .twist = {.linear = random.uniform(0, limits.linear_max),
+                  .angular = random.uniform(-1, 1) * limits.angular_max},
+        .limits = {limits.linear_acceleration_max, limits.angular_acceleration_max}};
+    const Twist2 first = limited_change(robot.twist, {}, limits);
+    SharedMotion told{.speed = robot.twist.linear,
+                      .speed_max = limits.linear_max,
+                      .acceleration = limits.linear_acceleration_max,
+                      .turn_max = limits.angular_max};
+    told.stop = stop_track(robot.pose, robot.twist, first, brake_from(first, limits), 0, kDt, 0.0);
+    const int cycles = random.integer(1, 5);
+    const double reach = reach_beyond_stop(told, cycles * kDt);
+    Twist2 command = robot.twist;
+    for (int k = 0; k < 60; ++k) {
+      const Twist2 wanted = k < cycles
+                                ? Twist2{.linear = random.chance(0.7) ? limits.linear_max : 0.0,
+                                         .angular = random.uniform(-1, 1) * limits.angular_max}
+                                : Twist2{};
+      command = limited_change(command, wanted, limits);
+      robot.advance(command, kDt);
+      const double off = (robot.pose.position - told.stop.at((k + 1) * kDt)).norm();
+      ASSERT_LE(off, reach + 1e-9) << "trial " << trial << " cycle " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fairway
