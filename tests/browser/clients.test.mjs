@@ -99,6 +99,14 @@ test('what is too large is refused', async () => {
   await goesOn();
 });
 
+test('few downloads are answered at once, the others are told to come again', async () => {
+  const answers = await Promise.all(Array.from({ length: 20 }, () => request({ path: '/recording.mcap' })));
+  const statuses = answers.map(({ status }) => status);
+  assert.ok(statuses.includes(200) && statuses.every((status) => status === 200 || status === 503), `${statuses}`);
+  assert.equal((await request({ path: '/scenario.zip' })).status, 200);
+  await goesOn();
+});
+
 test('nonsense is answered with why, and does nothing', async () => {
   const socket = await connect();
   const notices = [];

@@ -137,6 +137,20 @@ test('obstacles drawn while it drives lead to another way, and can be wiped off'
   assert.equal(await cellAt(page, 10, 7.5), 0);
 }));
 
+test('a robot arrives although a wall is drawn across its way while it drives', () => withLive(async (page) => {
+  await page.click('#tool-wall');
+  await drag(page, [11, 13], [14, 4]);
+  await page.selectOption('#speed', '8');
+  await until(page, () => {
+    const { frames, begin } = window.fairway.run;
+    const { collided, status } = frames.at(-1).robots[0];
+    return collided || begin.statuses[status] === 'goal reached';
+  });
+  assert.equal(await cellAt(page, 12.5, 8.5), 1);
+  const { robots: [{ x, y, collided }] } = await last(page);
+  assert.ok(!collided && Math.hypot(x - 17, y - 13) < 0.3);
+}));
+
 test('no obstacle can be drawn into a robot', () => withLive(async (page) => {
   await page.click('#play');
   const { robots: [robot] } = await last(page);
@@ -226,7 +240,7 @@ test('settings have their units, take effect at once, and are refused where they
     const { frames } = window.fairway.run;
     return frames.slice(-10).every((f) => f.robots[0].cycle && f.robots[0].cycle.linear < 0.31);
   });
-  assert.match(await page.textContent('[data-value="speed"]'), /of 0\.30 m\/s/);
+  await until(page, () => / of 0\.30 m\/s/.test(document.querySelector('[data-value="speed"]').textContent));
   const slider = row.locator('input[type="range"]');
   await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();

@@ -142,7 +142,7 @@ test('steps, jumps to start and end, and plays again from the end', () => withPa
   assert.ok(Math.abs(await time(page) - 0.1) < 1e-6);
   await page.click('#to-end');
   assert.equal(await time(page), 60);
-  assert.match(await page.textContent('#clock'), /60\.0 of 60\.0 s/);
+  await page.waitForFunction(() => document.getElementById('clock').textContent === '60.0 of 60.0 s');
   await page.click('#play');
   await page.waitForFunction(() => window.fairway.time > 0 && window.fairway.time < 50);
   await page.click('#play');
@@ -288,7 +288,6 @@ test('robots are chosen by their cards and on the map', () => withPage(async (pa
 test('panel, theme, and settings', () => withPage(async (page) => {
   const wide = (await page.locator('#map').boundingBox()).width;
   await page.click('#show-panel');
-  await page.waitForTimeout(100);
   assert.ok((await page.locator('#map').boundingBox()).width > wide + 200);
   await page.click('#show-panel');
   const light = await picture(page);

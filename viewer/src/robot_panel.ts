@@ -4,6 +4,8 @@ import type { Moment } from './moment';
 import { type Run, separation } from './run';
 import { type Theme, robotColor, statusTone } from './theme';
 
+const MOST_LONG_CARDS = 3; // of more robots only the chosen one has all its values shown
+
 interface Card {
   root: HTMLButtonElement;
   dot: HTMLElement;
@@ -64,6 +66,7 @@ export class RobotPanel {
     const robot = moment.frame.robots[index];
     if (!robot) return;
     card.root.classList.toggle('selected', selected && this.cards.length > 1);
+    card.root.classList.toggle('short', !selected && this.cards.length > MOST_LONG_CARDS);
     card.root.setAttribute('aria-pressed', `${selected}`);
     card.dot.style.background = robotColor(index, theme);
     const { cycle } = robot;
@@ -87,7 +90,9 @@ export class RobotPanel {
     const robot = moment.frame.robots[index]!;
     const { cycle, plan } = robot;
     card.why.replaceChildren();
-    if (plan && !plan.usable) {
+    if (robot.collided) {
+      card.why.append(make('b', { class: 'bad' }, 'touched something'), ', and is out of this run');
+    } else if (plan && !plan.usable) {
       card.why.append(make('b', { class: 'bad' }, plan.reason));
     } else if (cycle && cycle.limit > 0) {
       // The row says more than the limit: which speed, which acceleration.

@@ -21,6 +21,7 @@ export type Layer = keyof typeof layerNames;
 export type Layers = Record<Layer, boolean>;
 
 const TAU = 2 * Math.PI;
+const LABEL = '600 12px system-ui, sans-serif';
 const LEAST_ROBOT = 5; // radius of a robot that is far away [pixels]
 
 function corners(pose: Pose, length: number, width: number): Point[] {
@@ -74,6 +75,7 @@ export class Scene {
       if (layers.prediction) this.prediction(robot, i, run.radius);
     });
     moment.poses.forEach((pose, i) => this.robot(pose, robots[i]!, i, run, i === selected));
+    if (layers.names && robots.length > 1) this.names(moment.poses, run, selected);
     if (layers.limit) {
       robots.forEach((robot, i) => {
         if (i === selected) this.limit(robot);
@@ -232,9 +234,24 @@ export class Scene {
       this.disc(pose, radius + 4 / this.camera.scale);
       this.stroke(color, 1.5, 0.9);
     }
-    if (this.layers.names && run.begin.robots.length > 1) {
-      const at = this.camera.toScreen(pose);
-      this.label(run.begin.robots[index]!.name, at.x, at.y - this.pixels(radius) - 9);
+  }
+
+  // Where names would cover each other, the chosen robot's comes first, then those of low numbers.
+  private names(poses: Pose[], run: Run, selected: number): void {
+    const { context, camera } = this;
+    const taken: { x: number; y: number; half: number }[] = [];
+    const order = [selected, ...poses.keys()].filter((i, at) => at === 0 || i !== selected);
+    context.font = LABEL;
+    for (const i of order) {
+      const pose = poses[i];
+      if (!pose) continue;
+      const name = run.begin.robots[i]!.name;
+      const p = camera.toScreen(pose);
+      const spot = { x: p.x, y: p.y - Math.max(this.pixels(run.radius), LEAST_ROBOT) - 9, half: context.measureText(name).width / 2 + 3 };
+      const covered = taken.some((t) => Math.abs(t.x - spot.x) < t.half + spot.half && Math.abs(t.y - spot.y) < 15);
+      if (covered) continue;
+      taken.push(spot);
+      this.label(name, spot.x, spot.y);
     }
   }
 
@@ -255,7 +272,7 @@ export class Scene {
 
   private label(text: string, x: number, y: number): void {
     const { context, theme } = this;
-    context.font = '600 12px system-ui, sans-serif';
+    context.font = LABEL;
     context.textAlign = 'center';
     context.textBaseline = 'middle';
     context.lineWidth = 3;

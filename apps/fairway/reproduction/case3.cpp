@@ -46,8 +46,8 @@ Table exchange_table(const ExchangeRuns& runs) {
   Table table{
       .caption = fmt::format(
           "Case 3: {} runs with different starts. Time: until the last robot has arrived, mean "
-          "of the runs in which all do, \u00b1 95 % confidence; the straight way takes about "
-          "{} s.",
+          "of the runs in which all do, \u00b1 95 % confidence; the straight way takes about {} "
+          "s.",
           runs.size(), fixed(summary_of(runs, ExchangeKind::Ours).bound, 1)),
       .header = {"method", "keep-out distance [m]", "all arrived", "runs with contact", "time [s]",
                  "least separation of bodies [m]"},
@@ -134,14 +134,12 @@ Chapter run_case3(const StudyOptions& options) {
       compare_exchanges(options.maps > 0 ? options.maps : usual, options));
   Chapter chapter{.id = "case3", .title = "Case 3: four robots exchange places"};
   chapter.setup =
-      "Four robots with bodies of 0.25 m start on a circle of 4 m in the open, each bound for the "
-      "place opposite, off by up to 0.05 m in x and y. Every robot sees the others\u2019 positions "
-      "and "
-      "velocities, as the paper shares them, and predicts them with constant velocity. ISMPC: "
-      "Table I "
-      "with R_o = 0.8 m between centres and \u03b3 = 5, without our recovery; our check of the "
-      "stop is on "
-      "in both. The paper shows one run; here there are many, with different starts.";
+      "Four robots with bodies of 0.25 m start on a circle of 4 m in the open, each bound for "
+      "the place opposite, off by up to 0.05 m in x and y. Every robot sees the others\u2019 "
+      "positions and velocities, as the paper shares them, and predicts them with constant "
+      "velocity. ISMPC: Table I with R_o = 0.8 m between centres and \u03b3 = 5, without our "
+      "recovery; our check of the stop is on in both. The paper shows one run; here there are "
+      "many, with different starts.";
   for (const ExchangeKind kind : kKinds) {
     chapter.findings.push_back(arrival_finding(*runs, kind));
     const Summary s = summary_of(*runs, kind);

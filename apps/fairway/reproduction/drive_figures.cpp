@@ -284,10 +284,9 @@ Figure trajectory_figure(const std::shared_ptr<const DriveRuns>& runs) {
       .name = "case1_figure5_trajectories",
       .caption = fmt::format(
           "Figure 5: corridors, targets and driven trajectories in a structured, obstacle-dense "
-          "map "
-          "(seed {}). (a) ISMPC with dual targets at the seeds; (b) SMPC with one target at the "
-          "centroid of the next overlap; (c) our default, whose targets move along the taut string "
-          "(rectangles for the robot's centre, seeds shown); (d) the three trajectories.",
+          "map (seed {}). (a) ISMPC with dual targets at the seeds; (b) SMPC with one target at "
+          "the centroid of the next overlap; (c) our default, whose targets move along the taut "
+          "string (rectangles for the robot's centre, seeds shown); (d) the three trajectories.",
           runs->maps.front().seed),
       .draw = [runs](io::PictureFormat format) {
         const auto grid = std::make_shared<const OccupancyGrid>(
@@ -323,8 +322,8 @@ Figure trajectory_figure(const std::shared_ptr<const DriveRuns>& runs) {
 Figure speed_figure(const std::shared_ptr<const DriveRuns>& runs) {
   return {.name = "case1_figure6_velocities",
           .caption =
-              "Figure 6: commanded speeds on the map of Figure 5, with their bounds (dashed): "
-              "1 m/s, from 0.05 m/s for the paper's two, and 1.5 rad/s.",
+              "Figure 6: commanded speeds on the map of Figure 5, with their bounds (dashed): 1 "
+              "m/s, from 0.05 m/s for the paper's two, and 1.5 rad/s.",
           .draw = [runs](io::PictureFormat format) {
             double end = 0.0;
             for (const DriverKind kind : kDrivers)
@@ -346,8 +345,8 @@ Figure speed_figure(const std::shared_ptr<const DriveRuns>& runs) {
 Figure change_figure(const std::shared_ptr<const DriveRuns>& runs) {
   return {.name = "case1_changes_against_smpc",
           .caption = fmt::format(
-              "Case 1 on {} maps: each map's change against SMPC; line and band: mean and its 95 % "
-              "confidence interval. Below 0 is better in every panel.",
+              "Case 1 on {} maps: each map's change against SMPC; line and band: mean and its 95 "
+              "% confidence interval. Below 0 is better in every panel.",
               runs->comparable().size()),
           .draw = [runs](io::PictureFormat format) {
             PanelPicture picture{.columns = 2,
@@ -380,14 +379,11 @@ std::optional<Figure> stuck_figure(const std::vector<std::shared_ptr<const Drive
   return Figure{.name = "case1_dual_targets_stuck",
                 .caption =
                     "Where the claim of progress fails: two quadratic targets amount to one at "
-                    "their weighted "
-                    "mean, 0.8 of the first and 0.2 of the second. Where that lies outside the "
-                    "overlap with the "
-                    "next corridor, the robot reaches the edge of the current one beside the "
-                    "overlap and never "
-                    "switches; since its least speed is 0.05 m/s it cannot even wait there. Shown "
-                    "at 120 s: the "
-                    "first such map of each course.",
+                    "their weighted mean, 0.8 of the first and 0.2 of the second. Where that "
+                    "lies outside the overlap with the next corridor, the robot reaches the edge "
+                    "of the current one beside the overlap and never switches; since its least "
+                    "speed is 0.05 m/s it cannot even wait there. Shown at 120 s: the first such "
+                    "map of each course.",
                 .draw = [found](io::PictureFormat format) {
                   PanelPicture picture{.columns = 2, .legend = stuck_legend(), .panels = {}};
                   for (const Stuck& stuck : found)

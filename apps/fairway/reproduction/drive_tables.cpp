@@ -38,6 +38,21 @@ double value(const Drive& drive, DriveMeasure measure) {
   return 0.0;
 }
 
+// Its name in results.json; units there are m and s.
+const char* key_of(DriveMeasure measure) {
+  switch (measure) {
+    case DriveMeasure::Length:
+      return "length";
+    case DriveMeasure::Time:
+      return "time";
+    case DriveMeasure::Smoothness:
+      return "smoothness";
+    case DriveMeasure::Switches:
+      return "switches";
+  }
+  return "unknown";
+}
+
 int decimals(DriveMeasure measure) {
   return measure == DriveMeasure::Length || measure == DriveMeasure::Time ? 2 : 0;
 }
@@ -87,7 +102,7 @@ Json driver_json(const DriveRuns& runs, DriverKind kind) {
                {"least_clearance", least_clearance(runs, kind)},
                {"speeds", speeds_json(speeds(runs, kind))}};
   for (const DriveMeasure measure : kDriveMeasures)
-    json[to_text(measure)] = to_json(estimate(values(runs, kind, measure)));
+    json[key_of(measure)] = to_json(estimate(values(runs, kind, measure)));
   Json each = Json::array();
   for (const DriveComparison& map : runs.maps) {
     const Drive& d = map.of(kind);
@@ -115,7 +130,7 @@ const char* to_text(DriveMeasure measure) noexcept {
     case DriveMeasure::Time:
       return "time [s]";
     case DriveMeasure::Smoothness:
-      return "roughness";
+      return "smoothness";
     case DriveMeasure::Switches:
       return "switches";
   }
@@ -155,7 +170,7 @@ Table drive_table(const DriveRuns& runs) {
   Table table{
       .caption = fmt::format(
           "Case 1: means over the {} of {} maps on which all three arrive, \u00b1 95 % "
-          "confidence. Roughness: integral of (du/dt)\u00b2 + (dr/dt)\u00b2 of the commands "
+          "confidence. Smoothness: integral of (du/dt)\u00b2 + (dr/dt)\u00b2 of the commands "
           "[m\u00b2/s\u00b3 + rad\u00b2/s\u00b3], less is smoother. The paper gives no numbers.",
           runs.comparable().size(), runs.maps.size()),
       .header = {"method"},
@@ -244,7 +259,7 @@ Table solve_times(const std::vector<DriveRuns>& courses) {
   Table table{.caption =
                   "Solver time per control cycle [us], thread CPU time: median over maps of the "
                   "maps' medians and 99th percentiles. Ours solves a horizon twice as long from "
-                  "two starts. Field notes give the paper's CasADi with IPOPT 4805/13476.",
+                  "two starts.",
               .header = {"method"},
               .rows = {}};
   for (const DriveRuns& runs : courses) {
@@ -279,7 +294,7 @@ Json drive_numbers(const std::vector<DriveRuns>& courses) {
       for (const DriveMeasure measure : kDriveMeasures) {
         const std::vector<double> a = values(runs, pair.kind, measure);
         const std::vector<double> b = values(runs, pair.base, measure);
-        changes[pair_name(pair)][to_text(measure)] = {
+        changes[pair_name(pair)][key_of(measure)] = {
             {"change_percent", to_json(change(runs, pair.kind, pair.base, measure))},
             {"welch_test", to_json(welch_test(a, b))},
             {"paired_test", to_json(paired_test(a, b))}};

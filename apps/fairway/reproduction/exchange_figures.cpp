@@ -64,6 +64,7 @@ void draw_moment(io::Canvas& canvas,
     canvas.line(axes.at(track), {.color = robot_color(i), .width = 1.5, .dash = dash_of(i)});
   }
   for (std::size_t i = 0; i < kExchangeRobots; ++i) {
+    canvas.cross(axes.at(run.goals.at(i)), 2.6, {.color = robot_color(i), .width = 1.2});
     canvas.line(axes.at(moment.plans.at(i)), kPlanStroke);
     const Pose2& pose = moment.poses.at(i);
     const io::Stroke body{.color = robot_color(i), .width = 1.2};
@@ -106,34 +107,36 @@ Panel separation_panel(const std::shared_ptr<const ExchangeRuns>& runs, Exchange
 
 Figure snapshot_figure(const std::shared_ptr<const ExchangeRuns>& runs, ExchangeKind kind) {
   const bool paper = kind == ExchangeKind::Ismpc;
-  return {.name = paper ? "case3_figure11_snapshots" : "case3_snapshots_ours",
-          .caption = fmt::format(
-              "{}four robots that exchange places, {} (run 1). Discs: half of the {} m that the "
-              "controller keeps between centres, so that discs may touch but not overlap; purple: "
-              "predicted trajectories.",
-              paper ? "Figure 11: " : "As Figure 11: ", to_text(kind),
-              fixed(keep_out_distance(first_run(*runs, kind).settings), 1)),
-          .draw = [runs, kind](io::PictureFormat format) {
-            const Exchange& run = first_run(*runs, kind);
-            PanelPicture picture{.columns = 2, .legend = robot_legend(), .panels = {}};
-            picture.legend.push_back(
-                {.kind = Kind::Line, .text = "predicted trajectory", .stroke = kPlanStroke});
-            picture.legend.push_back({.kind = Kind::Ring,
-                                      .text = "half the keep-out distance",
-                                      .stroke = {.color = kOursColor, .width = 0.8},
-                                      .fill = kOursColor.faded(0.2)});
-            for (const double share : kShares) {
-              const auto last = static_cast<double>(run.moments.size() - 1);
-              const auto at = static_cast<std::size_t>(std::lround(share * last));
-              picture.panels.push_back(
-                  {.title = fmt::format("{} s", fixed(run.moments[at].time, 1)),
-                   .data = {.min = {3.0, 3.0}, .max = {13.0, 13.0}},
-                   .draw = [runs, kind, at](io::Canvas& canvas, const io::PlotAxes& axes) {
-                     draw_moment(canvas, axes, first_run(*runs, kind), at);
-                   }});
-            }
-            return draw_panels(picture, format);
-          }};
+  return {
+      .name = paper ? "case3_figure11_snapshots" : "case3_snapshots_ours",
+      .caption = fmt::format(
+          "{}four robots that exchange places, {} (run 1). Discs: half of the {} m that the "
+          "controller keeps between centres, so that discs may touch but not overlap; "
+          "purple: predicted trajectories.",
+          paper ? "Figure 11: " : "As Figure 11: ", to_text(kind),
+          fixed(keep_out_distance(first_run(*runs, kind).settings), 1)),
+      .draw = [runs, kind](io::PictureFormat format) {
+        const Exchange& run = first_run(*runs, kind);
+        PanelPicture picture{.columns = 2, .legend = robot_legend(), .panels = {}};
+        picture.legend.push_back(
+            {.kind = Kind::Line, .text = "predicted trajectory", .stroke = kPlanStroke});
+        picture.legend.push_back({.kind = Kind::Ring,
+                                  .text = "half the keep-out distance",
+                                  .stroke = {.color = kOursColor, .width = 0.8},
+                                  .fill = kOursColor.faded(0.2)});
+        picture.legend.push_back({.kind = Kind::Cross, .text = "goal", .stroke = {.width = 1.2}});
+        for (const double share : kShares) {
+          const auto last = static_cast<double>(run.moments.size() - 1);
+          const auto at = static_cast<std::size_t>(std::lround(share * last));
+          picture.panels.push_back(
+              {.title = fmt::format("{} s", fixed(run.moments[at].time, 1)),
+               .data = {.min = {3.0, 3.0}, .max = {13.0, 13.0}},
+               .draw = [runs, kind, at](io::Canvas& canvas, const io::PlotAxes& axes) {
+                 draw_moment(canvas, axes, first_run(*runs, kind), at);
+               }});
+        }
+        return draw_panels(picture, format);
+      }};
 }
 
 Figure separation_figure(const std::shared_ptr<const ExchangeRuns>& runs) {

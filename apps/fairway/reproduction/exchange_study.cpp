@@ -133,6 +133,7 @@ Exchange exchange(const Scenario& scenario, const StudyOptions& options) {
     run.time = std::max(run.time, robot.time);
     run.min_separation = std::min(run.min_separation, robot.min_separation);
     const RobotTask& task = scenario.robots[i];
+    run.goals.at(i) = task.goal.position;
     run.bound = std::max(run.bound, (task.goal.position - task.start.position).norm() /
                                         scenario.settings.mpc.linear_max);
     cycles.insert(cycles.end(), robot.cycle_seconds.begin(), robot.cycle_seconds.end());

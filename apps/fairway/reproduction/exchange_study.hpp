@@ -34,6 +34,7 @@ struct ExchangeMoment {
 /// One run.
 struct Exchange {
   Settings settings;
+  std::array<Eigen::Vector2d, kExchangeRobots> goals;
   bool all_reached = false;
   int contacts = 0;             ///< robots that touched something
   double time = 0.0;            ///< until the last robot arrived, or the limit [s]

@@ -107,12 +107,15 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
     downloading_ = true;
     stream_.expires_never();  // the world answers when it is between two cycles
     const auto executor = stream_.get_executor();
-    context_.world.download(what, [self = shared_from_this(), executor, name](std::string bytes) {
-      boost::asio::post(executor, [self, name, bytes = std::move(bytes)]() mutable {
-        self->stream_.expires_after(10 * kPatience);
-        self->answer(http::status::ok, "application/octet-stream", std::move(bytes), name);
-      });
-    });
+    // The world's thread hands the session back whole: it must end in the network's.
+    const auto done = [self = shared_from_this(), executor, name](std::string bytes) mutable {
+      boost::asio::post(
+          executor, [self = std::move(self), name, bytes = std::move(bytes)]() mutable {
+            self->stream_.expires_after(10 * kPatience);
+            self->answer(http::status::ok, "application/octet-stream", std::move(bytes), name);
+          });
+    };
+    context_.world.download(what, done);
   }
 
   void take_map() {
@@ -124,7 +127,8 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
       return answer(http::status::unprocessable_entity, "text/plain; charset=utf-8",
                     uploaded.error().message);
     }
-    context_.world.use_map(std::move(uploaded->name), std::move(uploaded->map));
+    if (!context_.world.use_map(std::move(uploaded->name), std::move(uploaded->map)))
+      return refuse(http::status::service_unavailable);
     answer(http::status::ok, "text/plain; charset=utf-8", "");
   }
 

@@ -16,6 +16,7 @@ namespace fairway::app {
 namespace {
 
 constexpr std::size_t kMostWaiting = 256;         // commands of clients
+constexpr std::size_t kMostMapsWaiting = 16;      // maps are large
 constexpr std::size_t kMostDownloads = 300;       // commands and downloads
 constexpr std::size_t kMostUploads = 8;           // maps; the oldest makes room
 constexpr std::size_t kMostRecords = 64U << 20U;  // for a report [bytes]
@@ -46,21 +47,22 @@ LiveWorld::~LiveWorld() {
 
 void LiveWorld::ask(ClientCommand command) { enqueue(std::move(command), kMostWaiting); }
 
-void LiveWorld::use_map(std::string name, OccupancyGrid map) {
-  enqueue(UseMap{.name = std::move(name), .map = std::move(map)}, kMostWaiting);
+bool LiveWorld::use_map(std::string name, OccupancyGrid map) {
+  return enqueue(UseMap{.name = std::move(name), .map = std::move(map)}, kMostMapsWaiting);
 }
 
 void LiveWorld::download(Download what, std::function<void(std::string)> done) {
   enqueue(Save{.what = what, .done = std::move(done)}, kMostDownloads);
 }
 
-void LiveWorld::enqueue(Request request, std::size_t most_waiting) {
+bool LiveWorld::enqueue(Request request, std::size_t most_waiting) {
   {
     const std::lock_guard lock(mutex_);
-    if (requests_.size() >= most_waiting) return;
+    if (requests_.size() >= most_waiting) return false;
     requests_.push_back(std::move(request));
   }
   wake_.notify_all();
+  return true;
 }
 
 void LiveWorld::run() {

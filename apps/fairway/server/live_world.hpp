@@ -56,8 +56,8 @@ class LiveWorld {
   /// Asks for something; safe from any thread. Where too much is waiting already, it is dropped.
   void ask(ClientCommand command);
 
-  /// Adds a map to the choices and begins with it.
-  void use_map(std::string name, OccupancyGrid map);
+  /// Adds a map to the choices and begins with it; false where too much is waiting already.
+  [[nodiscard]] bool use_map(std::string name, OccupancyGrid map);
 
   void download(Download what, std::function<void(std::string)> done);
 
@@ -72,7 +72,7 @@ class LiveWorld {
   };
   using Request = std::variant<ClientCommand, UseMap, Save>;
 
-  void enqueue(Request request, std::size_t most_waiting);
+  bool enqueue(Request request, std::size_t most_waiting);
   void run();
   void run_once();
   bool play(EpisodeControl& control);

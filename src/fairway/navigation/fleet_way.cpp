@@ -2,8 +2,10 @@
 #include "fairway/navigation/fleet_way.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/map/free_space.hpp"
@@ -22,6 +24,9 @@ constexpr double kNoticeable = 0.02;   // of a radius
 constexpr double kPatience = 1.0;      // [s] of standing, before a roundabout is made wider
 constexpr double kGrowth = 1.25;       // then
 constexpr double kWidest = 8.0;        // [m]
+constexpr std::size_t kMostMet = 8;    // robots in narrow places that are minded
+constexpr double kLongestWait = 20.0;  // [s]
+constexpr double kTrying = 4.0;        // [s] of going on after that
 constexpr double kHeadOn = -0.5;       // cosine between two ways; below it they are head-on
 
 // An even motion along a straight way, to its end.
@@ -65,8 +70,8 @@ Roundabout FleetWay::meet(const StringAhead& string, const FleetWayInput& input)
   double widest = radius;
   for (const FleetMember& member : input.fleet) {
     const SharedMotion& motion = *member.motion;
-    if (!motion.under_way) continue;
-    const StraightWay way = straight_way(motion.position, motion.way_end, motion.speed_max);
+    if (!motion.under_way || motion.way.count == 0) continue;
+    const StraightWay way = straight_way(motion.position, motion.way.points[0], motion.speed_max);
     const double time = nearest_time(own, way);
     const Vector2d a = own.start + time * own.velocity;
     const Vector2d b = way.start + time * way.velocity;
@@ -91,8 +96,58 @@ void FleetWay::give_way_to(const Roundabout& other) noexcept {
   if (other.radius > (1.0 + kNoticeable) * roundabout_.radius) roundabout_ = other;
 }
 
+// Whether to wait for somebody, at `place_`.
+bool FleetWay::steps_aside(const StringAhead& string, const FleetWayInput& input) noexcept {
+  std::array<const SharedMotion*, kMostMet> met{};
+  std::array<double, kMostMet> at{};
+  std::size_t count = 0;
+  to_narrow_ = std::numeric_limits<double>::infinity();
+  for (const FleetMember& member : input.fleet) {
+    if (!member.motion->under_way || count == kMostMet) continue;
+    const double length =
+        length_to_narrow_meeting(string, *member.motion, input.radius, *input.obstacles);
+    if (!std::isfinite(length)) continue;
+    met[count] = member.motion;
+    at[count++] = length;
+    to_narrow_ = std::min(to_narrow_, length);
+  }
+  const Vector2d& here = string.points[0];
+  can_step_aside_ = passing_place(input.room, here, {met.data(), count}, input.radius).has_value();
+  for (std::size_t i = 0; i < count; ++i) {
+    const SharedMotion& other = *met[i];
+    const bool first =
+        other.can_step_aside != can_step_aside_
+            ? !can_step_aside_
+            : std::pair(to_narrow_, input.robot) < std::pair(other.to_narrow, other.robot);
+    if (first) met[i] = nullptr;
+  }
+  const std::span<const SharedMotion* const> ahead(met.data(), count);
+  if (std::all_of(ahead.begin(), ahead.end(), [](const auto* other) { return other == nullptr; })) {
+    waited_ = std::min(0.0, waited_ + input.dt);
+    return false;
+  }
+  waited_ += input.dt;
+  if (waited_ > kLongestWait) waited_ = -kTrying;
+  if (waited_ < 0.0) return false;
+  const bool suits = place_ && std::all_of(ahead.begin(), ahead.end(), [&](const auto* other) {
+                       return other == nullptr || lets_pass(*place_, *other, input.radius);
+                     });
+  if (!suits) place_ = passing_place(input.room, here, ahead, input.radius);
+  return place_.has_value();
+}
+
 const StringAhead& FleetWay::update(const StringAhead& string,
                                     const FleetWayInput& input) noexcept {
+  if (steps_aside(string, input)) {
+    roundabout_ = {};
+    string_.count = 2;
+    string_.points[0] = string.points[0];
+    string_.points[1] = *place_;
+    string_.arc = {0.0, (*place_ - string.points[0]).norm()};
+    string_.ends_at_goal = true;
+    return string_;
+  }
+  place_.reset();
   if (roundabout_.exists() && !lead_round(string, roundabout_, string_)) roundabout_ = {};
   if (const Roundabout met = meet(string, input); met.exists()) {
     if (roundabout_.exists()) {

@@ -63,9 +63,15 @@ MaplessNavigator::MaplessNavigator(const Settings& given,
 
 void MaplessNavigator::set_goal(const Goal& goal) {
   goal_ = goal;
+  has_goal_ = true;
   asked_for_plan_ = true;
   way_length_ = std::numeric_limits<double>::infinity();
   plan_time_ = -std::numeric_limits<double>::infinity();
+}
+
+void MaplessNavigator::cancel() {
+  has_goal_ = false;
+  navigator_.cancel();
 }
 
 void MaplessNavigator::observe(const LidarScan& scan, const Vector2d& position) noexcept {
@@ -79,13 +85,14 @@ void MaplessNavigator::observe(const LidarScan& scan, const Vector2d& position) 
                    .y = std::max(changed_.last.y, now.last.y)};
 }
 
-NavigationStep MaplessNavigator::update(double time, const Pose2& pose) {
+NavigationStep MaplessNavigator::update(double time, const Pose2& pose, double pose_time) {
   planned_ = false;
   const bool pose_known = is_finite(pose) && std::isfinite(time);
-  if (pose_known && std::isfinite(perception_.time()) && wants_plan(time)) plan(time, pose);
+  if (pose_known && std::isfinite(perception_.time()) && has_goal_ && wants_plan(time))
+    plan(time, pose);
   NavigationStep step = navigator_.update({.time = time,
                                            .pose = pose,
-                                           .pose_time = time,
+                                           .pose_time = pose_time,
                                            .obstacles = perception_.tracker().obstacles(),
                                            .obstacles_time = perception_.time(),
                                            .map = &perception_.grid().not_seen_free(),

@@ -28,12 +28,23 @@ class MaplessNavigator {
 
   void set_goal(const Goal& goal);
 
+  /// Forgets the goal: the robot brakes to a stand. Without a goal it stands, too.
+  void cancel();
+
+  /// As Navigator::reset.
+  void reset(const Twist2& actual) noexcept { navigator_.reset(actual); }
+
   /// Takes in one scan; several may come between two cycles.
   /// @param position  Where the robot was at the scan's time [m].
   void observe(const LidarScan& scan, const Eigen::Vector2d& position) noexcept;
 
   /// One control cycle: plans if there is need, then navigates.
-  [[nodiscard]] NavigationStep update(double time, const Pose2& pose);
+  [[nodiscard]] NavigationStep update(double time, const Pose2& pose) {
+    return update(time, pose, time);
+  }
+
+  /// The same with a pose that was true at `pose_time` [s]; on one that is too old the robot stops.
+  [[nodiscard]] NavigationStep update(double time, const Pose2& pose, double pose_time);
 
   [[nodiscard]] const Perception& perception() const noexcept { return perception_; }
   [[nodiscard]] const Navigator& navigator() const noexcept { return navigator_; }
@@ -59,6 +70,7 @@ class MaplessNavigator {
   bool rolled_ = true;  // likewise
   bool asked_for_plan_ = true;
   bool leads_to_goal_ = false;  // the present corridor
+  bool has_goal_ = false;
   bool planned_ = false;
   double plan_time_ = 0.0;
   double last_margin_ = std::numeric_limits<double>::infinity();  // of the last usable plan

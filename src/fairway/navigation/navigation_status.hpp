@@ -13,7 +13,7 @@ enum class NavigationStatus : std::uint8_t {
   Blocked,      ///< standing, and no way on is known
   Recovering,   ///< turning or backing out of where it was stuck
   Stale,        ///< an input is too old: stopping
-  BadInput,     ///< an input is not finite: stopping
+  BadInput,     ///< an input is not finite, or the pose jumps: stopping
   Infeasible,   ///< the solver has no usable answer: stopping
   NoPlan,       ///< no goal, or no path or corridor to it: standing
   GoalReached,  ///< at the goal: standing
@@ -59,6 +59,7 @@ enum class Limit : std::uint8_t {
   StaleTracks,
   NonFinitePose,
   NonFiniteTracks,
+  PoseJump,  ///< the pose is not where the commands lead
   SolverFailed,
   NoPath,
 };
@@ -89,6 +90,8 @@ enum class Limit : std::uint8_t {
       return "pose not finite";
     case Limit::NonFiniteTracks:
       return "tracks not finite";
+    case Limit::PoseJump:
+      return "pose jumps";
     case Limit::SolverFailed:
       return "solver failed";
     case Limit::NoPath:

@@ -29,7 +29,8 @@ bool stands(const Twist2& twist) noexcept {
 }
 
 NavigationStatus status_for(Limit limit) noexcept {
-  return limit == Limit::NonFinitePose || limit == Limit::NonFiniteTracks
+  return limit == Limit::NonFinitePose || limit == Limit::NonFiniteTracks ||
+                 limit == Limit::PoseJump
              ? NavigationStatus::BadInput
              : NavigationStatus::Stale;
 }
@@ -76,21 +77,24 @@ void Navigator::reset(const Twist2& actual) noexcept {
   sent_ = is_finite(actual) ? actual : Twist2{};
   sent_before_ = sent_;
   solution_.horizon = 0;
-  stop_ = brake_from(sent_, settings_.mpc);
-  stop_done_ = 0;
+  stop_.reset(sent_, settings_.mpc);
+  reckoning_.reset(sent_);
   recovery_.reset();
 }
 
 NavigationStep Navigator::update(const NavigationInput& input) noexcept {
   const NavigationStep result = cycle(input);
+  reckoning_.sent(input.time, result.command, settings_.mpc.dt);
   sent_before_ = sent_;
   sent_ = result.command;
   return result;
 }
 
 // Algorithm 3, one pass of its loop.
-NavigationStep Navigator::cycle(const NavigationInput& input) noexcept {
-  if (const Limit bad = check(input); bad != Limit::None) return stop(status_for(bad), bad);
+NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
+  if (const Limit bad = check(given); bad != Limit::None) return stop(status_for(bad), bad);
+  NavigationInput input = given;
+  input.pose = reckoning_.advanced(given.pose, given.pose_time, given.time);
   if (!plan_.usable()) return stop(NavigationStatus::NoPlan, Limit::NoPath);
   if (plan_time_ < 0.0) plan_time_ = input.time;
   if (reached(input.pose)) return arrive(input);
@@ -99,16 +103,23 @@ NavigationStep Navigator::cycle(const NavigationInput& input) noexcept {
     outside.wants_plan = true;
     return outside;
   }
-  note_remaining();
   way_ =
       fleet_way_.update(corridor_.string(), {.speed_max = settings_.mpc.linear_max,
                                              .radius = settings_.robot.radius,
                                              .standing = std::abs(sent_.linear) < kStandingLinear,
                                              .dt = settings_.mpc.dt,
+                                             .robot = input.robot,
                                              .fleet = input.fleet,
-                                             .obstacles = input.map});
+                                             .obstacles = input.map,
+                                             .room = corridor_.admissible(corridor_.current())});
+  note_remaining();
   pose_problem(input);
-  NavigationStep result = recover(input, drive(input));
+  NavigationStep result = drive(input);
+  if (fleet_way_.waits()) {
+    recovery_.reset();
+  } else {
+    result = recover(input, result);
+  }
   const double period = settings_.navigation.rebuild_period;
   if (period > 0.0 && input.time - plan_time_ >= period) result.wants_plan = true;
   result.rectangle = corridor_.current();
@@ -126,7 +137,7 @@ void Navigator::note_remaining() noexcept {
   new_way_ = false;
 }
 
-Limit Navigator::check(const NavigationInput& input) const noexcept {
+Limit Navigator::check(const NavigationInput& input) noexcept {
   const NavigationSettings& nav = settings_.navigation;
   if (!is_finite(input.pose) || !std::isfinite(input.time)) return Limit::NonFinitePose;
   // Written so that a stamp that is not finite is stale. A stamp from the future is no better.
@@ -134,6 +145,7 @@ Limit Navigator::check(const NavigationInput& input) const noexcept {
     return std::abs(input.time - stamp) <= timeout;
   };
   if (!fresh(input.pose_time, nav.pose_timeout)) return Limit::StalePose;
+  if (!reckoning_.fits(input.pose, input.pose_time, nav.pose_jump)) return Limit::PoseJump;
   if (input.map == nullptr || !fresh(input.map_time, nav.map_timeout)) return Limit::StaleMap;
   for (const MovingObstacle& obstacle : input.obstacles) {
     if (!is_finite(obstacle.position) || !is_finite(obstacle.velocity) ||
@@ -141,7 +153,8 @@ Limit Navigator::check(const NavigationInput& input) const noexcept {
       return Limit::NonFiniteTracks;
     }
   }
-  if (!input.obstacles.empty() && !fresh(input.obstacles_time, nav.tracks_timeout)) {
+  if ((input.obstacles_due || !input.obstacles.empty()) &&
+      !fresh(input.obstacles_time, nav.tracks_timeout)) {
     return Limit::StaleTracks;
   }
   for (const FleetMember& member : input.fleet) {
@@ -161,10 +174,18 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
                       .speed_max = std::max(mpc.linear_max, -mpc.linear_min),
                       .acceleration = mpc.linear_acceleration_max,
                       .turn_max = mpc.angular_max};
-  motion.stop = stop_track(pose, sent_before_, sent_, stop_, stop_done_, mpc.dt, time);
+  motion.stop = stop_track(pose, sent_before_, sent_, stop_.sequence(), stop_.done(), mpc.dt, time);
   motion.plan = motion.stop;
   motion.under_way = plan_.usable() && !at_goal_;
-  if (motion.under_way && !corridor_.empty()) motion.way_end = corridor_.string().points[1];
+  if (motion.under_way && !corridor_.empty()) {
+    const StringAhead& string = corridor_.string();
+    for (int i = 1; i < string.count && motion.way.count < WayAhead::kMaxPoints; ++i) {
+      motion.way.points[static_cast<std::size_t>(motion.way.count++)] =
+          string.points[static_cast<std::size_t>(i)];
+    }
+    motion.to_narrow = fleet_way_.to_narrow();
+    motion.can_step_aside = fleet_way_.can_step_aside();
+  }
   const bool driven = solution_.horizon > 0 && solution_.commands[0].linear == sent_.linear &&
                       solution_.commands[0].angular == sent_.angular;
   if (driven) {
@@ -199,7 +220,9 @@ NavigationStep Navigator::arrive(const NavigationInput& input) noexcept {
   if (std::abs(turn) > settings_.navigation.heading_tolerance) {
     const Twist2 wanted{.linear = 0.0, .angular = turning_speed(turn, settings_.mpc)};
     const Twist2 command = limited_change(sent_, wanted, settings_.mpc);
-    if (try_command(input, command)) return {.command = command, .status = NavigationStatus::Ok};
+    if (stop_.take(situation(input), {&command, 1}, settings_.mpc)) {
+      return {.command = command, .status = NavigationStatus::Ok};
+    }
     return stop(NavigationStatus::Blocked, Limit::StopNotProven);
   }
   const bool standing = sent_.linear == 0.0 && sent_.angular == 0.0;
@@ -248,11 +271,14 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
   if (count == 2 && merit(answers_[1], problem_) < merit(answers_[0], problem_)) {
     std::swap(answers_[0], answers_[1]);
   }
+  const StopSituation now = situation(input);
   bool solved = false;
   for (std::size_t i = 0; i < count; ++i) {
     if (answers_[i].status == SolveStatus::InvalidProblem) continue;
     solved = true;
-    if (!try_command(input, answers_[i].commands[0])) continue;
+    const std::span<const Twist2> commands(answers_[i].commands.data(),
+                                           static_cast<std::size_t>(answers_[i].horizon));
+    if (!stop_.take(now, commands, settings_.mpc)) continue;
     solution_ = answers_[i];
     const bool whole = i == 0 && solution_.max_violation <= kNoticeable;
     return {.command = solution_.commands[0],
@@ -261,7 +287,20 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
             .plan = &solution_};
   }
   if (!solved) return stop(NavigationStatus::Infeasible, Limit::SolverFailed);
+  return stop_or_evade(input);
+}
+
+// Nothing new is proven: goes on with what was, unless something that moves differently from what
+// was expected runs into that; then out of its way as long as possible.
+NavigationStep Navigator::stop_or_evade(const NavigationInput& input) noexcept {
   solution_.horizon = 0;  // what was planned is not what is done: start afresh
+  const StopSituation now = situation(input);
+  const double contact = stop_.contact_time(now, settings_.mpc);
+  const std::span<const Twist2> best(answers_[0].commands.data(),
+                                     static_cast<std::size_t>(answers_[0].horizon));
+  if (std::isfinite(contact) && stop_.evade(now, best, contact, settings_.mpc)) {
+    return stop(NavigationStatus::Degraded, Limit::MovingObstacle);
+  }
   return stop(NavigationStatus::Stopping, Limit::StopNotProven);
 }
 
@@ -293,7 +332,7 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
       return step;
   }
   const Twist2 command = limited_change(sent_, wanted, settings_.mpc);
-  if (try_command(input, command)) {
+  if (stop_.take(situation(input), {&command, 1}, settings_.mpc)) {
     return {.command = command, .status = NavigationStatus::Recovering, .limit = step.limit};
   }
   step.status = NavigationStatus::Blocked;
@@ -304,30 +343,23 @@ StopSurroundings Navigator::surroundings(const NavigationInput& input) const noe
   StopSurroundings around =
       static_surroundings(*input.map, body_, input.pose, plan_.margin, settings_);
   around.moving = input.obstacles;
+  around.moving_age = input.time - input.obstacles_time;
+  around.moving_moves = settings_.navigation.predict_motion;
   around.fleet = input.fleet;
   around.time = input.time;
   return around;
 }
 
-// Takes the command if it and the braking after it stay free. Then that braking is the stop to fall
-// back on.
-bool Navigator::try_command(const NavigationInput& input, const Twist2& command) noexcept {
-  if (!is_finite(command)) return false;
-  const StopSequence braking = brake_from(command, settings_.mpc);
-  if (check_stop(input.pose, sent_, command, braking, settings_.mpc.dt, surroundings(input)) !=
-      StopVerdict::Free) {
-    return false;
-  }
-  stop_ = braking;
-  stop_done_ = 0;
-  return true;
+StopSituation Navigator::situation(const NavigationInput& input) const noexcept {
+  return {.pose = input.pose,
+          .current = sent_,
+          .around = surroundings(input),
+          .hold = settings_.mpc.horizon * settings_.mpc.dt};
 }
 
 // The next command of the stop that was verified last.
 NavigationStep Navigator::stop(NavigationStatus status, Limit limit) noexcept {
-  const Twist2 command =
-      stop_done_ < stop_.count ? stop_.commands[static_cast<std::size_t>(stop_done_++)] : Twist2{};
-  return {.command = command, .status = status, .limit = limit};
+  return {.command = stop_.next(), .status = status, .limit = limit};
 }
 
 }  // namespace fairway

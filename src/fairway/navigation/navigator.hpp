@@ -6,12 +6,13 @@
 
 #include "fairway/mpc/control_solver.hpp"
 #include "fairway/navigation/corridor_string.hpp"
+#include "fairway/navigation/dead_reckoning.hpp"
 #include "fairway/navigation/fleet_way.hpp"
 #include "fairway/navigation/navigation_status.hpp"
 #include "fairway/navigation/planner.hpp"
 #include "fairway/navigation/recovery.hpp"
+#include "fairway/navigation/safe_stop.hpp"
 #include "fairway/navigation/starts.hpp"
-#include "fairway/navigation/stopping.hpp"
 
 namespace fairway {
 
@@ -21,10 +22,12 @@ struct NavigationInput {
   Pose2 pose;                    ///< of the robot, in the map's frame
   double pose_time = 0.0;        ///< when the pose was true
   MovingObstacles obstacles;     ///< what moves
-  double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none
+  double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none, unless
+  bool obstacles_due = false;    ///< someone looks for them all the time: then "none" ages, too
   const BitGrid* map = nullptr;  ///< the newest static obstacles; must live through the call
   double map_time = 0.0;         ///< when they were seen; a fixed map is always as new as `time`
   Fleet fleet{};                 ///< what other robots told; they are not among the obstacles
+  std::uint32_t robot = 0;       ///< its own number in the fleet
 };
 
 /// What the navigator answers.
@@ -77,14 +80,15 @@ class Navigator {
 
  private:
   [[nodiscard]] NavigationStep cycle(const NavigationInput& input) noexcept;
-  [[nodiscard]] Limit check(const NavigationInput& input) const noexcept;
+  [[nodiscard]] Limit check(const NavigationInput& input) noexcept;
   [[nodiscard]] bool reached(const Pose2& pose) noexcept;
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
   void note_remaining() noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
-  [[nodiscard]] bool try_command(const NavigationInput& input, const Twist2& command) noexcept;
+  [[nodiscard]] StopSituation situation(const NavigationInput& input) const noexcept;
+  [[nodiscard]] NavigationStep stop_or_evade(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep stop(NavigationStatus status, Limit limit) noexcept;
   [[nodiscard]] StopSurroundings surroundings(const NavigationInput& input) const noexcept;
 
@@ -101,8 +105,8 @@ class Navigator {
   std::array<MpcSolution, 2> answers_;
   Twist2 sent_;         // in the last cycle
   Twist2 sent_before_;  // in the one before
-  StopSequence stop_;   // verified last
-  int stop_done_ = 0;   // commands of it that were sent
+  SafeStop stop_;
+  DeadReckoning reckoning_;
   double goal_distance_ = 0.0;
   bool at_goal_ = false;
   double plan_time_ = -1.0;  // when the present plan was first driven on

@@ -54,6 +54,13 @@ class NearestMoving {
   std::size_t count_ = 0;
 };
 
+// The distance to keep at the samples so that `distance` is kept between them too, at relative
+// speeds up to `speed`. On a straight piece of length L the foot of the perpendicular is within L/2
+// of one end, so with D at both ends nothing on it is nearer than sqrt(D^2 - L^2/4).
+double between_samples(double distance, double speed, double dt) noexcept {
+  return std::hypot(distance, 0.5 * speed * dt);
+}
+
 }  // namespace
 
 void set_limits(const Settings& settings,
@@ -90,7 +97,9 @@ void set_predictions(const Settings& settings,
                      const Eigen::Vector2d& position,
                      ControlProblem& problem) noexcept {
   const NearestMoving nearest(around, position);
-  const double room = settings.robot.radius + settings.navigation.obstacle_margin;
+  const double fastest = std::max(settings.mpc.linear_max, -settings.mpc.linear_min);
+  const NavigationSettings& nav = settings.navigation;
+  const double room = settings.robot.radius + nav.obstacle_margin;
   problem.num_obstacles = static_cast<int>(nearest.count());
   for (std::size_t j = 0; j < nearest.count(); ++j) {
     PredictedObstacle& predicted = problem.obstacles[j];
@@ -98,14 +107,19 @@ void set_predictions(const Settings& settings,
     for (int k = 0; k <= problem.horizon; ++k) {
       const auto at = static_cast<std::size_t>(k);
       const double ahead = k * problem.dt;
+      const double grown = std::min(nav.obstacle_growth * ahead, nav.obstacle_growth_max);
       if (robot) {
         const FleetMember& member = around.fleet[nearest[j] - around.obstacles.size()];
         predicted.position[at] = member.motion->plan.at(around.time + ahead);
-        predicted.keep_out[at] = room + member.motion->radius;
+        predicted.keep_out[at] = between_samples(room + member.motion->radius,
+                                                 fastest + member.motion->speed_max, problem.dt);
       } else {
         const MovingObstacle& obstacle = around.obstacles[nearest[j]];
-        predicted.position[at] = predicted_position(obstacle, around.age + ahead);
-        predicted.keep_out[at] = room + obstacle.radius;
+        predicted.position[at] = nav.predict_motion
+                                     ? predicted_position(obstacle, around.age + ahead)
+                                     : obstacle.position;
+        predicted.keep_out[at] = between_samples(room + obstacle.radius + grown,
+                                                 fastest + obstacle.velocity.norm(), problem.dt);
       }
     }
   }

@@ -29,6 +29,10 @@ struct MovingAround {
 
 /// The nearest kMaxObstacles of what moves, over the horizon: obstacles at constant velocity, other
 /// robots as they told that they intend.
+///
+/// The distance to keep is that of the bodies and `obstacle_margin`, grown for obstacles by
+/// `obstacle_growth` per second ahead, and by what straight motion between two steps can come
+/// nearer than at the steps.
 void set_predictions(const Settings& settings,
                      const MovingAround& around,
                      const Eigen::Vector2d& position,

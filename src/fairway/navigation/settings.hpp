@@ -65,8 +65,12 @@ struct NavigationSettings {
   double stop_margin = 0.002;
   double turning_play = 0.02;
   double obstacle_margin = 0.1;
+  bool predict_motion = true;
+  double obstacle_growth = 0.1;
+  double obstacle_growth_max = 0.2;
   double blocked_after = 0.4;
   double pose_timeout = 0.2;
+  double pose_jump = 0.2;
   double map_timeout = 0.3;
   double tracks_timeout = 0.5;
 };
@@ -133,11 +137,24 @@ void visit_navigation(S& s, Visitor&& field) {
                   "how far a rectangular body may go where the disc about it does not fit", 0, 10});
   field(s.obstacle_margin, SettingInfo{"obstacle_margin", "m",
                                        "room kept from moving obstacles beyond both radii", 0, 10});
+  field(s.predict_motion,
+        SettingInfo{"predict_motion", "",
+                    "expect what moves to keep its velocity; if not, to stand still"});
+  field(s.obstacle_growth,
+        SettingInfo{"obstacle_growth", "m/s",
+                    "growth of that room per second ahead, since predictions err", 0, 10});
+  field(s.obstacle_growth_max,
+        SettingInfo{"obstacle_growth_max", "m", "most that the room grows by", 0, 10});
   field(s.blocked_after,
         SettingInfo{"blocked_after", "s", "standing this long before the goal starts a recovery",
                     0.05, 1000});
   field(s.pose_timeout,
         SettingInfo{"pose_timeout", "s", "oldest pose that is driven on", 0.01, 100});
+  field(s.pose_jump,
+        SettingInfo{"pose_jump", "m",
+                    "how far a pose may be from where the commands lead, beyond half of the way "
+                    "driven since; further is a jump",
+                    0.01, 1000});
   field(s.map_timeout,
         SettingInfo{"map_timeout", "s", "oldest changing map that is driven on", 0.01, 100});
   field(s.tracks_timeout,

@@ -39,6 +39,17 @@ class StopCheck {
         surroundings_(surroundings) {}
 
   // One cycle in which the twist ramps from `from` to `to`.
+  [[nodiscard]] double time() const noexcept { return time_; }
+
+  // What comes nearer while the robot stands.
+  [[nodiscard]] StopVerdict stand(double duration) noexcept {
+    const Sweep still{.from = pose_, .to = pose_, .start = time_, .duration = duration};
+    time_ += duration;
+    return disc_meets_moving(still, surroundings_.body.circumscribed_radius())
+               ? StopVerdict::HitsMoving
+               : StopVerdict::Free;
+  }
+
   [[nodiscard]] StopVerdict ramp(const Twist2& from, const Twist2& to, double dt) noexcept {
     const double h = dt / kRampPieces;
     for (int i = 0; i < kRampPieces; ++i) {
@@ -128,11 +139,17 @@ class StopCheck {
     return true;
   }
 
+  // Where an obstacle is expected `time` seconds from now.
+  [[nodiscard]] Vector2d moving_at(const MovingObstacle& obstacle, double time) const noexcept {
+    return surroundings_.moving_moves
+               ? predicted_position(obstacle, surroundings_.moving_age + time)
+               : obstacle.position;
+  }
+
   [[nodiscard]] bool disc_meets_moving(const Sweep& sweep, double radius) const noexcept {
     for (const MovingObstacle& obstacle : surroundings_.moving) {
-      const Vector2d before = sweep.from.position - predicted_position(obstacle, sweep.start);
-      const Vector2d after =
-          sweep.to.position - predicted_position(obstacle, sweep.start + sweep.duration);
+      const Vector2d before = sweep.from.position - moving_at(obstacle, sweep.start);
+      const Vector2d after = sweep.to.position - moving_at(obstacle, sweep.start + sweep.duration);
       const double keep = radius + obstacle.radius + surroundings_.moving_margin;
       // Already too near: what counts is not to come nearer.
       if (nearest_approach(before, after) < keep && after.norm() < before.norm()) return true;
@@ -160,8 +177,8 @@ class StopCheck {
   [[nodiscard]] bool body_meets_moving(const Sweep& sweep) const noexcept {
     const Footprint& body = surroundings_.body;
     for (const MovingObstacle& obstacle : surroundings_.moving) {
-      const Vector2d first = predicted_position(obstacle, sweep.start);
-      const Vector2d last = predicted_position(obstacle, sweep.start + sweep.duration);
+      const Vector2d first = moving_at(obstacle, sweep.start);
+      const Vector2d last = moving_at(obstacle, sweep.start + sweep.duration);
       const double before = body.distance(inverse_transform(sweep.from, first));
       const double after = body.distance(inverse_transform(sweep.to, last));
       // Seen from the robot it moves along a curve of at most this length, and the distance changes
@@ -231,12 +248,13 @@ SampledMotion stop_track(const Pose2& pose,
   return track;
 }
 
-StopVerdict check_stop(const Pose2& pose,
-                       const Twist2& current,
-                       const Twist2& command,
-                       const StopSequence& stop,
-                       double dt,
-                       const StopSurroundings& surroundings) noexcept {
+StopOutcome follow_stop(const Pose2& pose,
+                        const Twist2& current,
+                        const Twist2& command,
+                        const StopSequence& stop,
+                        double dt,
+                        double hold,
+                        const StopSurroundings& surroundings) noexcept {
   StopCheck check(pose, surroundings);
   StopVerdict verdict = check.ramp(current, command, dt);
   Twist2 before = command;
@@ -245,7 +263,18 @@ StopVerdict check_stop(const Pose2& pose,
     verdict = check.ramp(before, next, dt);
     before = next;
   }
-  return verdict;
+  while (verdict == StopVerdict::Free && check.time() < hold)
+    verdict = check.stand(dt);
+  return {.verdict = verdict, .time = check.time()};
+}
+
+StopVerdict check_stop(const Pose2& pose,
+                       const Twist2& current,
+                       const Twist2& command,
+                       const StopSequence& stop,
+                       double dt,
+                       const StopSurroundings& surroundings) noexcept {
+  return follow_stop(pose, current, command, stop, dt, 0.0, surroundings).verdict;
 }
 
 }  // namespace fairway

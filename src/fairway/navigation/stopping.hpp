@@ -36,6 +36,8 @@ struct StopSurroundings {
   /// not go where it could not turn, though its body would fit [m]; 0: the body alone counts.
   double turning_radius = 0.0;
   MovingObstacles moving;      ///< assumed to keep their velocity until the robot stands
+  double moving_age = 0.0;     ///< how long ago they were seen [s]
+  bool moving_moves = true;    ///< false: they are assumed to stand
   double moving_margin = 0.0;  ///< room kept from them beyond both radii [m]
   Fleet fleet{};               ///< other robots; each is held to the stop that it told
   double time = 0.0;           ///< now, on the fleet's clock [s]
@@ -54,6 +56,22 @@ enum class StopVerdict : std::uint8_t { Free, HitsStatic, HitsMoving };
                                        int done,
                                        double dt,
                                        double time) noexcept;
+
+/// How a stop ends.
+struct StopOutcome {
+  StopVerdict verdict = StopVerdict::Free;
+  double time = 0.0;  ///< from now until it touches, or until the check ends [s]
+};
+
+/// As check_stop, but tells when, and looks on until `hold` seconds from now while the robot
+/// stands.
+[[nodiscard]] StopOutcome follow_stop(const Pose2& pose,
+                                      const Twist2& current,
+                                      const Twist2& command,
+                                      const StopSequence& stop,
+                                      double dt,
+                                      double hold,
+                                      const StopSurroundings& surroundings) noexcept;
 
 /// Whether a robot at `pose` that moves with `current` now can execute `command` for one cycle and
 /// then `stop`, and keep free until it stands.

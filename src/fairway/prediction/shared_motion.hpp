@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include <Eigen/Core>
@@ -44,6 +45,13 @@ struct Roundabout {
   [[nodiscard]] bool exists() const noexcept { return radius > 0.0; }
 };
 
+/// The next points of a robot's way, straight between them.
+struct WayAhead {
+  static constexpr int kMaxPoints = 6;
+  int count = 0;
+  std::array<Eigen::Vector2d, kMaxPoints> points;
+};
+
 /// What a robot tells the other robots about itself in every cycle.
 struct SharedMotion {
   std::uint32_t robot = 0;  ///< who tells; no two of a fleet are alike
@@ -55,10 +63,13 @@ struct SharedMotion {
   double acceleration = 0.0;  ///< with which it gains and loses speed [m/s^2]
   double turn_max = 0.0;      ///< [rad/s]
   SampledMotion plan{};       ///< what it intends to do
-  SampledMotion stop{};  ///< what it has bound itself to until it tells something else: to stand
-  Eigen::Vector2d way_end = Eigen::Vector2d::Zero();  ///< its way goes straight up to here
-  bool under_way = false;                             ///< it has a way, and is not at its goal
-  Roundabout roundabout{};                            ///< that it goes round
+  SampledMotion stop{};    ///< what it has bound itself to until it tells something else: to stand
+  WayAhead way{};          ///< from its position on, as it would be without other robots
+  bool under_way = false;  ///< it has a way, and is not at its goal
+  double to_narrow =
+      std::numeric_limits<double>::infinity();  ///< to where it meets others in a narrow place [m]
+  bool can_step_aside = true;                   ///< and wait there until they have passed
+  Roundabout roundabout{};                      ///< that it goes round
 };
 
 /// Whether all that a robot tells is finite and makes sense.

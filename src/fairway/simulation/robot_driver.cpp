@@ -50,7 +50,8 @@ class MapDriver final : public RobotDriver {
                                 .obstacles_time = world.time(),
                                 .map = &world.obstacles(),
                                 .map_time = world.time(),
-                                .fleet = {}},
+                                .fleet = {},
+                                .robot = static_cast<std::uint32_t>(robot_)},
                       .step = {}};
     if (radio) cycle.input.fleet = context_.radio.hear(robot_, pose.position, world.time());
     const double before = now(context_);

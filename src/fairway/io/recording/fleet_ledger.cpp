@@ -33,6 +33,9 @@ SampledMotion samples_of(const json& from) {
 }  // namespace
 
 json motion_json(const SharedMotion& motion) {
+  json way = json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(motion.way.count); ++i)
+    way.push_back(exact::to_json(motion.way.points[i]));
   return {{"robot", motion.robot},
           {"time", exact::to_json(motion.time)},
           {"position", exact::to_json(motion.position)},
@@ -43,7 +46,9 @@ json motion_json(const SharedMotion& motion) {
           {"turn_max", exact::to_json(motion.turn_max)},
           {"plan", samples_json(motion.plan)},
           {"stop", samples_json(motion.stop)},
-          {"way_end", exact::to_json(motion.way_end)},
+          {"way", std::move(way)},
+          {"to_narrow", exact::to_json(motion.to_narrow)},
+          {"can_step_aside", motion.can_step_aside},
           {"under_way", motion.under_way},
           {"roundabout",
            {{"center", exact::to_json(motion.roundabout.center)},
@@ -61,8 +66,13 @@ SharedMotion motion_of(const json& from) {
                       .turn_max = exact::to_number(from.at("turn_max")),
                       .plan = samples_of(from.at("plan")),
                       .stop = samples_of(from.at("stop")),
-                      .way_end = exact::to_point(from.at("way_end")),
-                      .under_way = from.at("under_way").get<bool>()};
+                      .under_way = from.at("under_way").get<bool>(),
+                      .to_narrow = exact::to_number(from.at("to_narrow")),
+                      .can_step_aside = from.at("can_step_aside").get<bool>()};
+  for (const json& point : from.at("way")) {
+    if (motion.way.count == WayAhead::kMaxPoints) throw std::invalid_argument("way: too long");
+    motion.way.points[static_cast<std::size_t>(motion.way.count++)] = exact::to_point(point);
+  }
   const json& roundabout = from.at("roundabout");
   motion.roundabout = {.center = exact::to_point(roundabout.at("center")),
                        .radius = exact::to_number(roundabout.at("radius"))};

@@ -181,6 +181,7 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
               {"map", slot},
               {"map_time", exact::to_json(cycle.input.map_time)}}},
             {"fleet", fleet_.to_json(cycle.input.fleet)},
+            {"fleet_number", cycle.input.robot},
             {"command", exact::to_json(step.command)},
             {"status", static_cast<int>(step.status)},
             {"status_text", to_text(step.status)},
