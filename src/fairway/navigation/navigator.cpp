@@ -103,6 +103,7 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
     outside.wants_plan = true;
     return outside;
   }
+  note_remaining();
   way_ =
       fleet_way_.update(corridor_.string(), {.speed_max = settings_.mpc.linear_max,
                                              .radius = settings_.robot.radius,
@@ -110,9 +111,7 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
                                              .dt = settings_.mpc.dt,
                                              .robot = input.robot,
                                              .fleet = input.fleet,
-                                             .obstacles = input.map,
-                                             .room = corridor_.admissible(corridor_.current())});
-  note_remaining();
+                                             .obstacles = input.map});
   pose_problem(input);
   NavigationStep result = drive(input);
   if (fleet_way_.waits()) {
@@ -261,7 +260,9 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
   if (count == 0 || settings_.navigation.step_regions) starts[count++] = pursuit_start(problem_);
 
   for (std::size_t i = 0; i < count; ++i) {
-    if (settings_.navigation.step_regions) {
+    if (fleet_way_.waits()) {
+      bind_to_nothing(problem_);
+    } else if (settings_.navigation.step_regions) {
       bind_along(corridor_, starts[i].poses, problem_);
     } else {
       bind_to_current(corridor_, problem_);
