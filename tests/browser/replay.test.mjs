@@ -109,13 +109,14 @@ test('knows what the recording knows, to the rounding', () => withPage(async (pa
 }));
 
 test('plays, pauses, and goes at the speed that is asked for', () => withPage(async (page) => {
-  // Seconds of the run per second from picture to picture; the middle one of some.
+  // Seconds of the run per second from picture to picture; the middle one of some. Where pictures
+  // are long in coming the page goes on by a quarter of a second.
   const pace = () => page.evaluate(() => new Promise((done) => {
     const paces = [];
     let last = null;
     const look = (now) => {
       const { time } = window.fairway;
-      if (last) paces.push((time - last.time) / (now - last.now) * 1e3);
+      if (last) paces.push((time - last.time) / Math.min((now - last.now) / 1e3, 0.25));
       last = { now, time };
       if (paces.length < 15) requestAnimationFrame(look);
       else done(paces.sort((a, b) => a - b)[7]);
