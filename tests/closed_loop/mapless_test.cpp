@@ -66,6 +66,21 @@ TEST(Mapless, LeavesADeadEndAgain) {
   expect_arrival(run_episode(scenario), scenario);
 }
 
+// A passage of twice 0.365 m, as narrow as BARN's, may have only 0.70 m left once it is cells.
+TEST(Mapless, PassesADoorAsNarrowAsBarns) {
+  for (const Sensing sensing : {Sensing::Map, Sensing::Lidar}) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      Scenario scenario = hall(seed);
+      scenario.sensing.sensing = sensing;
+      const double low = 4.0 + 0.7 * static_cast<double>(seed);
+      put_box(scenario.map, 6.0, 0.0, 6.39, low - 0.01);
+      put_box(scenario.map, 6.0, low + 0.71, 6.39, 9.99);
+      SCOPED_TRACE(seed);
+      expect_arrival(run_episode(scenario), scenario);
+    }
+  }
+}
+
 TEST(Mapless, StandsStillWithoutScans) {
   Scenario scenario = hall(1);
   scenario.sensing.lidar.latency = 100.0;  // none ever arrives

@@ -99,20 +99,29 @@ void FleetWay::give_way_to(const Roundabout& other) noexcept {
 // Whether to wait for somebody, at `place_`.
 bool FleetWay::steps_aside(const StringAhead& string, const FleetWayInput& input) noexcept {
   std::array<const SharedMotion*, kMostMet> met{};
-  std::array<double, kMostMet> at{};
   std::size_t count = 0;
   to_narrow_ = std::numeric_limits<double>::infinity();
+  can_step_aside_ = true;
+  if (input.fleet.empty()) return false;
+  const NarrowPlaces narrow(string, input.radius, *input.obstacles);
   for (const FleetMember& member : input.fleet) {
     if (!member.motion->under_way || count == kMostMet) continue;
-    const double length =
-        length_to_narrow_meeting(string, *member.motion, input.radius, *input.obstacles);
+    const double length = narrow.length_to_meeting(*member.motion, input.radius);
     if (!std::isfinite(length)) continue;
     met[count] = member.motion;
-    at[count++] = length;
+    ++count;
     to_narrow_ = std::min(to_narrow_, length);
   }
+  if (count == 0) {
+    waited_ = std::min(0.0, waited_ + input.dt);
+    return false;
+  }
   const Vector2d& here = string.points[0];
-  can_step_aside_ = passing_place(input.room, here, {met.data(), count}, input.radius).has_value();
+  PassingSurroundings around{.obstacles = input.obstacles,
+                             .fleet = input.fleet,
+                             .passing = {met.data(), count},
+                             .radius = input.radius};
+  can_step_aside_ = passing_place(here, around).has_value();
   for (std::size_t i = 0; i < count; ++i) {
     const SharedMotion& other = *met[i];
     const bool first =
@@ -132,7 +141,7 @@ bool FleetWay::steps_aside(const StringAhead& string, const FleetWayInput& input
   const bool suits = place_ && std::all_of(ahead.begin(), ahead.end(), [&](const auto* other) {
                        return other == nullptr || lets_pass(*place_, *other, input.radius);
                      });
-  if (!suits) place_ = passing_place(input.room, here, ahead, input.radius);
+  if (!suits) place_ = passing_place(here, around);
   return place_.has_value();
 }
 

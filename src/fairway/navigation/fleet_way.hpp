@@ -15,7 +15,6 @@ struct FleetWayInput {
   std::uint32_t robot = 0;  ///< its number in the fleet
   Fleet fleet;
   const BitGrid* obstacles = nullptr;
-  OrientedRectangle room;  ///< where its centre may be now
 };
 
 /// The way of a robot among robots: where straight ways would meet, all go round the same point on

@@ -2,6 +2,7 @@
 #include "fairway/navigation/free_length.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "fairway/map/free_space.hpp"
 
@@ -24,6 +25,21 @@ double free_length(const BitGrid& obstacles,
     }
   }
   return end;
+}
+
+double length_to_stop_in(const BitGrid& obstacles,
+                         const StringAhead& string,
+                         const Settings& settings) noexcept {
+  constexpr double kBeyond = 2.0;  // braking distances
+  const MpcSettings& mpc = settings.mpc;
+  const double braking = 0.5 * mpc.linear_max * mpc.linear_max / mpc.linear_acceleration_max;
+  const double horizon = mpc.horizon * mpc.dt * mpc.linear_max;
+  const double limit = std::min(kBeyond * braking + 0.5, horizon) + horizon;
+  // A little less than the robot: the string may touch the edges of what the robot fits into.
+  const double radius = settings.robot.radius - 1e-3;
+  const double length = free_length(obstacles, string, radius, limit);
+  return length < std::min(limit, string.length()) ? length
+                                                   : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace fairway

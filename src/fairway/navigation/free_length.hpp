@@ -3,6 +3,7 @@
 
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/navigation/corridor_string.hpp"
+#include "fairway/navigation/settings.hpp"
 
 namespace fairway {
 
@@ -14,5 +15,11 @@ namespace fairway {
                                  const StringAhead& string,
                                  double radius,
                                  double limit) noexcept;
+
+/// How far along the string the robot must be able to stand [m]: the length that is free for it, or
+/// infinite when that is all of the string, or further than matters at its greatest speed.
+[[nodiscard]] double length_to_stop_in(const BitGrid& obstacles,
+                                       const StringAhead& string,
+                                       const Settings& settings) noexcept;
 
 }  // namespace fairway

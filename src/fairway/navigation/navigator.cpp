@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
-#include "fairway/map/footprint_clearance.hpp"
-#include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
 #include "fairway/navigation/free_length.hpp"
 #include "fairway/navigation/problem_setup.hpp"
 #include "fairway/navigation/step_regions.hpp"
+#include "fairway/navigation/stop_surroundings.hpp"
 #include "fairway/navigation/timed_targets.hpp"
 #include "fairway/navigation/waypoint_targets.hpp"
 
@@ -23,7 +22,6 @@ namespace {
 constexpr double kStandingLinear = 0.02;   // [m/s]
 constexpr double kStandingAngular = 0.05;  // [rad/s]
 constexpr double kAligned = 0.2;           // [rad]
-constexpr double kLeastMargin = 5e-4;      // [m], of the stop check where the way is tight
 constexpr double kNoticeable = 1e-3;       // [m]; smaller violations are within the plan's margin
 
 bool stands(const Twist2& twist) noexcept {
@@ -105,6 +103,7 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
     outside.wants_plan = true;
     return outside;
   }
+  note_remaining();
   way_ =
       fleet_way_.update(corridor_.string(), {.speed_max = settings_.mpc.linear_max,
                                              .radius = settings_.robot.radius,
@@ -112,9 +111,7 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
                                              .dt = settings_.mpc.dt,
                                              .robot = input.robot,
                                              .fleet = input.fleet,
-                                             .obstacles = input.map,
-                                             .room = corridor_.admissible(corridor_.current())});
-  note_remaining();
+                                             .obstacles = input.map});
   pose_problem(input);
   NavigationStep result = drive(input);
   if (fleet_way_.waits()) {
@@ -244,7 +241,7 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
   switch (settings_.navigation.target_mode) {
     case TargetMode::TimedString:
       set_timed_targets(way_, sent_.linear, input.pose.heading, plan_.goal.heading, settings_,
-                        problem_, length_to_stop_in(input));
+                        problem_, length_to_stop_in(*input.map, way_, settings_));
       break;
     case TargetMode::DualWaypoints:
       set_dual_targets(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
@@ -255,19 +252,6 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
   }
 }
 
-// How far the string is free on the newest map; no further than matters at the greatest speed.
-double Navigator::length_to_stop_in(const NavigationInput& input) const noexcept {
-  constexpr double kBeyond = 2.0;  // braking distances
-  const MpcSettings& mpc = settings_.mpc;
-  const double braking = 0.5 * mpc.linear_max * mpc.linear_max / mpc.linear_acceleration_max;
-  const double horizon = mpc.horizon * mpc.dt * mpc.linear_max;
-  const double limit = std::min(kBeyond * braking + 0.5, horizon) + horizon;
-  // A little less than the robot: the string may touch the edges of what the robot fits into.
-  const double radius = settings_.robot.radius - 1e-3;
-  const double length = free_length(*input.map, way_, radius, limit);
-  return length < std::min(limit, way_.length()) ? length : std::numeric_limits<double>::infinity();
-}
-
 // Solves from each start, and sends the better answer whose stop is proven; else stops.
 NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
   std::array<Start, 2> starts;
@@ -276,7 +260,9 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
   if (count == 0 || settings_.navigation.step_regions) starts[count++] = pursuit_start(problem_);
 
   for (std::size_t i = 0; i < count; ++i) {
-    if (settings_.navigation.step_regions) {
+    if (fleet_way_.waits()) {
+      bind_to_nothing(problem_);
+    } else if (settings_.navigation.step_regions) {
       bind_along(corridor_, starts[i].poses, problem_);
     } else {
       bind_to_current(corridor_, problem_);
@@ -355,36 +341,13 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
 }
 
 StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
-  const NavigationSettings& nav = settings_.navigation;
-  const Eigen::Vector2d& position = input.pose.position;
-  // A disc where the way is tight: the plan's own margin is all that there can be.
-  const bool disc = !body_.is_rectangle();
-  const double margin = disc ? std::min(nav.stop_margin, std::max(kLeastMargin, 0.5 * plan_.margin))
-                             : nav.stop_margin;
-  // A robot that measures itself nearer than the margin, or (a little) inside an obstacle, must
-  // still be able to leave. Then what counts is to come no nearer.
-  const double room =
-      footprint_clearance(*input.map, body_, input.pose, margin + 4.0 * kFreeSpaceSkin) -
-      2.0 * kFreeSpaceSkin;
-  StopSurroundings around{.obstacles = input.map,
-                          .body = room < 0.0 ? body_.shrunk(-room) : body_,
-                          .static_margin = std::clamp(room, 0.0, margin),
-                          .moving = input.obstacles,
-                          .moving_age = input.time - input.obstacles_time,
-                          .moving_moves = settings_.navigation.predict_motion,
-                          .moving_margin = 0.0,
-                          .fleet = input.fleet,
-                          .time = input.time};
-  const double radius = settings_.robot.radius;
-  if (disc || radius < body_.circumscribed_radius()) return around;
-  // The plan keeps the covering disc free, so that the robot can turn anywhere. As long as the body
-  // is free a little of that may be lost on the way, but no more than is lost already. Where the
-  // disc has less room than the margin, the margin must not forbid to turn.
-  const double disc_room =
-      distance_to_blocked(*input.map, position, radius + margin) - 2.0 * kFreeSpaceSkin;
-  around.turning_radius = std::min(radius - nav.turning_play, disc_room);
-  const double turning_margin = disc_room - body_.circumscribed_radius();
-  if (turning_margin > 0.0) around.static_margin = std::min(around.static_margin, turning_margin);
+  StopSurroundings around =
+      static_surroundings(*input.map, body_, input.pose, plan_.margin, settings_);
+  around.moving = input.obstacles;
+  around.moving_age = input.time - input.obstacles_time;
+  around.moving_moves = settings_.navigation.predict_motion;
+  around.fleet = input.fleet;
+  around.time = input.time;
   return around;
 }
 

@@ -85,7 +85,6 @@ class Navigator {
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
   void note_remaining() noexcept;
-  [[nodiscard]] double length_to_stop_in(const NavigationInput& input) const noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
   [[nodiscard]] StopSituation situation(const NavigationInput& input) const noexcept;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "fairway/geometry/pose2.hpp"
 #include "fairway/map/free_space.hpp"
 
 namespace fairway {
@@ -16,8 +18,10 @@ constexpr double kFurthest = 6.0;  // [m] along the way
 constexpr double kStep = 0.25;     // [m] between the points that are looked at
 constexpr double kRoom = 0.05;     // [m] between bodies that pass
 constexpr double kAside = 0.15;    // [m] between a body that waits and one that passes
+constexpr double kWall = 0.02;     // [m] between a body that waits and what stands
 constexpr double kReach = 4.0;     // [m] to the furthest place
-constexpr int kPlaces = 15;        // along each side of the grid
+constexpr int kRings = 10;
+constexpr int kDirections = 16;
 
 struct NearWay {
   double distance = std::numeric_limits<double>::infinity();
@@ -38,23 +42,30 @@ NearWay nearest_on_way(const SharedMotion& other, const Vector2d& point) noexcep
 
 }  // namespace
 
-double length_to_narrow_meeting(const StringAhead& string,
-                                const SharedMotion& other,
-                                double radius,
-                                const BitGrid& obstacles) noexcept {
-  const double both = radius + other.radius + kRoom;
+NarrowPlaces::NarrowPlaces(const StringAhead& string,
+                           double radius,
+                           const BitGrid& obstacles) noexcept {
+  const double both = 2.0 * radius + kRoom;
   const double end = std::min(kFurthest, string.length());
-  for (double s = 0.0; s < end; s += kStep) {
+  for (double s = 0.0; s < end && count < kMaxPlaces; s += kStep) {
     const Vector2d here = string.at(s);
     const Vector2d along = string.at(std::min(s + kStep, string.length())) - here;
     const double length = along.norm();
-    if (length < 1e-3) continue;
-    const NearWay way = nearest_on_way(other, here);
-    if (way.distance > both || along.dot(way.direction) >= 0.0) continue;
+    if (length < 1e-3 || is_free(obstacles, here, here, both + radius)) continue;
     const Vector2d over = both / length * Vector2d(-along.y(), along.x());
-    if (!is_free(obstacles, here, here + over, radius) &&
-        !is_free(obstacles, here, here - over, radius)) {
-      return s;
+    if (is_free(obstacles, here, here + over, radius) ||
+        is_free(obstacles, here, here - over, radius)) {
+      continue;
+    }
+    places[static_cast<std::size_t>(count++)] = {.length = s, .position = here, .along = along};
+  }
+}
+
+double NarrowPlaces::length_to_meeting(const SharedMotion& other, double radius) const noexcept {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const NearWay way = nearest_on_way(other, places[i].position);
+    if (way.distance <= radius + other.radius + kRoom && places[i].along.dot(way.direction) < 0.0) {
+      return places[i].length;
     }
   }
   return std::numeric_limits<double>::infinity();
@@ -65,32 +76,33 @@ bool lets_pass(const Vector2d& place, const SharedMotion& other, double radius) 
   return (other.position - place).norm() >= keep && nearest_on_way(other, place).distance >= keep;
 }
 
-std::optional<Vector2d> passing_place(const OrientedRectangle& room,
-                                      const Vector2d& position,
-                                      std::span<const SharedMotion* const> others,
-                                      double radius) noexcept {
+std::optional<Vector2d> passing_place(const Vector2d& position,
+                                      const PassingSurroundings& around) noexcept {
   const auto suits = [&](const Vector2d& place) {
-    return std::all_of(others.begin(), others.end(), [&](const SharedMotion* other) {
-      return other == nullptr || lets_pass(place, *other, radius);
-    });
+    return std::all_of(around.passing.begin(), around.passing.end(),
+                       [&](const SharedMotion* other) {
+                         return other == nullptr || lets_pass(place, *other, around.radius);
+                       });
+  };
+  const auto clear = [&](const Vector2d& place) {
+    const OrientedRectangle way = segment_rectangle(position, place);
+    for (const FleetMember& member : around.fleet) {
+      const Vector2d& other = member.motion->position;
+      const double now = (other - position).norm();
+      const double keep = std::min(around.radius + member.motion->radius + kAside, now - 1e-6);
+      if ((way.nearest(other) - other).norm() < keep) return false;
+    }
+    return is_free(*around.obstacles, position, place, around.radius + kWall);
   };
   if (suits(position)) return position;
-  const Vector2d here = room.to_local(room.nearest(position));
-  const Vector2d low = room.min.cwiseMax(Vector2d(here - Vector2d::Constant(kReach)));
-  const Vector2d high = room.max.cwiseMin(Vector2d(here + Vector2d::Constant(kReach)));
-  std::optional<Vector2d> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kPlaces; ++i) {
-    for (int j = 0; j < kPlaces; ++j) {
-      const Vector2d share(i / (kPlaces - 1.0), j / (kPlaces - 1.0));
-      const Vector2d place = room.to_world(low + share.cwiseProduct(high - low));
-      const double distance = (place - position).norm();
-      if (distance >= least || !suits(place)) continue;
-      least = distance;
-      best = place;
+  for (int ring = 1; ring <= kRings; ++ring) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kDirections;
+      const Vector2d place = position + kReach * ring / kRings * direction(angle);
+      if (suits(place) && clear(place)) return place;
     }
   }
-  return best;
+  return std::nullopt;
 }
 
 }  // namespace fairway

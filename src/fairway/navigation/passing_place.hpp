@@ -10,27 +10,42 @@
 
 namespace fairway {
 
-/// Length on `string` up to where it meets the way of `other` against its direction in a place too
-/// narrow to pass each other: neither to the left nor to the right has the robot room to move over
-/// by both bodies [m]. Infinite if it does not within 6 m.
-/// @param radius  Of the disc that covers the robot [m].
-[[nodiscard]] double length_to_narrow_meeting(const StringAhead& string,
-                                              const SharedMotion& other,
-                                              double radius,
-                                              const BitGrid& obstacles) noexcept;
+/// Points of a way where the robot has no room to move over by two bodies, neither to the left nor
+/// to the right: another one cannot pass it there.
+struct NarrowPlaces {
+  static constexpr int kMaxPlaces = 24;
+  struct Place {
+    double length = 0.0;  ///< from the start of the way [m]
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
+    Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< direction of the way, of any length
+  };
+  int count = 0;
+  std::array<Place, kMaxPlaces> places;
+
+  /// Those on the first 6 m of `string`, every 0.25 m, for robots of this radius [m].
+  NarrowPlaces(const StringAhead& string, double radius, const BitGrid& obstacles) noexcept;
+
+  /// Length up to the first at which the way of `other` comes the other way [m]; infinite for none.
+  [[nodiscard]] double length_to_meeting(const SharedMotion& other, double radius) const noexcept;
+};
 
 /// Whether a robot at `place` is out of the way of `other`, and not where it stands.
 [[nodiscard]] bool lets_pass(const Eigen::Vector2d& place,
                              const SharedMotion& other,
                              double radius) noexcept;
 
-/// The place in `room` nearest to `position` from where all of `others` can be let pass, among a
-/// grid of 15 x 15 places within 4 m and the position itself; none if there is none.
-/// @param others  Entries that are null are skipped.
+/// What surrounds a robot that looks for a place to wait at.
+struct PassingSurroundings {
+  const BitGrid* obstacles = nullptr;
+  Fleet fleet;                                   ///< all robots near
+  std::span<const SharedMotion* const> passing;  ///< those to let pass; null entries are skipped
+  double radius = 0.0;                           ///< of the disc that covers the robot [m]
+};
+
+/// The nearest place from where all that pass can be let pass, that can be reached straight on
+/// without touching what stands or coming nearer to another robot: the position itself, or one of
+/// 16 directions and 10 distances up to 4 m. None if there is none.
 [[nodiscard]] std::optional<Eigen::Vector2d> passing_place(
-    const OrientedRectangle& room,
-    const Eigen::Vector2d& position,
-    std::span<const SharedMotion* const> others,
-    double radius) noexcept;
+    const Eigen::Vector2d& position, const PassingSurroundings& around) noexcept;
 
 }  // namespace fairway

@@ -3,6 +3,11 @@
 
 namespace fairway {
 
+void bind_to_nothing(ControlProblem& problem) noexcept {
+  for (int k = 1; k <= problem.horizon; ++k)
+    problem.regions[static_cast<std::size_t>(k)].count = 0;
+}
+
 void bind_to_current(const CorridorString& corridor, ControlProblem& problem) noexcept {
   for (int k = 1; k <= problem.horizon; ++k) {
     StepRegion& region = problem.regions[static_cast<std::size_t>(k)];

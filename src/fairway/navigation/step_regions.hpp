@@ -8,6 +8,9 @@
 
 namespace fairway {
 
+/// No step is bound: on a straight way that was looked at, beside the corridor.
+void bind_to_nothing(ControlProblem& problem) noexcept;
+
 /// Holds the whole horizon in the current rectangle: the paper's reading of (15d-1).
 void bind_to_current(const CorridorString& corridor, ControlProblem& problem) noexcept;
 

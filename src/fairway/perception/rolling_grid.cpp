@@ -237,10 +237,16 @@ void RollingGrid::clear(const Beam& beam, double known) noexcept {
   Vector2d from = frame().to_grid(beam.from + known / length * way);
   Vector2d to = frame().to_grid(beam.to);
   if (!clip(frame(), from, to)) return;
-  walk_cells(from, to, [this](CellIndex cell, double) {
+  const auto least = static_cast<std::int8_t>(settings_.least_evidence);
+  walk_cells(from, to, [this, least](CellIndex cell, double) {
     Cell& value = cell_of(cell);
-    // The cells that were hit bear this scan's number already.
-    if (value.scan != scan_) add(cell, value, -settings_.miss_evidence);
+    // The cells that were hit bear this scan's number already. Most others are as free as can be.
+    if (value.scan == scan_) return true;
+    if (value.evidence == least && value.scan != kNever) {
+      value.scan = scan_;
+    } else {
+      add(cell, value, -settings_.miss_evidence);
+    }
     return true;
   });
 }

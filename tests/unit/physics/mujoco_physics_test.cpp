@@ -71,26 +71,27 @@ TEST_P(MujocoDrift, StaysNearTheUnicycleForTenSeconds) {
   EXPECT_FALSE(wheels.encounters()[0].collided);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Drives,
-    MujocoDrift,
-    testing::Values(Drive{"straight, 1.5 m/s",
-                          [](double) { return Twist2{.linear = 1.5, .angular = 0.0}; }, 0.1, 0.02},
-                    Drive{"circle, 1 m/s, 1 rad/s",
-                          [](double) { return Twist2{.linear = 1.0, .angular = 1.0}; }, 0.3, 0.3},
-                    Drive{"slalom, 0.4 to 1.2 m/s",
-                          [](double t) {
-                            return Twist2{.linear = 0.8 + 0.4 * std::sin(0.7 * t),
-                                          .angular = 0.9 * std::sin(1.3 * t)};
-                          },
-                          0.3, 0.15},
-                    Drive{"full braking and turning every second",
-                          [](double t) {
-                            const bool even = static_cast<int>(t) % 2 == 0;
-                            return Twist2{.linear = even ? 1.5 : 0.0, .angular = even ? 0.0 : 1.5};
-                          },
-                          0.5, 0.3}),
-    [](const testing::TestParamInfo<Drive>& info) { return std::to_string(info.index); });
+Twist2 straight(double /*t*/) { return {.linear = 1.5, .angular = 0.0}; }
+Twist2 circle(double /*t*/) { return {.linear = 1.0, .angular = 1.0}; }
+Twist2 slalom(double t) {
+  return {.linear = 0.8 + 0.4 * std::sin(0.7 * t), .angular = 0.9 * std::sin(1.3 * t)};
+}
+Twist2 stop_and_turn(double t) {
+  const bool even = static_cast<int>(t) % 2 == 0;
+  return {.linear = even ? 1.5 : 0.0, .angular = even ? 0.0 : 1.5};
+}
+std::string number_of(const testing::TestParamInfo<Drive>& drive) {
+  return std::to_string(drive.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Drives,
+                         MujocoDrift,
+                         testing::Values(Drive{"straight, 1.5 m/s", straight, 0.1, 0.02},
+                                         Drive{"circle, 1 m/s, 1 rad/s", circle, 0.3, 0.3},
+                                         Drive{"slalom, 0.4 to 1.2 m/s", slalom, 0.3, 0.15},
+                                         Drive{"full braking and turning every second",
+                                               stop_and_turn, 0.5, 0.3}),
+                         number_of);
 
 TEST(MujocoPhysics, ARobotThatRamsAWallStopsAtItsFace) {
   Scenario scenario = open_floor();
