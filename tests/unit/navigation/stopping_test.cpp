@@ -58,7 +58,8 @@ TEST(Stopping, AProvenStopReallyStaysFree) {
                          .angular = current.angular + random.uniform(-0.2, 0.2)};
     const double radius = 0.2;
     const StopSequence stop = brake_from(command, limits());
-    const StopSurroundings around{.obstacles = &obstacles, .body = Footprint::disc(radius), .moving = {}};
+    const StopSurroundings around{
+        .obstacles = &obstacles, .body = Footprint::disc(radius), .moving = {}};
     const bool free = check_stop(pose, current, command, stop, 0.1, around) == StopVerdict::Free;
     (free ? proven : refused) += 1;
 
@@ -89,8 +90,10 @@ TEST(Stopping, AnObstacleThatComesOnIsSeenBetweenSamples) {
       GridFrame{.width = 400, .height = 400, .resolution = 0.05, .origin = {{-10, -10}, 0}}, false);
   // At 40 m/s it is on the other side of the robot within one piece of time.
   const MovingObstacle fast{.position = {0.4, -0.8}, .velocity = {0, 40}, .radius = 0.1};
-  const StopSurroundings around{
-      .obstacles = &empty, .body = Footprint::disc(0.3), .moving = {&fast, 1}, .moving_margin = 0.0};
+  const StopSurroundings around{.obstacles = &empty,
+                                .body = Footprint::disc(0.3),
+                                .moving = {&fast, 1},
+                                .moving_margin = 0.0};
   const StopSequence stop = brake_from({0.3, 0}, limits());
   EXPECT_EQ(check_stop({}, {0.3, 0}, {0.3, 0}, stop, 0.1, around), StopVerdict::HitsMoving);
 }
@@ -99,8 +102,10 @@ TEST(Stopping, LeavingAnObstacleThatIsTooNearIsAllowed) {
   const BitGrid empty(
       GridFrame{.width = 400, .height = 400, .resolution = 0.05, .origin = {{-10, -10}, 0}}, false);
   const MovingObstacle near{.position = {-0.45, 0}, .velocity = {0, 0}, .radius = 0.2};
-  const StopSurroundings around{
-      .obstacles = &empty, .body = Footprint::disc(0.3), .moving = {&near, 1}, .moving_margin = 0.0};
+  const StopSurroundings around{.obstacles = &empty,
+                                .body = Footprint::disc(0.3),
+                                .moving = {&near, 1},
+                                .moving_margin = 0.0};
   EXPECT_EQ(check_stop({}, {}, {0.1, 0}, brake_from({0.1, 0}, limits()), 0.1, around),
             StopVerdict::Free);
   EXPECT_EQ(check_stop({}, {}, {-0.1, 0}, brake_from({-0.1, 0}, limits()), 0.1, around),
