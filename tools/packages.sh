@@ -9,5 +9,14 @@ reference_packages=(coinor-libipopt-dev)
 test_packages=(libgtest-dev libbenchmark-dev python3 chromium)
 # physics: MuJoCo, optional; its CMake config asks for qhull. OSMesa draws its pictures off-screen.
 physics_packages=(libmujoco-dev libqhull-dev libosmesa6-dev)
-# live page: Boost.Beast, optional.
+# live page (Boost.Beast) and fairway reproduce (Boost.Math), optional.
 live_packages=(libboost-dev)
+# ROS 1 nodes and their tests, optional; the Python packages are for the tests and the tools.
+ros1_packages=(libroscpp-dev libtf2-ros-dev libactionlib-dev libmove-base-msgs-dev
+  libdynamic-reconfigure-config-init-mutex-dev libnav-msgs-dev libsensor-msgs-dev libgeometry-msgs-dev
+  libvisualization-msgs-dev libdiagnostic-msgs-dev libactionlib-msgs-dev libstd-msgs-dev libros-rosgraph-msgs-dev
+  python3-roslaunch python3-rostopic python3-rosbag python3-actionlib python3-move-base-msgs
+  python3-dynamic-reconfigure python3-diagnostic-msgs python3-nav-msgs python3-sensor-msgs
+  python3-visualization-msgs python3-tf2-msgs python3-rosparam)
+# ROS 2 on the wire, optional; iproute2 makes the networks of its test.
+dds_packages=(cyclonedds-dev cyclonedds-tools iproute2)

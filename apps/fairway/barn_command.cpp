@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/trace_file.hpp"
 #include "fairway/simulation/metrics.hpp"
+#include "film.hpp"
 #include "number_option.hpp"
 #include "output.hpp"
 #include "physics_choice.hpp"
@@ -86,6 +88,7 @@ struct BarnCommand {
   int seed = 1;
   int trials = 1;
   std::string trace_dir;
+  std::string film_dir;
   std::string json;
   SettingsOptions settings;
 
@@ -95,6 +98,7 @@ struct BarnCommand {
   [[nodiscard]] Expected<void> keep_trace(const Scenario& scenario,
                                           const BarnScore& score,
                                           const EpisodeResult& result) const;
+  [[nodiscard]] Expected<void> make_folders() const;
   [[nodiscard]] Json summary_json(const Summary& summary) const;
 };
 
@@ -126,18 +130,40 @@ Expected<BarnOptions> BarnCommand::options() const {
   return options;
 }
 
-// The trace of every trial, and a picture of those that failed.
+// The trace of every trial, and a picture of those that failed; and a film, if asked for.
 Expected<void> BarnCommand::keep_trace(const Scenario& scenario,
                                        const BarnScore& score,
                                        const EpisodeResult& result) const {
+  const std::string run = fmt::format("/world_{:03}_trial_{}", score.world, score.trial);
+  if (!film_dir.empty()) {
+    const Expected<std::string> film = run_film(scenario, result);
+    if (!film) return tl::unexpected(film.error());
+    if (const auto done = write_output(film_dir + run + ".gif", *film); !done) return done;
+  }
   if (trace_dir.empty()) return {};
-  const std::string name =
-      fmt::format("{}/world_{:03}_trial_{}", trace_dir, score.world, score.trial);
+  const std::string name = trace_dir + run;
   if (const auto done = write_output(name + ".csv", io::trace_csv(result)); !done) return done;
   if (score.success) return {};
   const Expected<std::string> bytes = world_picture(scenario, result, name + ".svg");
   if (!bytes) return tl::unexpected(bytes.error());
   return write_output(name + ".svg", *bytes);
+}
+
+Expected<void> BarnCommand::make_folders() const {
+  if (!film_dir.empty()) {
+    if (const auto can = check_film(); !can) return can;
+  }
+  for (const auto& [option, folder] :
+       {std::pair("--trace-dir", &trace_dir), std::pair("--film-dir", &film_dir)}) {
+    if (folder->empty()) continue;
+    std::error_code failed;
+    std::filesystem::create_directories(*folder, failed);
+    if (failed) {
+      return fail(fmt::format("{}: expected a folder that can be made, found {}", option,
+                              io::excerpt(*folder)));
+    }
+  }
+  return {};
 }
 
 Json BarnCommand::summary_json(const Summary& summary) const {
@@ -178,9 +204,7 @@ Expected<int> BarnCommand::run() const {
   if (!engine) return tl::unexpected(engine.error());
   const Expected<std::vector<BarnWorld>> all = read(source, *wanted);
   if (!all) return tl::unexpected(all.error());
-  std::error_code failed;
-  if (!trace_dir.empty()) std::filesystem::create_directories(trace_dir, failed);
-  if (failed) return fail("--trace-dir: expected a folder that can be made, found " + trace_dir);
+  if (const auto made = make_folders(); !made) return tl::unexpected(made.error());
 
   Summary summary;
   Progress progress("barn");
@@ -243,6 +267,8 @@ CLI::App* add_options(CLI::App& tool,
   sub->add_option("--trials", command->trials, "Runs per world")->check(CLI::Range(1, 1000));
   sub->add_option("--trace-dir", command->trace_dir,
                   "Write the cycles of every run here, and a picture of every failed one");
+  sub->add_option("--film-dir", command->film_dir,
+                  "Write a short film (GIF) of every run here, drawn by MuJoCo");
   sub->add_option("--json", command->json, "Write the result as JSON; - is standard output")
       ->type_name("FILE");
   add_settings_options(*sub, command->settings);

@@ -8,7 +8,9 @@
 
 #include "output.hpp"
 #include "progress.hpp"
+#include "reproduction/case1.hpp"
 #include "reproduction/case2.hpp"
+#include "reproduction/case3.hpp"
 #include "reproduction/report.hpp"
 #include "thread_clock.hpp"
 #ifdef FAIRWAY_HAS_IPOPT
@@ -58,8 +60,14 @@ Expected<int> ReproduceCommand::run() const {
   {
     Progress progress("reproduce");
     options->progress = [&](const std::string& state) { progress.show(state); };
+    if (which == "case1" || which == "all") {
+      chapters.push_back(reproduction::run_case1(*options));
+    }
     if (which == "case2" || which == "all") {
       chapters.push_back(reproduction::run_case2(*options));
+    }
+    if (which == "case3" || which == "all") {
+      chapters.push_back(reproduction::run_case3(*options));
     }
     options->progress("drawing");
     std::string command = fmt::format("fairway reproduce {} --seed {}", which, seed);

@@ -13,6 +13,7 @@
 #include "map_bounds.hpp"
 #include "number_option.hpp"
 #include "output.hpp"
+#include "physics_choice.hpp"
 #include "point_argument.hpp"
 #include "progress.hpp"
 #include "run_outputs.hpp"
@@ -138,6 +139,9 @@ Expected<int> SimulateCommand::run() {
   }
   const Expected<Scenario> world = load();
   if (!world) return tl::unexpected(world.error());
+  const Expected<PhysicsMaker> engine =
+      choose_physics(setting_names(world->engine)[static_cast<std::size_t>(world->engine)]);
+  if (!engine) return tl::unexpected(engine.error());
   if (const auto opened = outputs.open(); !opened) return tl::unexpected(opened.error());
   Progress progress(world->name);
   const EpisodeHooks hooks{.clock = steady_seconds,
@@ -147,6 +151,7 @@ Expected<int> SimulateCommand::run() {
                                                            time, world->time_limit));
                                  return true;
                                },
+                           .physics = *engine,
                            .solver = nullptr,
                            .observer = outputs.observer(),
                            .play = {}};

@@ -13,7 +13,7 @@ const skip = (why) => {
   process.exit(77);
 };
 
-if (Number(process.versions.node.split('.')[0]) < 20) skip(`needs Node 20 or later, found ${process.version}`);
+if (Number(process.versions.node.split('.')[0]) < 18) skip(`needs Node 18 or later, found ${process.version}`);
 if (!existsSync(here('node_modules/playwright-core'))) skip('needs `npm ci` in tests/browser (./test does it)');
 if (file === 'page.test.mjs' && !existsSync(here('../../viewer/node_modules/esbuild'))) {
   skip('needs `npm ci` in viewer (./test does it)');

@@ -21,4 +21,5 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 
 /** Metres and the like for a person: fixed digits, "far" where nothing is near. */
 export const shown = (value: number, digits = 2): string =>
-  Number.isFinite(value) ? value.toFixed(digits) : '–';
+  // Adding zero turns a negative zero into a positive one.
+  Number.isFinite(value) ? (Number(value.toFixed(digits)) + 0).toFixed(digits) : '–';

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { element, make } from './dom';
+import { popover } from './keys';
 import type { Send } from './tools';
 
 type Tell = (notice: string) => void;
@@ -27,8 +28,8 @@ export class Files {
       made.addEventListener('click', action);
       return made;
     };
-    const link = (href: string, title: string, text: string): HTMLElement =>
-      make('a', { class: 'button', href, download: '', title }, text);
+    const row = (href: string, text: string, what: string): HTMLElement =>
+      make('tr', {}, make('td', {}, make('a', { class: 'button', href, download: '' }, text)), make('td', {}, what));
     this.maps.addEventListener('change', () => send({ do: 'map', index: this.maps.selectedIndex }));
     this.picker.addEventListener('change', () => void this.upload([...this.picker.files ?? []]));
     this.askResolution();
@@ -36,12 +37,14 @@ export class Files {
     root.append(this.maps,
       button('upload', 'A map of your own: PGM or PNG, with or without its YAML file', 'Upload', () => this.picker.click()),
       button('restart', 'Begin again', 'Restart', () => send({ do: 'restart' })),
-      make('span', { class: 'label' }, 'Save'),
-      link('/scenario.zip', 'Map, robots, people and settings, for `fairway simulate`', 'Scenario'),
-      link('/recording.mcap', 'For Foxglove, and for `fairway replay`', 'Recording'),
-      link('/report.html', 'A page that plays this run', 'Report'),
+      make('button', { type: 'button', id: 'save', 'aria-expanded': 'false', 'aria-controls': 'saves' }, 'Save'),
       this.picker, this.dialog);
     root.hidden = false;
+    element('saves').append(make('table', {},
+      row('/scenario.zip', 'Scenario', 'Map, robots, people and settings, for fairway simulate'),
+      row('/recording.mcap', 'Recording', 'The run so far, for Foxglove, Lichtblick and fairway replay'),
+      row('/report.html', 'Report', 'A page of its own that plays the run so far')));
+    popover('save', 'saves');
   }
 
   show(maps: string[], index: number): void {

@@ -10,8 +10,15 @@ const help: [string, string][] = [
   ['Home End', 'start, end'], ['+ −', 'zoom'], ['F', 'show the whole map'],
   ['W A S D', 'move the map'], ['1 to 9', 'choose a robot'], ['L', 'layers'],
   ['T', 'light or dark'], ['?', 'this list'],
-  ['wheel, pinch', 'zoom'], ['drag', 'move the map'], ['click', 'choose a robot, or a time'],
+  ['wheel pinch', 'zoom'], ['drag', 'move the map'], ['click', 'choose a robot, or a time'],
 ];
+
+function closePopovers(): void {
+  for (const open of document.querySelectorAll<HTMLElement>('.popover')) open.hidden = true;
+  for (const opener of document.querySelectorAll('[aria-controls]')) {
+    if (opener.getAttribute('aria-controls') !== 'panel') opener.setAttribute('aria-expanded', 'false');
+  }
+}
 
 /** Opens and closes a popover with its button. */
 export function popover(button: string, panel: string): Action {
@@ -19,10 +26,7 @@ export function popover(button: string, panel: string): Action {
   const opener = element(button);
   const toggle = (): void => {
     const opening = root.hidden;
-    for (const other of document.querySelectorAll<HTMLElement>('.popover')) other.hidden = true;
-    for (const other of document.querySelectorAll('[aria-controls]')) {
-      if (other.getAttribute('aria-controls') !== 'panel') other.setAttribute('aria-expanded', 'false');
-    }
+    closePopovers();
     root.hidden = !opening;
     opener.setAttribute('aria-expanded', `${opening}`);
   };
@@ -59,6 +63,7 @@ export function listenToKeys(
     l: toggleLayers,
     t: () => viewer.themes.toggle(),
     '?': toggleHelp,
+    Escape: closePopovers,
     ...extra,
   };
   addEventListener('keydown', (event) => {

@@ -74,6 +74,7 @@ class Live implements Transport {
     if (!this.run) return;
     const first = this.run.frames[0]?.time ?? 0;
     if (this.following) this.frozen = this.span();
+    if (time < this.frozen[0]) this.frozen = [Math.max(time, first), this.frozen[1]];
     this.following = time >= this.run.duration - 1e-6;
     this.viewer.time = Math.min(Math.max(time, first), this.run.duration);
     element('go-live').hidden = this.following;

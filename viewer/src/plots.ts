@@ -7,6 +7,8 @@ export const plotGutter = { left: 46, right: 14 };
 
 const RIBBON = 10;
 const GAP = 13;
+const AXIS = 18;
+const LEAST_ROW = 16;
 const FAR = 2; // clearances are measured up to here [m]
 
 interface Row {
@@ -27,6 +29,7 @@ const niceStep = (span: number, count: number): number => {
 export class Plots {
   private readonly still = document.createElement('canvas'); // all but the cursor
   private key = '';
+  private width = 0; // of what is drawn
   private from = 0;
   private to = 1;
 
@@ -38,11 +41,15 @@ export class Plots {
     return this.from + Math.min(Math.max(share, 0), 1) * (this.to - this.from);
   }
 
-  draw(run: Run, robot: number, time: number, from: number, to: number, theme: Theme): void {
-    const width = this.canvas.clientWidth;
-    const height = this.canvas.clientHeight;
-    if (width < 100 || height < 40) return;
-    const ratio = devicePixelRatio;
+  /** @param paper the size to draw for, and pixels per unit, where that is not the canvas's own. */
+  draw(
+    run: Run, robot: number, time: number, from: number, to: number, theme: Theme,
+    paper?: { width: number; height: number; ratio: number },
+  ): void {
+    const { width, height, ratio } = paper ?? {
+      width: this.canvas.clientWidth, height: this.canvas.clientHeight, ratio: devicePixelRatio };
+    if (width < 100 || height < RIBBON + AXIS) return;
+    this.width = width;
     [this.from, this.to] = [from, Math.max(to, from + 1e-3)];
     const key = [width, height, ratio, run.frames.length, robot, from, to, theme.dark].join();
     if (key !== this.key) {
@@ -67,12 +74,12 @@ export class Plots {
     context.lineWidth = 1.5;
     context.beginPath();
     context.moveTo(x, 0);
-    context.lineTo(x, height - 18);
+    context.lineTo(x, height - AXIS);
     context.stroke();
   }
 
   private room(): number {
-    return Math.max(this.canvas.clientWidth - plotGutter.left - plotGutter.right, 1);
+    return Math.max(this.width - plotGutter.left - plotGutter.right, 1);
   }
 
   private column(time: number): number {
@@ -84,26 +91,27 @@ export class Plots {
     theme: Theme,
   ): void {
     context.clearRect(0, 0, width, height);
-    const axis = 18;
-    const each = (height - axis - RIBBON - 2 * GAP) / 2;
+    const each = (height - AXIS - RIBBON - 2 * GAP) / 2;
+    this.ribbon(context, run, robot, theme);
+    this.times(context, height - AXIS, theme);
+    if (each < LEAST_ROW) return; // on a small screen the status is what there is room for
     const most = run.setting('mpc', 'linear_max') || 1;
     const least = Math.min(0, run.setting('mpc', 'linear_min') || 0);
     const speed: Row = { top: RIBBON + GAP, height: each, min: least * 1.1, max: most * 1.15 };
     const room: Row = { top: RIBBON + 2 * GAP + each, height: each, min: 0, max: FAR };
-    this.ribbon(context, run, robot, theme);
-    this.times(context, height - axis, theme);
     const name = (text: string, row: Row): void => this.frame(context, row, text, theme);
-    name('speed m/s', speed);
-    name('room m', room);
+    name('speed [m/s]', speed);
+    name('room [m]', room);
     const color = robotColor(robot, theme);
     this.level(context, speed, most, theme.limit);
     this.level(context, room, run.setting('navigation', 'obstacle_margin'), theme.body);
+    const { body } = run;
     const cycle = (i: number) => run.frames[i]!.robots[robot]?.cycle;
     this.curve(context, run, speed, theme.faint, 1, (i) => cycle(i)?.commandLinear ?? null);
     this.curve(context, run, speed, color, 1.75, (i) => cycle(i)?.linear ?? null);
     this.curve(context, run, room, color, 1.75, (i) => cycle(i)?.clearance ?? null);
     this.curve(context, run, room, theme.body, 1.5, (i) => {
-      const gap = separation(run.frames[i]!, robot, run.radius);
+      const gap = separation(run.frames[i]!, robot, body);
       return gap <= FAR ? gap : null;
     });
   }
@@ -112,16 +120,28 @@ export class Plots {
     context.fillStyle = theme.grid;
     context.fillRect(plotGutter.left, 0, this.room(), RIBBON);
     const { frames } = run;
+    // Frames of one colour are one piece: seams between them would show.
+    let piece = null as { color: string; from: number; to: number } | null;
+    const finish = (): void => {
+      if (!piece) return;
+      const x = Math.max(this.column(piece.from), plotGutter.left);
+      context.fillStyle = piece.color;
+      context.fillRect(x, 0, Math.min(this.column(piece.to), this.column(this.to)) - x, RIBBON);
+    };
     for (let i = run.frameIndex(this.from); i < frames.length; ++i) {
       const frame = frames[i]!;
       if (frame.time > this.to) break;
       const me = frame.robots[robot];
       if (!me || (me.status === null && !me.collided)) continue;
-      const x = Math.max(this.column(frame.time), plotGutter.left);
-      const end = this.column(frames[i + 1]?.time ?? frame.time + 0.1);
-      context.fillStyle = me.collided ? theme.limit : toneColor(statusTone(me.status!), theme);
-      context.fillRect(x, 0, Math.min(end, this.column(this.to)) - x + 0.5, RIBBON);
+      const color = me.collided ? theme.limit : toneColor(statusTone(me.status!), theme);
+      const end = frames[i + 1]?.time ?? frame.time;
+      if (piece?.color === color) piece.to = end;
+      else {
+        finish();
+        piece = { color, from: frame.time, to: end };
+      }
     }
+    finish();
   }
 
   private times(context: CanvasRenderingContext2D, top: number, theme: Theme): void {
@@ -136,7 +156,7 @@ export class Plots {
       context.fillStyle = theme.faint;
       const text = `${+t.toFixed(2)} s`;
       const half = context.measureText(text).width / 2;
-      context.fillText(text, Math.min(x, this.canvas.clientWidth - half - 2), top + 4);
+      context.fillText(text, Math.min(x, this.width - half - 2), top + 4);
     }
   }
 

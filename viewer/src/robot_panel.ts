@@ -4,18 +4,20 @@ import type { Moment } from './moment';
 import { type Run, separation } from './run';
 import { type Theme, robotColor, statusTone } from './theme';
 
+const MOST_LONG_CARDS = 3; // of more robots only the chosen one has all its values shown
+
 interface Card {
   root: HTMLButtonElement;
   dot: HTMLElement;
   status: HTMLElement;
   why: HTMLElement;
   bar: HTMLElement;
-  values: Record<'speed' | 'turn' | 'clearance' | 'separation' | 'cycle', HTMLElement>;
+  values: Record<keyof typeof titles, HTMLElement>;
 }
 
 const titles = {
   speed: 'Speed', turn: 'Turning', clearance: 'Room to walls', separation: 'Room to others',
-  cycle: 'Control cycle',
+  cycle: 'Control cycle', solver: 'Solver',
 };
 
 /** A card per robot: what it does, why, and how fast. */
@@ -64,6 +66,7 @@ export class RobotPanel {
     const robot = moment.frame.robots[index];
     if (!robot) return;
     card.root.classList.toggle('selected', selected && this.cards.length > 1);
+    card.root.classList.toggle('short', !selected && this.cards.length > MOST_LONG_CARDS);
     card.root.setAttribute('aria-pressed', `${selected}`);
     card.dot.style.background = robotColor(index, theme);
     const { cycle } = robot;
@@ -77,24 +80,27 @@ export class RobotPanel {
     card.values.speed.textContent = `${shown(speed)} of ${shown(most)} m/s`;
     card.values.turn.textContent = `${shown(cycle?.angular ?? 0)} rad/s`;
     card.values.clearance.textContent = cycle ? `${shown(cycle.clearance)} m` : '–';
-    const gap = separation(moment.frame, index, run.radius);
+    const gap = separation(moment.frame, index, run.body);
     card.values.separation.textContent = Number.isFinite(gap) ? `${shown(gap)} m` : 'alone';
-    card.values.cycle.textContent = cycle && cycle.micros > 0
-      ? `${Math.round(cycle.micros)} µs, ${cycle.iterations} iterations` : '–';
+    card.values.cycle.textContent = cycle && cycle.micros > 0 ? `${Math.round(cycle.micros)} µs` : '–';
+    card.values.solver.textContent = cycle && cycle.iterations > 0 ? `${cycle.iterations} iterations` : '–';
   }
 
   private reason(card: Card, run: Run, index: number, moment: Moment): void {
     const robot = moment.frame.robots[index]!;
     const { cycle, plan } = robot;
     card.why.replaceChildren();
-    if (plan && !plan.usable) {
-      card.why.append(make('b', {}, plan.reason));
+    if (robot.collided) {
+      card.why.append(make('b', { class: 'bad' }, 'touched something'), ', and is out of this run');
+    } else if (plan && !plan.usable) {
+      card.why.append(make('b', { class: 'bad' }, plan.reason));
     } else if (cycle && cycle.limit > 0) {
       // The row says more than the limit: which speed, which acceleration.
       const row = run.begin.rows[cycle.row];
       const limit = run.begin.limits[cycle.limit]!;
       const name = cycle.row > 0 && row && cycle.limit < 5 ? row : limit;
-      card.why.append('held back by: ', make('b', {}, name));
+      // Red as its mark on the map.
+      card.why.append('held back by: ', make('b', cycle.mark ? { class: 'bad' } : {}, name));
     } else {
       card.why.append(cycle ? 'nothing holds it back' : 'stands');
     }

@@ -165,18 +165,43 @@ export class Run {
   get radius(): number {
     return this.setting('robot', 'radius');
   }
+
+  get body(): Footprint {
+    const [length, width] = [this.setting('robot', 'length'), this.setting('robot', 'width')];
+    // One side alone is none: see footprint_of in C++.
+    return { radius: this.radius, ...(length > 0 && width > 0 ? { length, width } : { length: 0, width: 0 }) };
+  }
 }
 
-/** The gap between a robot's body and the nearest other body; infinite when alone. */
-export function separation(frame: Frame, robot: number, radius: number): number {
+/** The outline of a robot: a rectangle with its centre, or a disc where that has no sides. */
+export interface Footprint {
+  radius: number; // of the disc that covers it
+  length: number; // along the heading
+  width: number;
+}
+
+/** How far `p` is from a robot that stands at `pose`; not above 0 inside. */
+function distance({ radius, length, width }: Footprint, pose: Pose, p: Point): number {
+  const [dx, dy] = [p.x - pose.x, p.y - pose.y];
+  if (length === 0) return Math.hypot(dx, dy) - radius;
+  const [c, s] = [Math.cos(pose.heading), Math.sin(pose.heading)];
+  const u = Math.abs(c * dx + s * dy) - length / 2;
+  const v = Math.abs(c * dy - s * dx) - width / 2;
+  return Math.hypot(Math.max(u, 0), Math.max(v, 0));
+}
+
+/**
+ * The gap between a robot's body and the nearest other body; infinite when alone. Another robot
+ * counts as the smallest disc around its body, as it does in the simulator.
+ */
+export function separation(frame: Frame, robot: number, body: Footprint): number {
   const me = frame.robots[robot];
   if (!me) return Infinity;
+  const around = body.length > 0 ? Math.hypot(body.length, body.width) / 2 : body.radius;
   let gap = Infinity;
-  for (const body of frame.bodies) {
-    gap = Math.min(gap, Math.hypot(body.x - me.x, body.y - me.y) - body.radius - radius);
-  }
+  for (const other of frame.bodies) gap = Math.min(gap, distance(body, me, other) - other.radius);
   frame.robots.forEach((other, i) => {
-    if (i !== robot) gap = Math.min(gap, Math.hypot(other.x - me.x, other.y - me.y) - 2 * radius);
+    if (i !== robot) gap = Math.min(gap, distance(body, me, other) - around);
   });
   return gap;
 }

@@ -21,6 +21,16 @@ export type Layer = keyof typeof layerNames;
 export type Layers = Record<Layer, boolean>;
 
 const TAU = 2 * Math.PI;
+const LABEL = '600 12px system-ui, sans-serif';
+const LEAST_ROBOT = 5; // radius of a robot that is far away [pixels]
+
+function corners(pose: Pose, length: number, width: number): Point[] {
+  const [c, s] = [Math.cos(pose.heading), Math.sin(pose.heading)];
+  return [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([u, v]) => ({
+    x: pose.x + (c * u! * length - s * v! * width) / 2,
+    y: pose.y + (s * u! * length + c * v! * width) / 2,
+  }));
+}
 
 /** Draws a moment of a run. */
 export class Scene {
@@ -65,6 +75,7 @@ export class Scene {
       if (layers.prediction) this.prediction(robot, i, run.radius);
     });
     moment.poses.forEach((pose, i) => this.robot(pose, robots[i]!, i, run, i === selected));
+    if (layers.names && robots.length > 1) this.names(moment.poses, run, selected);
     if (layers.limit) {
       robots.forEach((robot, i) => {
         if (i === selected) this.limit(robot);
@@ -195,25 +206,52 @@ export class Scene {
   }
 
   private robot(pose: Pose, robot: RobotFrame, index: number, run: Run, selected: boolean): void {
-    const radius = run.radius;
+    // On a large map it is drawn larger than it is, so that it is seen.
+    const radius = Math.max(run.radius, LEAST_ROBOT / this.camera.scale);
     const color = robotColor(index, this.theme);
-    this.disc(pose, radius);
-    this.fill(robot.collided ? this.theme.limit : color);
+    const fill = robot.collided ? this.theme.limit : color;
+    const { length, width } = run.body;
+    if (length > 0 && radius === run.radius) {
+      // The disc that corridors keep free, and the true body in it.
+      this.disc(pose, radius);
+      this.stroke(fill, 1, 0.6);
+      this.trace(corners(pose, length, width), true);
+    } else {
+      this.disc(pose, radius);
+    }
+    this.fill(fill);
     this.stroke(this.theme.halo, 1.5);
     const ahead = (distance: number, turn: number): Point => ({
       x: pose.x + distance * Math.cos(pose.heading + turn),
       y: pose.y + distance * Math.sin(pose.heading + turn),
     });
-    this.trace([ahead(0.82 * radius, 0), ahead(0.66 * radius, 2.4), ahead(0.25 * radius, Math.PI),
-      ahead(0.66 * radius, -2.4)], true);
+    const size = length > 0 ? Math.min(length, width) / 2 : radius;
+    const arrow = Math.max(size, LEAST_ROBOT / this.camera.scale);
+    this.trace([ahead(0.82 * arrow, 0), ahead(0.66 * arrow, 2.4), ahead(0.25 * arrow, Math.PI),
+      ahead(0.66 * arrow, -2.4)], true);
     this.fill(this.theme.halo, 0.95);
     if (selected && run.begin.robots.length > 1) {
       this.disc(pose, radius + 4 / this.camera.scale);
       this.stroke(color, 1.5, 0.9);
     }
-    if (this.layers.names && run.begin.robots.length > 1) {
-      const at = this.camera.toScreen(pose);
-      this.label(run.begin.robots[index]!.name, at.x, at.y - this.pixels(radius) - 9);
+  }
+
+  // Where names would cover each other, the chosen robot's comes first, then those of low numbers.
+  private names(poses: Pose[], run: Run, selected: number): void {
+    const { context, camera } = this;
+    const taken: { x: number; y: number; half: number }[] = [];
+    const order = [selected, ...poses.keys()].filter((i, at) => at === 0 || i !== selected);
+    context.font = LABEL;
+    for (const i of order) {
+      const pose = poses[i];
+      if (!pose) continue;
+      const name = run.begin.robots[i]!.name;
+      const p = camera.toScreen(pose);
+      const spot = { x: p.x, y: p.y - Math.max(this.pixels(run.radius), LEAST_ROBOT) - 9, half: context.measureText(name).width / 2 + 3 };
+      const covered = taken.some((t) => Math.abs(t.x - spot.x) < t.half + spot.half && Math.abs(t.y - spot.y) < 15);
+      if (covered) continue;
+      taken.push(spot);
+      this.label(name, spot.x, spot.y);
     }
   }
 
@@ -234,7 +272,7 @@ export class Scene {
 
   private label(text: string, x: number, y: number): void {
     const { context, theme } = this;
-    context.font = '600 12px system-ui, sans-serif';
+    context.font = LABEL;
     context.textAlign = 'center';
     context.textBaseline = 'middle';
     context.lineWidth = 3;

@@ -13,6 +13,7 @@ interface Facts {
 }
 
 function facts(run: Run, robot: number): Facts {
+  const { body } = run;
   const reached = run.begin.statuses.indexOf('goal reached');
   const result: Facts = {
     name: run.begin.robots[robot]!.name, outcome: 'not there', tone: 'warn', time: run.duration,
@@ -26,7 +27,7 @@ function facts(run: Run, robot: number): Facts {
     if (last) result.length += Math.hypot(me.x - last.x, me.y - last.y);
     last = me;
     if (me.cycle) result.room = Math.min(result.room, me.cycle.clearance);
-    result.gap = Math.min(result.gap, separation(frame, robot, run.radius));
+    result.gap = Math.min(result.gap, separation(frame, robot, body));
     if (me.cycle && me.cycle.status !== reached) arrived = null;
     if (me.cycle && me.cycle.status === reached) arrived ??= frame.time;
     if (me.collided) {

@@ -13,6 +13,7 @@ import { Themes } from './theme';
 export type Overlay = (context: CanvasRenderingContext2D, camera: Camera) => void;
 
 const paper: [number, number] = [703, 446]; // room for the map on paper, in CSS pixels
+const PAPER_PLOTS = 168; // height of the plots there
 
 /** The map, the plots and the robots' cards at one time of a run. Who moves the time is elsewhere. */
 export class Viewer {
@@ -117,7 +118,12 @@ export class Viewer {
     }
     this.camera.resize(...paper);
     this.moment = this.run && momentAt(this.run, this.time);
-    if (this.moment) this.drawMap(3);
+    if (!this.run || !this.moment) return;
+    this.drawMap(3);
+    const [from, to] = this.span();
+    const size = { width: paper[0], height: PAPER_PLOTS, ratio: 3 };
+    this.plots.draw(this.run, this.selected, this.time, from, to, this.themes.current, size);
+    this.panel.show(this.run, this.moment, this.selected, this.themes.current);
   }
 
   private drawMap(ratio: number): void {

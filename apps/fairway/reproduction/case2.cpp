@@ -96,8 +96,8 @@ std::string structured_caption(const CorridorEnvironment& e) {
   const CorridorGain sound = gain_over(e.maps, CorridorKind::MdsrcSound, CorridorKind::SrcSound);
   return fmt::format(
       "Where the claim of fewer and larger corridors fails: walls parallel to the axes (seed {} "
-      "shown). Over {} such maps MDSRC's number changes by {} (made sound: {}) and its area by {} "
-      "({}) relative to SRC.",
+      "shown). Over {} such maps MDSRC's number changes by {} (made sound: {}) and its area by "
+      "{} ({}) relative to SRC.",
       e.maps.front().seed, e.maps.size(), percent_interval(published.fewer),
       percent_interval(sound.fewer), percent_interval(published.larger),
       percent_interval(sound.larger));
@@ -120,16 +120,12 @@ Chapter run_case2(const StudyOptions& options) {
   chapter.setup = fmt::format(
       "The paper's maps are not public. Ours are generated in their manner: {} maps each of 50 m "
       "(Environment 1) and 25 m (Environment 2) with irregular polygons, posts and thin slanted "
-      "walls, "
-      "cells of 0.05 m, and of 30 m with walls parallel to the axes; paths from corner to corner "
-      "keep "
-      "0.45 m from obstacles and carry a point every 0.1 m. Our maps are denser than the paper's "
-      "seem "
-      "to be, so all areas are smaller. \u201cAs published\u201d is Algorithms 1 and 2 with the "
-      "corrections without which they do not run (docs/paper_notes.md), sampled as in Eq. (7); "
-      "\u201cmade sound\u201d tests every strip exactly and chains the contracted rectangles. "
-      "Figures 9 "
-      "and 10: {} fields of 20 m \u00d7 20 m per number of obstacles.",
+      "walls, cells of 0.05 m, and of 30 m with walls parallel to the axes; paths from corner to "
+      "corner keep 0.45 m from obstacles and carry a point every 0.1 m. \u201cAs published\u201d "
+      "is Algorithms 1 and 2 with the corrections without which they do not run "
+      "(docs/paper_notes.md), sampled as in Eq. (7); \u201cmade sound\u201d tests every strip "
+      "exactly and chains the contracted rectangles. Figures 9 and 10: {} fields of 20 m \u00d7 "
+      "20 m per number of obstacles.",
       maps, fields->series.size());
   for (std::size_t i = 0; i < 2; ++i) {
     chapter.findings.push_back(gain_finding(environments[i]));

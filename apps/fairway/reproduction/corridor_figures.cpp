@@ -207,11 +207,9 @@ std::optional<Figure> hopping_figure(MapKind kind, const std::vector<CorridorCom
       .name = "case2_sampled_edges_hop",
       .caption = fmt::format(
           "Where the claim of a free corridor fails: a rectangle that Algorithm 1 grows when, as "
-          "in "
-          "Eq. (7), only the new edge is sampled. A step of 0.1 m hops over walls and posts that "
-          "are "
-          "one cell of 0.05 m thick. Marked: the {} occupied cells inside the \u201cfree\u201d "
-          "rectangle. It is the worst of {} maps (kind {}, seed {}).",
+          "in Eq. (7), only the new edge is sampled. A step of 0.1 m hops over walls and posts "
+          "that are one cell of 0.05 m thick. Marked: the {} occupied cells inside the "
+          "\u201cfree\u201d rectangle. It is the worst of {} maps (kind {}, seed {}).",
           found->cells.size(), maps.size(), to_text(kind), found->seed),
       .draw = [kind, found](io::PictureFormat format) {
         const auto grid = std::make_shared<const OccupancyGrid>(generate_map(kind, found->seed));
@@ -256,12 +254,10 @@ std::optional<Figure> break_figure(MapKind kind, const std::vector<CorridorCompa
       .name = "case2_chain_breaks",
       .caption =
           "Where the claim of a connected corridor fails: Algorithm 2 tests whether a path point "
-          "is "
-          "in the last rectangle, but Eq. (10) then contracts every rectangle by \u0394s = 0.3 m. "
-          "Left: two neighbours of the published chain overlap, but once contracted they do not: "
-          "the "
-          "robot's centre cannot pass from one to the other. Right: the chain made sound there "
-          "(map " +
+          "is in the last rectangle, but Eq. (10) then contracts every rectangle by \u0394s = "
+          "0.3 m. Left: two neighbours of the published chain overlap, but once contracted they "
+          "do not: the robot's centre cannot pass from one to the other. Right: ours, whose "
+          "contracted neighbours overlap by construction (map " +
           std::string(to_text(kind)) + ", seed " + std::to_string(found->map->seed) +
           ", the first one found).",
       .draw = [kind, found](io::PictureFormat format) {

@@ -158,9 +158,10 @@ std::vector<CorridorComparison> compare_corridors_on_maps(MapKind kind,
   std::vector<CorridorComparison> all;
   for (std::size_t tried = 0; all.size() < wanted && tried < kMostTries * wanted;) {
     const std::size_t batch = wanted - all.size();
-    std::vector<CorridorComparison> more = run_all(
-        batch, options, std::string("corridors on ") + to_text(kind),
-        [&](std::size_t i) { return compare_corridors(kind, options.seed + tried + i, options); });
+    std::vector<CorridorComparison> more =
+        run_all(batch, options, std::string("corridors on ") + to_text(kind), [&](std::size_t i) {
+          return compare_corridors(kind, map_seed(options, tried + i), options);
+        });
     tried += batch;
     for (CorridorComparison& map : more) {
       if (map.found) all.push_back(std::move(map));

@@ -60,7 +60,7 @@ inline constexpr double kPathClearance = 0.45;
                                                    std::uint64_t seed,
                                                    const StudyOptions& options);
 
-/// `maps` maps that have a path, from `options.seed` on. @pre maps > 0.
+/// `maps` maps that have a path, the first with `options.seed` if that has one. @pre maps > 0.
 [[nodiscard]] std::vector<CorridorComparison> compare_corridors_on_maps(
     MapKind kind, int maps, const StudyOptions& options);
 

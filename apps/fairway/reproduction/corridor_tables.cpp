@@ -158,9 +158,9 @@ Table gain_table(const std::vector<CorridorEnvironment>& environments) {
 
 Table soundness_table(const std::vector<CorridorEnvironment>& environments) {
   Table table{.caption =
-                  "What the numbers above do not show: rectangles that hold a part of an obstacle "
-                  "(more than 1 mm deep), and "
-                  "chains in which neighbours, contracted by \u0394s, do not meet.",
+                  "What the numbers above do not show: rectangles that hold a part of an "
+                  "obstacle (more than 1 mm deep), and chains in which neighbours, contracted by "
+                  "\u0394s, do not meet.",
               .header = {"method"},
               .rows = {}};
   for (const CorridorEnvironment& e : environments) {

@@ -215,9 +215,8 @@ Figure field_chart_figure(const std::shared_ptr<const FieldSample>& sample) {
       .name = "case2_figure10_area_and_number",
       .caption = fmt::format(
           "Figure 10: mean area and number of corridors over the number of obstacles, {} fields "
-          "each. "
-          "Dot: mean; thick bar: its 95 % confidence interval; thin bar: \u00b1 one standard "
-          "deviation of the fields. Stars: SRC against MDSRC, Welch's two-sample t-test "
+          "each. Dot: mean; thick bar: its 95 % confidence interval; thin bar: \u00b1 one "
+          "standard deviation of the fields. Stars: SRC against MDSRC, Welch's two-sample t-test "
           "(Boost.Math), as in the paper: * p > 0.05 (not significant), ** p \u2264 0.05, *** p "
           "\u2264 0.01, **** p \u2264 0.001.",
           sample->series.size()),

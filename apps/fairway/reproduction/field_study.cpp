@@ -103,7 +103,7 @@ FieldSeries make_fields(std::uint64_t seed) {
 
 std::vector<FieldSeries> make_field_series(int count, const StudyOptions& options) {
   return run_all(static_cast<std::size_t>(count), options, "fields",
-                 [&](std::size_t i) { return make_fields(options.seed + i); });
+                 [&](std::size_t i) { return make_fields(map_seed(options, i)); });
 }
 
 }  // namespace fairway::reproduction

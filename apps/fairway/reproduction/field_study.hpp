@@ -40,7 +40,7 @@ using FieldSeries = std::array<Field, kFieldObstacles.size()>;
 
 [[nodiscard]] FieldSeries make_fields(std::uint64_t seed);
 
-/// Seeds `options.seed` and on.
+/// The first with `options.seed`.
 [[nodiscard]] std::vector<FieldSeries> make_field_series(int count, const StudyOptions& options);
 
 }  // namespace fairway::reproduction

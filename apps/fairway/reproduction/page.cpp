@@ -29,6 +29,8 @@ caption {{ text-align: left; padding-bottom: 0.5rem; color: #444; }}
 th, td {{ padding: 0.3rem 0.6rem; text-align: right; border-bottom: 1px solid #ddd; }}
 th {{ vertical-align: bottom; background: #f4f6f8; }}
 th:first-child, td:first-child, .words td, .words th {{ text-align: left; }}
+td {{ white-space: nowrap; }}
+.words td {{ white-space: normal; }}
 figure {{ margin: 2rem 0; }}
 figure img {{ width: 100%; height: auto; border: 1px solid #ddd; }}
 figcaption {{ font-size: 0.9rem; color: #444; }}

@@ -12,7 +12,7 @@ namespace fairway::reproduction {
 
 /// What a study is run with.
 struct StudyOptions {
-  std::uint64_t seed = 0;  ///< of the map that the figures show; the other maps follow it
+  std::uint64_t seed = 0;  ///< of the map that the figures show; see map_seed for the others
   int maps = 0;     ///< how many maps the means are taken over; 0: as many as the study likes
   int threads = 1;  ///< results do not depend on it
   /// A new solver for each run; null makes the default.
@@ -22,5 +22,14 @@ struct StudyOptions {
   /// Told what is being done; called by one thread at a time.
   std::function<void(const std::string&)> progress;
 };
+
+/// The seed of map `index` of a study. Neighbouring seeds would not do: the map generator's streams
+/// of random numbers are one stream from different places, and maps from overlapping pieces of it
+/// are much alike. No map uses as many numbers as lie between two of these.
+[[nodiscard]] inline std::uint64_t map_seed(const StudyOptions& options,
+                                            std::size_t index) noexcept {
+  constexpr std::uint64_t kStride = 100003;
+  return options.seed + kStride * index;
+}
 
 }  // namespace fairway::reproduction

@@ -26,6 +26,7 @@ using beast::error_code;
 
 constexpr std::uint32_t kLargestHeader = 8U << 10U;  // [bytes]
 constexpr std::uint64_t kLargestUpload = 24U << 20U;
+constexpr int kMostDownloads = 4;  // at once
 constexpr auto kPatience = std::chrono::seconds(30);
 
 using Response = http::response<http::string_body>;
@@ -40,6 +41,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
         on_end_(std::move(on_end)) {}
 
   ~HttpSession() {
+    end_download();
     if (on_end_) on_end_();
   }
   HttpSession(const HttpSession&) = delete;
@@ -95,15 +97,25 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
 
   static std::string page() { return std::string(io::viewer_page()); }
 
+  void end_download() {
+    if (std::exchange(downloading_, false)) --context_.downloads;
+  }
+
   void save(LiveWorld::Download what, const char* name) {
+    if (context_.downloads >= kMostDownloads) return refuse(http::status::service_unavailable);
+    ++context_.downloads;
+    downloading_ = true;
     stream_.expires_never();  // the world answers when it is between two cycles
     const auto executor = stream_.get_executor();
-    context_.world.download(what, [self = shared_from_this(), executor, name](std::string bytes) {
-      boost::asio::post(executor, [self, name, bytes = std::move(bytes)]() mutable {
-        self->stream_.expires_after(10 * kPatience);
-        self->answer(http::status::ok, "application/octet-stream", std::move(bytes), name);
-      });
-    });
+    // The world's thread hands the session back whole: it must end in the network's.
+    const auto done = [self = shared_from_this(), executor, name](std::string bytes) mutable {
+      boost::asio::post(
+          executor, [self = std::move(self), name, bytes = std::move(bytes)]() mutable {
+            self->stream_.expires_after(10 * kPatience);
+            self->answer(http::status::ok, "application/octet-stream", std::move(bytes), name);
+          });
+    };
+    context_.world.download(what, done);
   }
 
   void take_map() {
@@ -115,7 +127,8 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
       return answer(http::status::unprocessable_entity, "text/plain; charset=utf-8",
                     uploaded.error().message);
     }
-    context_.world.use_map(std::move(uploaded->name), std::move(uploaded->map));
+    if (!context_.world.use_map(std::move(uploaded->name), std::move(uploaded->map)))
+      return refuse(http::status::service_unavailable);
     answer(http::status::ok, "text/plain; charset=utf-8", "");
   }
 
@@ -159,6 +172,9 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
     response_.prepare_payload();
     http::async_write(
         stream_, response_, [self = shared_from_this()](error_code error, std::size_t) {
+          self->response_.body().clear();
+          self->response_.body().shrink_to_fit();
+          self->end_download();
           if (error) return;
           if (self->response_.keep_alive()) return self->read();
           error_code ignored;
@@ -177,6 +193,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   Response response_;
+  bool downloading_ = false;
 };
 
 }  // namespace

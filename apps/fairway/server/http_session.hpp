@@ -19,16 +19,18 @@ struct HttpContext {
   PageDialogue& pages;
   FoxgloveDialogue& viewers;
   OriginCheck check;
+  int downloads = 0;  ///< that are being answered
 };
 
 /// Answers the requests of one connection, one after another:
 ///
-///     GET /                                    the page
-///     GET /recording.mcap /scenario.zip /report.html    what the world is asked to save
-///     POST /map                                a map to use: {name, yaml, resolution, image:
-///     base64} WebSocket /live                          the page's dialogue WebSocket with
-///     foxglove.websocket.v1     viewers
+///     GET /                                            the page
+///     GET /recording.mcap /scenario.zip /report.html   what the world is asked to save
+///     POST /map                                        a map: {name, yaml, resolution, image}
+///     WebSocket /live                                  the page's dialogue
+///     WebSocket with foxglove.websocket.v1             viewers
 ///
+/// An image is base64. So that memory is bounded, few downloads are answered at the same time.
 /// Nothing of a request is ever used as a name of a file.
 /// @param on_end  Called once when the connection is over.
 void start_http_session(boost::asio::ip::tcp::socket socket,

@@ -25,7 +25,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr int kMostConnections = 64;
+constexpr int kMostConnections = 32;
 
 class LiveServer {
  public:

@@ -16,16 +16,20 @@ namespace fairway::app {
 namespace {
 
 constexpr std::size_t kMostWaiting = 256;         // commands of clients
+constexpr std::size_t kMostMapsWaiting = 16;      // maps are large
 constexpr std::size_t kMostDownloads = 300;       // commands and downloads
+constexpr std::size_t kMostUploads = 8;           // maps; the oldest makes room
 constexpr std::size_t kMostRecords = 64U << 20U;  // for a report [bytes]
 constexpr double kBeginningPeriod = 60.0;  // who joins late sees at least as much of the past [s]
-constexpr double kMostLate = 0.2;          // for what is asked between two cycles [s]
-constexpr double kFarBehind = 0.5;         // then it does not try to catch up [s]
+constexpr std::size_t kBeginningBytes = 8U << 20U;  // or so much of it
+constexpr double kMostLate = 0.2;                   // for what is asked between two cycles [s]
+constexpr double kFarBehind = 0.5;                  // then it does not try to catch up [s]
 
 }  // namespace
 
 LiveWorld::LiveWorld(std::vector<MapChoice> choices, LiveListener listener)
     : choices_(std::move(choices)),
+      num_given_(choices_.size()),
       listener_(std::move(listener)) {
   for (const MapChoice& choice : choices_)
     state_.maps.push_back(choice.name);
@@ -43,21 +47,22 @@ LiveWorld::~LiveWorld() {
 
 void LiveWorld::ask(ClientCommand command) { enqueue(std::move(command), kMostWaiting); }
 
-void LiveWorld::use_map(std::string name, OccupancyGrid map) {
-  enqueue(UseMap{.name = std::move(name), .map = std::move(map)}, kMostWaiting);
+bool LiveWorld::use_map(std::string name, OccupancyGrid map) {
+  return enqueue(UseMap{.name = std::move(name), .map = std::move(map)}, kMostMapsWaiting);
 }
 
 void LiveWorld::download(Download what, std::function<void(std::string)> done) {
   enqueue(Save{.what = what, .done = std::move(done)}, kMostDownloads);
 }
 
-void LiveWorld::enqueue(Request request, std::size_t most_waiting) {
+bool LiveWorld::enqueue(Request request, std::size_t most_waiting) {
   {
     const std::lock_guard lock(mutex_);
-    if (requests_.size() >= most_waiting) return;
+    if (requests_.size() >= most_waiting) return false;
     requests_.push_back(std::move(request));
   }
   wake_.notify_all();
+  return true;
 }
 
 void LiveWorld::run() {
@@ -74,7 +79,9 @@ void LiveWorld::run() {
 void LiveWorld::run_once() {
   again_ = false;
   fresh_ = true;
+  full_told_ = false;
   told_beginning_ = 0.0;
+  told_since_ = 0;
   due_ = steady_seconds();
   records_.clear();
   const Scenario scenario = scenario_;
@@ -94,20 +101,27 @@ void LiveWorld::run_once() {
 // Between two cycles: hands out what is new, does what is asked, and waits until the next is due.
 bool LiveWorld::play(EpisodeControl& control) {
   publish();
-  if (control.world().time() >= told_beginning_ + kBeginningPeriod) {
-    told_beginning_ = control.world().time();
-    listener_.on_beginning(stream_.beginning(told_beginning_));
-  }
+  tell_beginning(control.world().time());
   due_ = std::max(due_ + scenario_.settings.mpc.dt / state_.speed, steady_seconds() - kFarBehind);
   while (std::optional<Request> request = next_request()) {
     carry_out(control, *request);
     stream_.tell_true_map(control.world().time(), control.world().obstacles());
     publish();
+    tell_beginning(control.world().time());
     if (again_) return false;
     if (std::exchange(step_, false)) return true;
   }
   const std::lock_guard lock(mutex_);
   return !stopping_;
+}
+
+// So that the past which late comers are sent is bounded, also where the world is paused and
+// painted.
+void LiveWorld::tell_beginning(double time) {
+  if (time < told_beginning_ + kBeginningPeriod && told_since_ < kBeginningBytes) return;
+  told_beginning_ = time;
+  told_since_ = 0;
+  listener_.on_beginning(stream_.beginning(time));
 }
 
 // Waits for somebody to ask for something; none when the next cycle is due, or at the end.
@@ -129,14 +143,16 @@ std::optional<LiveWorld::Request> LiveWorld::next_request() {
 
 void LiveWorld::publish() {
   if (std::string records = stream_.take(); !records.empty()) {
+    told_since_ += records.size();
     if (records_.size() < kMostRecords) records_ += records;
     const auto& tell = fresh_ ? listener_.on_run : listener_.on_records;
     tell(std::move(records));
     fresh_ = false;
   }
-  if (!full_told_ && messages_->full()) {
+  if (!full_told_ && (messages_->full() || records_.size() >= kMostRecords)) {
     full_told_ = true;
-    listener_.on_notice("The recording is full: what happens now is not recorded");
+    listener_.on_notice(
+        "The recording is full: what happens now is not saved. Restart begins anew");
   }
   listener_.on_messages(messages_->take());
 }
@@ -149,6 +165,11 @@ void LiveWorld::carry_out(EpisodeControl& control, Request& request) {
   } else if (auto* save_request = std::get_if<Save>(&request)) {
     save(*save_request);
   } else if (auto* map = std::get_if<UseMap>(&request)) {
+    if (choices_.size() == num_given_ + kMostUploads) {
+      const auto oldest = static_cast<std::ptrdiff_t>(num_given_);
+      choices_.erase(choices_.begin() + oldest);
+      state_.maps.erase(state_.maps.begin() + oldest);
+    }
     const auto make = [grid = map->map, name = map->name] { return scenario_on(name, grid); };
     choices_.push_back({.name = map->name, .make = make});
     state_.maps.push_back(map->name);

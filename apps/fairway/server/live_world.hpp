@@ -56,8 +56,8 @@ class LiveWorld {
   /// Asks for something; safe from any thread. Where too much is waiting already, it is dropped.
   void ask(ClientCommand command);
 
-  /// Adds a map to the choices and begins with it.
-  void use_map(std::string name, OccupancyGrid map);
+  /// Adds a map to the choices and begins with it; false where too much is waiting already.
+  [[nodiscard]] bool use_map(std::string name, OccupancyGrid map);
 
   void download(Download what, std::function<void(std::string)> done);
 
@@ -72,12 +72,13 @@ class LiveWorld {
   };
   using Request = std::variant<ClientCommand, UseMap, Save>;
 
-  void enqueue(Request request, std::size_t most_waiting);
+  bool enqueue(Request request, std::size_t most_waiting);
   void run();
   void run_once();
   bool play(EpisodeControl& control);
   [[nodiscard]] std::optional<Request> next_request();
   void publish();
+  void tell_beginning(double time);
   void tell_state();
   void carry_out(EpisodeControl& control, Request& request);
 
@@ -98,7 +99,8 @@ class LiveWorld {
   [[nodiscard]] bool has_robot(std::size_t robot) const;
   [[nodiscard]] bool on_map(const Eigen::Vector2d& point) const;
 
-  std::vector<MapChoice> choices_;
+  std::vector<MapChoice> choices_;  // those given, then uploads
+  std::size_t num_given_;
   LiveListener listener_;
   LiveState state_;
   Scenario scenario_;   // as it would be saved: with everything that was changed
@@ -106,7 +108,8 @@ class LiveWorld {
   bool step_ = false;   // one cycle although paused
   double due_ = 0.0;    // when the next cycle is [s]
   double told_beginning_ = 0.0;
-  bool fresh_ = true;  // nothing of this run has been told
+  std::size_t told_since_ = 0;  // then [bytes]
+  bool fresh_ = true;           // nothing of this run has been told
   bool full_told_ = false;
   std::string records_;  // of this run, for a report
   io::RunStream stream_;

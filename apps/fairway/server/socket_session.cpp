@@ -22,7 +22,7 @@ namespace websocket = beast::websocket;
 using beast::error_code;
 
 constexpr std::size_t kLargestMessage = 64U << 10U;  // that a client may send [bytes]
-constexpr std::size_t kMostWaiting = 96U << 20U;     // to be sent to a client [bytes]
+constexpr std::size_t kMostWaiting = 48U << 20U;     // to be sent to a client [bytes]
 constexpr double kMessagesPerSecond = 200.0;         // beyond that a client is read more slowly
 constexpr double kBurst = 400.0;                     // messages at once
 

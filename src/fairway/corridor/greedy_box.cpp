@@ -71,14 +71,14 @@ struct TurnedPoints {
 };
 
 // The sides in the order in which Algorithm 1 advances them.
-enum Side : std::uint8_t { kTop, kLeft, kBottom, kRight };
+enum Turn : std::uint8_t { kTop, kLeft, kBottom, kRight };
 
 struct Sides {
   std::array<double, 4> place;
   std::array<double, 4> step;  // 0: stopped
   std::size_t next = kTop;     // whose turn it is
 
-  [[nodiscard]] SideTurns turns(Side side) const noexcept {
+  [[nodiscard]] SideTurns turns(Turn side) const noexcept {
     return {.place = static_cast<float>(place[side]),
             .rate = step[side] > 0.0 ? static_cast<float>(4.0 / step[side]) : kStopped,
             .order = static_cast<float>((side + 4U - next) % 4U)};

@@ -4,6 +4,7 @@
 #include <Magick++.h>
 #include <fmt/format.h>
 
+#include "fairway/io/graphics_magick.hpp"
 #include "fairway/io/map_image_format.hpp"
 
 namespace fairway::io {
@@ -11,19 +12,6 @@ namespace fairway::io {
 namespace {
 
 static_assert(MaxRGB == 65535U, "GraphicsMagick with 16 bits a channel, as Debian builds it");
-
-void initialize_graphics_magick() {
-  // Without its signal handlers: a library has no business there.
-  static const bool done = [] {
-    MagickLib::ExceptionInfo exception;
-    MagickLib::GetExceptionInfo(&exception);
-    const unsigned int ok =
-        MagickLib::InitializeMagickEx(nullptr, MAGICK_OPT_NO_SIGNAL_HANDER, &exception);
-    MagickLib::DestroyExceptionInfo(&exception);
-    return ok != 0;
-  }();
-  static_cast<void>(done);
-}
 
 MapImage copy_pixels(Magick::Image& picture, int width, int height) {
   MapImage image{.width = width, .height = height, .brightness = {}, .opaque = {}};

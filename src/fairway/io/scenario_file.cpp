@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "fairway/io/map_file.hpp"
+#include "fairway/io/number_text.hpp"
 #include "fairway/io/settings_mapping.hpp"
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml_document.hpp"
@@ -93,6 +94,27 @@ std::vector<MovingBody> read_bodies(YamlMapping& root) {
   return bodies;
 }
 
+// One of the names of an enumeration; the first when the key is missing.
+template <typename Enum>
+Enum read_choice(YamlMapping& root, const char* key) {
+  constexpr auto kNames = setting_names(Enum{});
+  const std::string text = root.text(key, kNames.front());
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (text == kNames[i]) return static_cast<Enum>(i);
+  }
+  root.complain(key, fmt::format("expected {} or {}, found {}", kNames.front(), kNames.back(),
+                                 excerpt(text)));
+  return Enum{};
+}
+
+// How the robots sense and what moves them.
+void read_models(YamlMapping& root, Scenario& scenario) {
+  scenario.sensing.sensing = read_choice<Sensing>(root, "sensing");
+  if (read_choice<SensorNoise>(root, "noise") == SensorNoise::Standard)
+    use_standard_noise(scenario.sensing);
+  scenario.engine = read_choice<Engine>(root, "physics");
+}
+
 }  // namespace
 
 Expected<Scenario> read_scenario(const std::string& path) {
@@ -119,6 +141,7 @@ Expected<Scenario> read_scenario(const std::string& path) {
     scenario.settings = read_settings_mapping(*settings, scenario.settings);
     complain_unless_valid(scenario.settings, *settings);
   }
+  read_models(root, scenario);
   scenario.robots = read_robots(root, scenario.map);
   scenario.bodies = read_bodies(root);
   root.finish();

@@ -53,6 +53,13 @@ void step_columns(std::span<const std::uint64_t> words,
   }
 }
 
+// More steps than `most` are of no interest: so rows that differ in those only count as equal.
+void shorten(std::vector<std::uint16_t>& steps, int most) {
+  const auto limit = static_cast<std::uint16_t>(most);
+  for (std::uint16_t& step : steps)
+    step = std::min(step, limit);
+}
+
 // Steps to the nearest blocked cell of the column or the outside, for the columns of some words.
 // `steps` points to row 0; the row before it and the row after the last are all 0: the outside.
 void measure_columns(const BitGrid& obstacles,
@@ -76,6 +83,8 @@ DistanceField::DistanceField(const BitGrid& obstacles) { update(obstacles); }
 
 void DistanceField::update(const BitGrid& obstacles) {
   frame_ = obstacles.frame();
+  near_ = std::isinf(reach_) ? 0 : static_cast<int>(std::ceil(reach_ / frame_.resolution)) + 1;
+  FAIRWAY_EXPECTS(near_ >= 0 && near_ <= kMostReach + 1);
   const auto width = static_cast<std::size_t>(frame_.width);
   const auto height = static_cast<std::size_t>(frame_.height);
   cells_.resize(width * height);
@@ -93,6 +102,7 @@ void DistanceField::update(const BitGrid& obstacles) {
     eighths_[n] = 0.125 / static_cast<double>(n);
   }
   measure_columns(obstacles, 0, stride_ / 64, column_steps_.data() + stride_, stride_);
+  if (near_ > 0) shorten(column_steps_, near_);
   for (int y = 0; y < frame_.height; ++y)
     update_row(y, 0, frame_.width - 1);
 }
@@ -109,6 +119,7 @@ void DistanceField::update(const BitGrid& obstacles, const CellWindow& changed) 
   const std::size_t lanes = words * 64;
   window_steps_.assign(lanes * (static_cast<std::size_t>(frame_.height) + 2), 0);
   measure_columns(obstacles, first_word, words, window_steps_.data() + lanes, lanes);
+  if (near_ > 0) shorten(window_steps_, near_);
   for (int y = 0; y < frame_.height; ++y) {
     const std::uint16_t* now = window_steps_.data() + (static_cast<std::size_t>(y) + 1) * lanes;
     std::uint16_t* before =
@@ -120,6 +131,10 @@ void DistanceField::update(const BitGrid& obstacles, const CellWindow& changed) 
 }
 
 void DistanceField::update_row(int y, int first, int last) {
+  if (near_ > 0) {
+    update_near(y, std::max(0, first - near_), std::min(frame_.width - 1, last + near_));
+    return;
+  }
   const std::uint16_t* steps = column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
   float* distances =
       cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
@@ -180,6 +195,51 @@ void DistanceField::update_run(const std::uint16_t* steps, int first, int end, f
   const auto scale = static_cast<float>(0.5 * frame_.resolution);
   for (int x = first; x < end; ++x)
     distances[x] = scale * std::sqrt(squares_[static_cast<std::size_t>(x)]);
+}
+
+// Cells `first` to `last` of a row when only what is near counts: every column around is tried,
+// with the same arithmetic for many cells at once.
+void DistanceField::update_near(int y, int first, int last) {
+  const std::uint16_t* steps = column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
+  float* distances =
+      cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
+  constexpr int kPart = 64;
+  const int far = 2 * near_ - 1;
+  const auto farthest = static_cast<std::int16_t>(far * far);
+  std::array<std::int16_t, kPart> best{};
+  near_squares_.resize(static_cast<std::size_t>(kPart + 2 * near_));
+  for (int part = first; part <= last; part += kPart) {
+    const int count = std::min(kPart, last - part + 1);
+    std::int16_t least = farthest;
+    for (int i = 0; i < kPart + 2 * near_; ++i) {
+      const int x = part + i - near_;
+      const bool inside = x >= 0 && x < frame_.width;
+      const int straight = inside && steps[x] > 0 ? 2 * steps[x] - 1 : 0;
+      const auto square = static_cast<std::int16_t>(straight * straight);
+      near_squares_[static_cast<std::size_t>(i)] = square;
+      least = std::min(least, square);
+    }
+    if (least >= farthest) {
+      std::fill_n(distances + part, count, static_cast<float>(reach_));
+      continue;
+    }
+    const std::int16_t* const middle = near_squares_.data() + near_;
+    std::copy_n(middle, kPart, best.begin());
+    for (int k = 1; k <= near_; ++k) {
+      const auto across = static_cast<std::int16_t>((2 * k - 1) * (2 * k - 1));
+      const std::int16_t* const left = middle - k;
+      const std::int16_t* const right = middle + k;
+      for (int i = 0; i < kPart; ++i) {
+        const auto slanted = static_cast<std::int16_t>(std::min(left[i], right[i]) + across);
+        best[static_cast<std::size_t>(i)] = std::min(best[static_cast<std::size_t>(i)], slanted);
+      }
+    }
+    const auto scale = static_cast<float>(0.5 * frame_.resolution);
+    for (int i = 0; i < count; ++i) {
+      const auto square = static_cast<float>(best[static_cast<std::size_t>(i)]);
+      distances[part + i] = std::min(scale * std::sqrt(square), static_cast<float>(reach_));
+    }
+  }
 }
 
 BitGrid inflate(const DistanceField& distances, double radius) {

@@ -3,12 +3,10 @@
 
 #include <array>
 
+#include "fairway/mpc/step_index.hpp"
+
 namespace fairway {
 namespace {
-
-constexpr std::size_t at(int k) noexcept { return static_cast<std::size_t>(k); }
-
-Eigen::Vector2d as_vector(const Twist2& twist) noexcept { return {twist.linear, twist.angular}; }
 
 // How much the direction of travel turns per unit of angular speed.
 double lead(double dt, Integration integration) noexcept {
@@ -56,7 +54,7 @@ Eigen::Matrix3d step_hessian(const Pose2& pose,
 Eigen::Vector3d cost_gradient_by_pose(const ControlProblem& problem,
                                       const Pose2& pose,
                                       int k) noexcept {
-  const StepTarget& target = problem.targets[at(k)];
+  const StepTarget& target = problem.targets[step_index(k)];
   Eigen::Vector3d difference;
   difference << pose.position - target.position, pose.heading - target.heading;
   return 2.0 * target.weight.cwiseProduct(difference);
@@ -65,14 +63,15 @@ Eigen::Vector3d cost_gradient_by_pose(const ControlProblem& problem,
 Eigen::Vector2d cost_gradient_by_command(const ControlProblem& problem,
                                          std::span<const Twist2> commands,
                                          int k) noexcept {
-  const Eigen::Vector2d command = as_vector(commands[at(k)]);
+  const Eigen::Vector2d command = as_vector(commands[step_index(k)]);
   Eigen::Vector2d gradient = 2.0 * problem.command_weight.cwiseProduct(command);
   if (k > 0 || problem.penalise_first_change) {
-    const Twist2& before = k > 0 ? commands[at(k - 1)] : problem.previous_command;
+    const Twist2& before = k > 0 ? commands[step_index(k - 1)] : problem.previous_command;
     gradient += 2.0 * problem.change_weight.cwiseProduct(command - as_vector(before));
   }
   if (k + 1 < problem.horizon)
-    gradient -= 2.0 * problem.change_weight.cwiseProduct(as_vector(commands[at(k + 1)]) - command);
+    gradient -=
+        2.0 * problem.change_weight.cwiseProduct(as_vector(commands[step_index(k + 1)]) - command);
   return gradient;
 }
 
@@ -89,10 +88,10 @@ void add_pullback(const ControlProblem& problem,
                   std::span<Eigen::Vector2d> by_command) noexcept {
   Eigen::Vector3d adjoint = Eigen::Vector3d::Zero();
   for (int k = problem.horizon - 1; k >= 0; --k) {
-    adjoint += by_pose[at(k + 1)];
-    const StepJacobian jacobian =
-        step_jacobian(poses[at(k)], commands[at(k)], problem.dt, problem.integration);
-    by_command[at(k)] += jacobian.by_command.transpose() * adjoint;
+    adjoint += by_pose[step_index(k + 1)];
+    const StepJacobian jacobian = step_jacobian(poses[step_index(k)], commands[step_index(k)],
+                                                problem.dt, problem.integration);
+    by_command[step_index(k)] += jacobian.by_command.transpose() * adjoint;
     adjoint = (jacobian.by_pose.transpose() * adjoint).eval();
   }
 }
@@ -103,9 +102,9 @@ void cost_gradient(const ControlProblem& problem,
                    std::span<Eigen::Vector2d> gradient) noexcept {
   std::array<Eigen::Vector3d, kMaxHorizon + 1> by_pose;
   for (int k = 1; k <= problem.horizon; ++k)
-    by_pose[at(k)] = cost_gradient_by_pose(problem, poses[at(k)], k);
+    by_pose[step_index(k)] = cost_gradient_by_pose(problem, poses[step_index(k)], k);
   for (int k = 0; k < problem.horizon; ++k)
-    gradient[at(k)] = cost_gradient_by_command(problem, commands, k);
+    gradient[step_index(k)] = cost_gradient_by_command(problem, commands, k);
   add_pullback(problem, commands, poses, by_pose, gradient);
 }
 

@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "fairway/mpc/step_index.hpp"
+
 namespace fairway {
 namespace {
-
-constexpr std::size_t at(int k) noexcept { return static_cast<std::size_t>(k); }
-
-Eigen::Vector2d as_vector(const Twist2& twist) noexcept { return {twist.linear, twist.angular}; }
 
 void note(Violation& violation, const RowName& row, double amount) noexcept {
   if (!(amount > 0.0)) return;
@@ -48,7 +46,7 @@ void clip_to_hard_rows(const ControlProblem& problem, std::span<Twist2> commands
   Twist2 before = problem.previous_command;
   for (int k = 0; k < problem.horizon; ++k) {
     const CommandBounds range = reachable_bounds(problem, k);
-    Twist2& command = commands[at(k)];
+    Twist2& command = commands[step_index(k)];
     command.linear = clip(command.linear, before.linear, problem.max_change.linear,
                           range.min.linear, range.max.linear);
     command.angular = clip(command.angular, before.angular, problem.max_change.angular,
@@ -62,7 +60,8 @@ void expand_guess(const ControlProblem& problem,
                   std::span<Twist2> commands) noexcept {
   const int given = std::clamp(guess.count, 0, kMaxHorizon);
   for (int k = 0; k < problem.horizon; ++k)
-    commands[at(k)] = given > 0 ? guess.commands[at(std::min(k, given - 1))] : Twist2{};
+    commands[step_index(k)] =
+        given > 0 ? guess.commands[step_index(std::min(k, given - 1))] : Twist2{};
   clip_to_hard_rows(problem, commands);
 }
 
@@ -71,7 +70,8 @@ void rollout(const ControlProblem& problem,
              std::span<Pose2> poses) noexcept {
   poses[0] = problem.start;
   for (int k = 0; k < problem.horizon; ++k)
-    poses[at(k + 1)] = step(poses[at(k)], commands[at(k)], problem.dt, problem.integration);
+    poses[step_index(k + 1)] =
+        step(poses[step_index(k)], commands[step_index(k)], problem.dt, problem.integration);
 }
 
 double cost(const ControlProblem& problem,
@@ -80,14 +80,14 @@ double cost(const ControlProblem& problem,
   double sum = problem.cost_offset;
   Eigen::Vector2d before = as_vector(problem.previous_command);
   for (int k = 0; k < problem.horizon; ++k) {
-    const Eigen::Vector2d command = as_vector(commands[at(k)]);
+    const Eigen::Vector2d command = as_vector(commands[step_index(k)]);
     sum += problem.command_weight.dot(command.cwiseAbs2());
     if (k > 0 || problem.penalise_first_change)
       sum += problem.change_weight.dot((command - before).cwiseAbs2());
     before = command;
 
-    const StepTarget& target = problem.targets[at(k + 1)];
-    const Pose2& pose = poses[at(k + 1)];
+    const StepTarget& target = problem.targets[step_index(k + 1)];
+    const Pose2& pose = poses[step_index(k + 1)];
     const double turn = pose.heading - target.heading;
     sum += target.weight.head<2>().dot((pose.position - target.position).cwiseAbs2()) +
            target.weight.z() * turn * turn;
@@ -96,18 +96,18 @@ double cost(const ControlProblem& problem,
 }
 
 double barrier(const PredictedObstacle& obstacle, int k, const Eigen::Vector2d& position) noexcept {
-  const double keep_out = obstacle.keep_out[at(k)];
-  return (position - obstacle.position[at(k)]).squaredNorm() - keep_out * keep_out;
+  const double keep_out = obstacle.keep_out[step_index(k)];
+  return (position - obstacle.position[step_index(k)]).squaredNorm() - keep_out * keep_out;
 }
 
 ElasticRow elastic_row(const ControlProblem& problem,
                        std::span<const Pose2> poses,
                        const RowName& row) noexcept {
-  const Eigen::Vector2d& here = poses[at(row.step)].position;
+  const Eigen::Vector2d& here = poses[step_index(row.step)].position;
   if (row.kind == RowKind::Corridor) {
     // Eqs. (8)-(10): in the rectangle's frame, side 0: x - min.x, 1: max.x - x, 2, 3: same for y.
     const OrientedRectangle& rectangle =
-        problem.regions[at(row.step)].rectangles[at(row.index / 4)];
+        problem.regions[step_index(row.step)].rectangles[step_index(row.index / 4)];
     const int axis = (row.index % 4) / 2;
     const bool upper = row.index % 2 == 1;
     const Eigen::Vector2d normal = rotated(
@@ -117,15 +117,16 @@ ElasticRow elastic_row(const ControlProblem& problem,
     return {.margin = along - rectangle.min[axis], .gradient = normal};
   }
   // Eq. (14) with 1 - gamma dt = barrier_retention.
-  const PredictedObstacle& obstacle = problem.obstacles[at(row.index)];
-  const Eigen::Vector2d& before = poses[at(row.step - 1)].position;
+  const PredictedObstacle& obstacle = problem.obstacles[step_index(row.index)];
+  const Eigen::Vector2d& before = poses[step_index(row.step - 1)].position;
   const double retention = problem.barrier_retention;
-  return {.margin = barrier(obstacle, row.step, here) -
-                    retention * barrier(obstacle, row.step - 1, before),
-          .gradient = 2.0 * (here - obstacle.position[at(row.step)]),
-          .gradient_before = -2.0 * retention * (before - obstacle.position[at(row.step - 1)]),
-          .curvature = 2.0,
-          .curvature_before = -2.0 * retention};
+  return {
+      .margin =
+          barrier(obstacle, row.step, here) - retention * barrier(obstacle, row.step - 1, before),
+      .gradient = 2.0 * (here - obstacle.position[step_index(row.step)]),
+      .gradient_before = -2.0 * retention * (before - obstacle.position[step_index(row.step - 1)]),
+      .curvature = 2.0,
+      .curvature_before = -2.0 * retention};
 }
 
 Violation elastic_violation(const ControlProblem& problem, std::span<const Pose2> poses) noexcept {
@@ -145,13 +146,13 @@ Violation hard_violation(const ControlProblem& problem, std::span<const Twist2> 
   const Eigen::Vector2d change = as_vector(problem.max_change);
   Eigen::Vector2d before = as_vector(problem.previous_command);
   for (int k = 0; k < problem.horizon; ++k) {
-    const Eigen::Vector2d command = as_vector(commands[at(k)]);
+    const Eigen::Vector2d command = as_vector(commands[step_index(k)]);
     const bool stopped = problem.stop_at_end && k == problem.horizon - 1;
     for (int i = 0; i < 2; ++i) {
-      const RowName range{.kind = kRange[at(i)], .step = k, .index = i};
+      const RowName range{.kind = kRange[step_index(i)], .step = k, .index = i};
       note(violation, range, std::max(low[i] - command[i], command[i] - high[i]));
       if (stopped) note(violation, range, std::abs(command[i]));
-      note(violation, {.kind = kChange[at(i)], .step = k, .index = i},
+      note(violation, {.kind = kChange[step_index(i)], .step = k, .index = i},
            std::abs(command[i] - before[i]) - change[i]);
     }
     before = command;

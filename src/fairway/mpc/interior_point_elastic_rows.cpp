@@ -9,8 +9,7 @@
 namespace fairway::interior_point {
 namespace {
 
-constexpr double kFirstSlack = 0.05;   // least slack at the start
-constexpr double kCentrality = 100.0;  // greatest ratio of slack * dual to mu, and back
+constexpr double kFirstSlack = 0.05;  // least slack at the start
 
 constexpr double square(double a) noexcept { return a * a; }
 

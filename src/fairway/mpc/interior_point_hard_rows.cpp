@@ -8,8 +8,7 @@
 namespace fairway::interior_point {
 namespace {
 
-constexpr double kLeastRoom = 1e-15;   // against rounding at a bound
-constexpr double kCentrality = 100.0;  // greatest ratio of room * dual to mu, and back
+constexpr double kLeastRoom = 1e-15;  // against rounding at a bound
 
 // value[k] of each row from the command coordinates `first` and `second`.
 void row_values(const CommandArray& linear,

@@ -14,6 +14,9 @@
 
 namespace fairway::interior_point {
 
+/// Greatest ratio of room * dual to mu, and back, (S13).
+inline constexpr double kCentrality = 100.0;
+
 inline constexpr std::size_t kSteps = kMaxHorizon;
 inline constexpr std::size_t kRowsPerStep = 4 * kMaxRectanglesPerStep + kMaxObstacles;
 inline constexpr std::size_t kMaxElasticRows = kSteps * kRowsPerStep;

@@ -6,6 +6,7 @@
 
 #include "fairway/mpc/derivatives.hpp"
 #include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/step_index.hpp"
 
 namespace fairway {
 namespace {
@@ -15,8 +16,6 @@ using Ipopt::Number;
 
 constexpr Number kUnbounded = 2e19;         // IPOPT: beyond 1e19 there is no bound
 constexpr double kActiveMultiplier = 1e-5;  // below, a row holds nothing back
-
-constexpr std::size_t at(int k) noexcept { return static_cast<std::size_t>(k); }
 
 double component(const Twist2& twist, int axis) noexcept {
   return axis == 0 ? twist.linear : twist.angular;
@@ -55,9 +54,9 @@ Index IpoptProblem::elastic_constraint(std::size_t row) const {
 void IpoptProblem::read(const Number* x) {
   for (int k = 0; k < problem_->horizon; ++k) {
     const Number* command = x + command_index(k);
-    commands_[at(k)] = {.linear = command[0], .angular = command[1]};
+    commands_[step_index(k)] = {.linear = command[0], .angular = command[1]};
     const Number* pose = x + pose_index(k + 1);
-    poses_[at(k + 1)] = {.position = {pose[0], pose[1]}, .heading = pose[2]};
+    poses_[step_index(k + 1)] = {.position = {pose[0], pose[1]}, .heading = pose[2]};
   }
 }
 
@@ -68,7 +67,7 @@ bool IpoptProblem::get_nlp_info(
   nnz_jac_g = 0;
   visit_jacobian([&](Index, Index, Number) { ++nnz_jac_g; });
   nnz_h_lag = 0;
-  const std::vector<Number> zeros(at(m), 0.0);
+  const std::vector<Number> zeros(step_index(m), 0.0);
   visit_hessian(0.0, zeros.data(), [&](Index, Index, Number) { ++nnz_h_lag; });
   index_style = C_STYLE;
   return true;
@@ -119,16 +118,16 @@ bool IpoptProblem::get_starting_point(Index n,
   if (!init_x || init_z || init_lambda) return false;
   for (int k = 0; k < problem_->horizon; ++k) {
     Number* command = x + command_index(k);
-    command[0] = commands_[at(k)].linear;
-    command[1] = commands_[at(k)].angular;
-    const Pose2& next = poses_[at(k + 1)];
+    command[0] = commands_[step_index(k)].linear;
+    command[1] = commands_[step_index(k)].angular;
+    const Pose2& next = poses_[step_index(k + 1)];
     Number* pose = x + pose_index(k + 1);
     pose[0] = next.position.x();
     pose[1] = next.position.y();
     pose[2] = next.heading;
   }
   for (Index i = slack_index(0); i < n; ++i) {
-    const RowName& row = elastic_rows_[at(i - slack_index(0))];
+    const RowName& row = elastic_rows_[step_index(i - slack_index(0))];
     x[i] = std::max(0.0, -elastic_row(*problem_, poses_, row).margin);
   }
   return true;
@@ -148,7 +147,7 @@ bool IpoptProblem::eval_grad_f(Index n, const Number* x, bool /*new_x*/, Number*
     Eigen::Map<Eigen::Vector2d>(grad_f + command_index(k)) =
         cost_gradient_by_command(*problem_, commands_, k);
     Eigen::Map<Eigen::Vector3d>(grad_f + pose_index(k + 1)) =
-        cost_gradient_by_pose(*problem_, poses_[at(k + 1)], k + 1);
+        cost_gradient_by_pose(*problem_, poses_[step_index(k + 1)], k + 1);
   }
   std::fill(grad_f + slack_index(0), grad_f + n, problem_->violation_weight);
   return true;
@@ -159,16 +158,17 @@ bool IpoptProblem::eval_g(Index /*n*/, const Number* x, bool /*new_x*/, Index /*
   const ControlProblem& problem = *problem_;
   for (int k = 0; k < problem.horizon; ++k) {
     // Eq. (15b): pose k + 1 is where command k leads from pose k.
-    const Pose2 next = step(poses_[at(k)], commands_[at(k)], problem.dt, problem.integration);
-    const Pose2& pose = poses_[at(k + 1)];
+    const Pose2 next =
+        step(poses_[step_index(k)], commands_[step_index(k)], problem.dt, problem.integration);
+    const Pose2& pose = poses_[step_index(k + 1)];
     g[3 * k] = pose.position.x() - next.position.x();
     g[3 * k + 1] = pose.position.y() - next.position.y();
     g[3 * k + 2] = pose.heading - next.heading;
   }
   Number* change = g + 3 * problem.horizon;
   for (const ChangeRow& row : change_rows_) {
-    *change++ = component(commands_[at(row.step)], row.axis) -
-                component(commands_[at(row.step - 1)], row.axis);
+    *change++ = component(commands_[step_index(row.step)], row.axis) -
+                component(commands_[step_index(row.step - 1)], row.axis);
   }
   for (std::size_t i = 0; i < elastic_rows_.size(); ++i) {
     g[elastic_constraint(i)] = elastic_row(problem, poses_, elastic_rows_[i]).margin +
@@ -181,8 +181,8 @@ template <typename Sink>
 void IpoptProblem::visit_jacobian(Sink&& sink) const {
   const ControlProblem& problem = *problem_;
   for (int k = 0; k < problem.horizon; ++k) {
-    const StepJacobian jacobian =
-        step_jacobian(poses_[at(k)], commands_[at(k)], problem.dt, problem.integration);
+    const StepJacobian jacobian = step_jacobian(poses_[step_index(k)], commands_[step_index(k)],
+                                                problem.dt, problem.integration);
     for (int i = 0; i < 3; ++i) {
       const Index row = 3 * k + i;
       sink(row, pose_index(k + 1) + i, 1.0);
@@ -216,8 +216,8 @@ void IpoptProblem::visit_jacobian(Sink&& sink) const {
 template <typename Sink>
 void IpoptProblem::visit_step_hessian(int k, const Number* lambda, Sink&& sink) const {
   const Eigen::Vector3d multiplier(lambda[3 * k], lambda[3 * k + 1], lambda[3 * k + 2]);
-  const Eigen::Matrix3d hessian = -step_hessian(poses_[at(k)], commands_[at(k)], problem_->dt,
-                                                problem_->integration, multiplier);
+  const Eigen::Matrix3d hessian = -step_hessian(poses_[step_index(k)], commands_[step_index(k)],
+                                                problem_->dt, problem_->integration, multiplier);
   const Index linear = command_index(k);
   const Index angular = linear + 1;
   sink(angular, linear, hessian(1, 2));
@@ -235,7 +235,7 @@ void IpoptProblem::visit_hessian(Number obj_factor, const Number* lambda, Sink&&
   const ControlProblem& problem = *problem_;
   for (int k = 0; k < problem.horizon; ++k) {
     const Eigen::Vector2d command = cost_hessian_by_command(problem, k);
-    const Eigen::Vector3d pose = 2.0 * problem.targets[at(k + 1)].weight;
+    const Eigen::Vector3d pose = 2.0 * problem.targets[step_index(k + 1)].weight;
     for (int i = 0; i < 2; ++i) {
       sink(command_index(k) + i, command_index(k) + i, obj_factor * command[i]);
       if (k > 0) {
@@ -294,7 +294,7 @@ bool IpoptProblem::eval_h(Index /*n*/,
                           Index* jCol,
                           Number* values) {
   if (values == nullptr) {
-    const std::vector<Number> zeros(at(m), 0.0);
+    const std::vector<Number> zeros(step_index(m), 0.0);
     visit_hessian(0.0, zeros.data(), [&](Index row, Index column, Number) {
       *iRow++ = row;
       *jCol++ = column;
@@ -328,7 +328,7 @@ void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
     for (int axis = 0; axis < 2; ++axis) {
       const Index i = command_index(k) + axis;
       const double multiplier = std::max(z_L[i], z_U[i]);
-      const double value = component(commands_[at(k)], axis);
+      const double value = component(commands_[step_index(k)], axis);
       const bool by_change =
           k == 0 && component(problem_->command_min, axis) < value - kFeasibilityTolerance &&
           component(problem_->command_max, axis) > value + kFeasibilityTolerance;

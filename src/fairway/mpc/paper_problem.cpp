@@ -6,11 +6,10 @@
 #include <limits>
 
 #include "fairway/base/contract.hpp"
+#include "fairway/mpc/step_index.hpp"
 
 namespace fairway {
 namespace {
-
-constexpr std::size_t at(int k) noexcept { return static_cast<std::size_t>(k); }
 
 // Commands and the previous one lie within [low, high]; a change as wide as that never binds.
 double change_limit(double acceleration, double dt, double low, double high) noexcept {
@@ -49,8 +48,8 @@ void predict(const MovingObstacle& obstacle,
              const ControlProblem& problem,
              PredictedObstacle& prediction) noexcept {
   for (int k = 0; k <= problem.horizon; ++k) {
-    prediction.position[at(k)] = predicted_position(obstacle, k * problem.dt);
-    prediction.keep_out[at(k)] = keep_out;
+    prediction.position[step_index(k)] = predicted_position(obstacle, k * problem.dt);
+    prediction.keep_out[step_index(k)] = keep_out;
   }
 }
 
@@ -70,12 +69,12 @@ ControlProblem paper_problem(const MpcSettings& settings, const PaperScene& scen
   const DualTarget both = dual_target(current, next);
   problem.cost_offset = problem.horizon * both.offset;
   for (int k = 1; k <= problem.horizon; ++k) {
-    problem.targets[at(k)] = both.target;
-    problem.regions[at(k)].rectangles[0] = scene.region;
-    problem.regions[at(k)].count = 1;
+    problem.targets[step_index(k)] = both.target;
+    problem.regions[step_index(k)].rectangles[0] = scene.region;
+    problem.regions[step_index(k)].count = 1;
   }
 
-  const std::size_t count = std::min(scene.obstacles.size(), at(kMaxObstacles));
+  const std::size_t count = std::min(scene.obstacles.size(), step_index(kMaxObstacles));
   problem.num_obstacles = static_cast<int>(count);
   for (std::size_t j = 0; j < count; ++j) {
     const MovingObstacle& obstacle = scene.obstacles[j];

@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/step_index.hpp"
 
 namespace fairway {
 namespace {
-
-constexpr std::size_t at(int k) noexcept { return static_cast<std::size_t>(k); }
 
 // False for NaN and infinities too.
 bool sane(double value) noexcept { return std::abs(value) <= kLargestNumber; }
@@ -17,7 +16,7 @@ bool sane(const Twist2& t) noexcept { return sane(t.linear) && sane(t.angular); 
 bool counts_in_range(const ControlProblem& problem) noexcept {
   if (problem.num_obstacles < 0 || problem.num_obstacles > kMaxObstacles) return false;
   for (int k = 1; k <= problem.horizon; ++k) {
-    const int count = problem.regions[at(k)].count;
+    const int count = problem.regions[step_index(k)].count;
     if (count < 0 || count > kMaxRectanglesPerStep) return false;
   }
   return true;
@@ -25,7 +24,7 @@ bool counts_in_range(const ControlProblem& problem) noexcept {
 
 bool sane(const StepRegion& region) noexcept {
   for (int i = 0; i < region.count; ++i) {
-    const OrientedRectangle& r = region.rectangles[at(i)];
+    const OrientedRectangle& r = region.rectangles[step_index(i)];
     if (!sane(r.seed) || !sane(r.orientation) || !sane(r.min) || !sane(r.max)) return false;
   }
   return true;
@@ -39,14 +38,14 @@ bool all_sane(const ControlProblem& problem) noexcept {
             sane(problem.barrier_retention) && sane(problem.violation_weight) &&
             !std::isnan(problem.max_change.linear) && !std::isnan(problem.max_change.angular);
   for (int k = 1; k <= problem.horizon; ++k) {
-    const StepTarget& target = problem.targets[at(k)];
+    const StepTarget& target = problem.targets[step_index(k)];
     ok = ok && sane(target.position) && sane(target.heading) && sane(target.weight.x()) &&
-         sane(target.weight.y()) && sane(target.weight.z()) && sane(problem.regions[at(k)]);
+         sane(target.weight.y()) && sane(target.weight.z()) && sane(problem.regions[step_index(k)]);
   }
   for (int j = 0; j < problem.num_obstacles; ++j) {
     for (int k = 0; k <= problem.horizon; ++k) {
-      ok = ok && sane(problem.obstacles[at(j)].position[at(k)]) &&
-           sane(problem.obstacles[at(j)].keep_out[at(k)]);
+      ok = ok && sane(problem.obstacles[step_index(j)].position[step_index(k)]) &&
+           sane(problem.obstacles[step_index(j)].keep_out[step_index(k)]);
     }
   }
   return ok;
@@ -56,14 +55,14 @@ bool weights_allowed(const ControlProblem& problem) noexcept {
   bool ok = problem.command_weight.minCoeff() >= 0.0 && problem.change_weight.minCoeff() >= 0.0 &&
             problem.violation_weight > 0.0;
   for (int k = 1; k <= problem.horizon; ++k)
-    ok = ok && problem.targets[at(k)].weight.minCoeff() >= 0.0;
+    ok = ok && problem.targets[step_index(k)].weight.minCoeff() >= 0.0;
   return ok;
 }
 
 bool keep_outs_allowed(const ControlProblem& problem) noexcept {
   for (int j = 0; j < problem.num_obstacles; ++j) {
     for (int k = 0; k <= problem.horizon; ++k) {
-      if (problem.obstacles[at(j)].keep_out[at(k)] < 0.0) return false;
+      if (problem.obstacles[step_index(j)].keep_out[step_index(k)] < 0.0) return false;
     }
   }
   return true;

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
-#include "fairway/map/footprint_clearance.hpp"
-#include "fairway/map/free_space.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/navigation/free_length.hpp"
 #include "fairway/navigation/problem_setup.hpp"
 #include "fairway/navigation/step_regions.hpp"
+#include "fairway/navigation/stop_surroundings.hpp"
 #include "fairway/navigation/timed_targets.hpp"
 #include "fairway/navigation/waypoint_targets.hpp"
 
@@ -68,6 +68,7 @@ void Navigator::follow(Plan plan) {
   at_goal_ = false;
   goal_distance_ = std::numeric_limits<double>::infinity();
   plan_time_ = -1.0;
+  new_way_ = true;
 }
 
 void Navigator::cancel() { follow(Plan{}); }
@@ -102,6 +103,7 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
     outside.wants_plan = true;
     return outside;
   }
+  note_remaining();
   way_ =
       fleet_way_.update(corridor_.string(), {.speed_max = settings_.mpc.linear_max,
                                              .radius = settings_.robot.radius,
@@ -123,6 +125,17 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
   return result;
 }
 
+// A new way may be longer or shorter than the old one was; only what was driven counts as progress.
+void Navigator::note_remaining() noexcept {
+  const double now = corridor_.remaining();
+  if (new_way_) {
+    const double driven = std::max(0.0, sent_.linear) * settings_.mpc.dt;
+    recovery_.change_way(now - (remaining_ - driven));
+  }
+  remaining_ = now;
+  new_way_ = false;
+}
+
 Limit Navigator::check(const NavigationInput& input) noexcept {
   const NavigationSettings& nav = settings_.navigation;
   if (!is_finite(input.pose) || !std::isfinite(input.time)) return Limit::NonFinitePose;
@@ -139,7 +152,8 @@ Limit Navigator::check(const NavigationInput& input) noexcept {
       return Limit::NonFiniteTracks;
     }
   }
-  if (!input.obstacles.empty() && !fresh(input.obstacles_time, nav.tracks_timeout)) {
+  if ((input.obstacles_due || !input.obstacles.empty()) &&
+      !fresh(input.obstacles_time, nav.tracks_timeout)) {
     return Limit::StaleTracks;
   }
   for (const FleetMember& member : input.fleet) {
@@ -227,7 +241,7 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
   switch (settings_.navigation.target_mode) {
     case TargetMode::TimedString:
       set_timed_targets(way_, sent_.linear, input.pose.heading, plan_.goal.heading, settings_,
-                        problem_);
+                        problem_, length_to_stop_in(*input.map, way_, settings_));
       break;
     case TargetMode::DualWaypoints:
       set_dual_targets(corridor_, plan_.goal, input.pose, settings_.mpc, problem_);
@@ -327,32 +341,13 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
 }
 
 StopSurroundings Navigator::surroundings(const NavigationInput& input) const noexcept {
-  // A robot that measures itself (a little) inside an obstacle must still be able to leave: then
-  // what counts is to come no nearer.
-  StopSurroundings around{.obstacles = input.map,
-                          .body = body_,
-                          .static_margin = settings_.navigation.stop_margin,
-                          .moving = input.obstacles,
-                          .moving_age = input.time - input.obstacles_time,
-                          .moving_moves = settings_.navigation.predict_motion,
-                          .moving_margin = 0.0,
-                          .fleet = input.fleet,
-                          .time = input.time};
-  // While the covering disc has room it must keep it, so that the robot can always turn; the body
-  // alone counts where it stands too narrow for the disc already.
-  const double radius = settings_.robot.radius;
-  if (radius >= body_.circumscribed_radius() &&
-      is_free(*input.map, input.pose.position, input.pose.position,
-              radius + around.static_margin)) {
-    around.body = Footprint::disc(radius);
-    return around;
-  }
-  const double room =
-      footprint_clearance(*input.map, body_, input.pose, around.static_margin + kFreeSpaceSkin);
-  if (room < around.static_margin + kFreeSpaceSkin) {
-    around.static_margin = std::max(0.0, room - 2.0 * kFreeSpaceSkin);
-    if (room < 2.0 * kFreeSpaceSkin) around.body = body_.shrunk(2.0 * kFreeSpaceSkin - room);
-  }
+  StopSurroundings around =
+      static_surroundings(*input.map, body_, input.pose, plan_.margin, settings_);
+  around.moving = input.obstacles;
+  around.moving_age = input.time - input.obstacles_time;
+  around.moving_moves = settings_.navigation.predict_motion;
+  around.fleet = input.fleet;
+  around.time = input.time;
   return around;
 }
 

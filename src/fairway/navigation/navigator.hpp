@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "fairway/mpc/control_solver.hpp"
@@ -21,7 +22,8 @@ struct NavigationInput {
   Pose2 pose;                    ///< of the robot, in the map's frame
   double pose_time = 0.0;        ///< when the pose was true
   MovingObstacles obstacles;     ///< what moves
-  double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none
+  double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none, unless
+  bool obstacles_due = false;    ///< someone looks for them all the time: then "none" ages, too
   const BitGrid* map = nullptr;  ///< the newest static obstacles; must live through the call
   double map_time = 0.0;         ///< when they were seen; a fixed map is always as new as `time`
   Fleet fleet{};                 ///< what other robots told; they are not among the obstacles
@@ -82,6 +84,7 @@ class Navigator {
   [[nodiscard]] bool reached(const Pose2& pose) noexcept;
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
+  void note_remaining() noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
   [[nodiscard]] StopSituation situation(const NavigationInput& input) const noexcept;
@@ -107,6 +110,8 @@ class Navigator {
   double goal_distance_ = 0.0;
   bool at_goal_ = false;
   double plan_time_ = -1.0;  // when the present plan was first driven on
+  double remaining_ = std::numeric_limits<double>::infinity();  // in the last cycle [m]
+  bool new_way_ = false;                                        // since then
   Recovery recovery_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/map/free_space.hpp"
+#include "fairway/path/path_beginning.hpp"
 
 namespace fairway {
 
@@ -97,15 +98,19 @@ Plan Planner::plan(const PreparedMap& map,
       return plan;
     }
     plan.path = std::move(found.path);
+    plan.whole = plan.path.length() <= hooks.corridor_length;
+    const Path driven = plan.whole ? plan.path : beginning_of(plan.path, hooks.corridor_length);
+    plan.goal = plan.whole ? goal : Goal{.position = driven.waypoints.back(), .heading = {}};
     for (const CorridorTry& attempt : kCorridorTries) {
       CorridorSettings corridor_settings = settings.corridor;
       corridor_settings.min_overlap_area *= attempt.overlap_share;
-      const double corridor_body = corridor_radius(map, start, goal.position, settings.robot.radius,
-                                                   attempt.margin_share * path_settings.margin);
+      const double corridor_body =
+          corridor_radius(map, start, plan.goal.position, settings.robot.radius,
+                          attempt.margin_share * path_settings.margin);
       const Stopwatch stopwatch(hooks.clock, plan.corridor_seconds);
       CorridorResult built =
-          hooks.build ? hooks.build(map.obstacles, plan.path, corridor_body, corridor_settings)
-                      : build_corridor(map.obstacles, plan.path, corridor_body, corridor_settings);
+          hooks.build ? hooks.build(map.obstacles, driven, corridor_body, corridor_settings)
+                      : build_corridor(map.obstacles, driven, corridor_body, corridor_settings);
       plan.corridor_status = built.status;
       plan.corridor = std::move(built.corridor);
       plan.stuck_at = built.stuck_at;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "fairway/corridor/corridor.hpp"
@@ -37,6 +38,7 @@ struct Plan {
   Path path;
   Corridor corridor;
   Goal goal;
+  bool whole = true;              ///< whether the corridor covers all of the path
   double margin = 0.0;            ///< room beyond the robot's radius that the path keeps [m]
   double stuck_at = 0.0;          ///< where on the path the corridor broke, if it did [m]
   double path_seconds = 0.0;      ///< spent on paths, when a clock was lent [s]
@@ -60,6 +62,9 @@ struct PlannerHooks {
       const BitGrid&, const Path&, double robot_radius, const CorridorSettings&)>
       build{};
   bool fixed_margin = false;  ///< keep settings.path.margin or find nothing
+  /// A corridor along no more than this much of the path [m]: where the map changes before the
+  /// robot is there, more is made in vain. The plan's goal is then where its corridor ends.
+  double corridor_length = std::numeric_limits<double>::infinity();
 };
 
 /// Plans for one robot after another, reusing its memory. May run in a thread of its own: a Plan is

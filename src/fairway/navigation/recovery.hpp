@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -23,6 +24,12 @@ enum class RecoveryAction : std::uint8_t {
 class Recovery {
  public:
   void reset() noexcept { *this = Recovery(); }
+
+  /// Tells that the way to the goal has changed and that its length jumped by `longer` [m], which
+  /// is neither progress nor the lack of it.
+  void change_way(double longer) noexcept {
+    if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
+  }
 
   /// @param remaining  length of the way to the goal [m]; getting nearer than ever is progress
   /// @param standing   whether the command is (nearly) zero

@@ -63,6 +63,7 @@ struct NavigationSettings {
   double chord_length = 0.4;
   double actuation_lag = 0.5;
   double stop_margin = 0.002;
+  double turning_play = 0.02;
   double obstacle_margin = 0.1;
   bool predict_motion = true;
   double obstacle_growth = 0.1;
@@ -130,6 +131,10 @@ void visit_navigation(S& s, Visitor&& field) {
                     "how long the base takes to follow a command; a half is a linear ramp", 0, 5});
   field(s.stop_margin,
         SettingInfo{"stop_margin", "m", "room beyond the body in the check of the stop", 0, 1});
+  field(
+      s.turning_play,
+      SettingInfo{"turning_play", "m",
+                  "how far a rectangular body may go where the disc about it does not fit", 0, 10});
   field(s.obstacle_margin, SettingInfo{"obstacle_margin", "m",
                                        "room kept from moving obstacles beyond both radii", 0, 10});
   field(s.predict_motion,

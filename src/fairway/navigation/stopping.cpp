@@ -78,6 +78,11 @@ class StopCheck {
     }
     if (disc_meets_fleet(whole, radius + sagitta)) return StopVerdict::HitsMoving;
     if (verdict == StopVerdict::Free || body.inscribed_radius() >= radius) return verdict;
+    if (surroundings_.turning_radius > 0.0 &&
+        !is_free(*surroundings_.obstacles, pose_.position, next.position,
+                 surroundings_.turning_radius + sagitta)) {
+      return StopVerdict::HitsStatic;
+    }
 
     constexpr double kTurn = 0.02;  // [rad] per part
     const int parts = 1 + static_cast<int>(std::abs(mean.angular) * h / kTurn);

@@ -32,12 +32,15 @@ struct StopSurroundings {
   const BitGrid* obstacles = nullptr;  ///< the newest static obstacles
   Footprint body;                      ///< the true one
   double static_margin = 0.0;          ///< room kept from static obstacles beyond the body [m]
-  MovingObstacles moving;              ///< assumed to keep their velocity until the robot stands
-  double moving_age = 0.0;             ///< how long ago they were seen [s]
-  bool moving_moves = true;            ///< false: they are assumed to stand
-  double moving_margin = 0.0;          ///< room kept from them beyond both radii [m]
-  Fleet fleet{};                       ///< other robots; each is held to the stop that it told
-  double time = 0.0;                   ///< now, on the fleet's clock [s]
+  /// Disc about the robot's centre that keeps free of static obstacles too, so that a robot does
+  /// not go where it could not turn, though its body would fit [m]; 0: the body alone counts.
+  double turning_radius = 0.0;
+  MovingObstacles moving;      ///< assumed to keep their velocity until the robot stands
+  double moving_age = 0.0;     ///< how long ago they were seen [s]
+  bool moving_moves = true;    ///< false: they are assumed to stand
+  double moving_margin = 0.0;  ///< room kept from them beyond both radii [m]
+  Fleet fleet{};               ///< other robots; each is held to the stop that it told
+  double time = 0.0;           ///< now, on the fleet's clock [s]
 };
 
 /// Why a stop is not proven.

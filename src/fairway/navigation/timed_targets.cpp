@@ -65,7 +65,8 @@ void set_timed_targets(const StringAhead& string,
                        double heading,
                        const std::optional<double>& goal_heading,
                        const Settings& settings,
-                       ControlProblem& problem) noexcept {
+                       ControlProblem& problem,
+                       double free_length) noexcept {
   const MpcSettings& mpc = settings.mpc;
   const SpeedLimits limits(string, settings);
   const double chord = settings.navigation.chord_length;
@@ -88,7 +89,8 @@ void set_timed_targets(const StringAhead& string,
     const double moving = std::clamp(mpc.dt - waiting, 0.0, mpc.dt);
     waiting = std::max(0.0, waiting - mpc.dt);
     v = std::min(v + mpc.linear_acceleration_max * mpc.dt, mpc.linear_max);
-    v = std::min(v, std::max(kSlowest, limits.at(string, s, braking)));
+    const double before_unknown = std::sqrt(2.0 * braking * std::max(0.0, free_length - s));
+    v = std::min(v, std::max(kSlowest, std::min(limits.at(string, s, braking), before_unknown)));
     s = std::min(s + v * moving, length);
 
     const Vector2d here = string.at(s);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "fairway/mpc/control_problem.hpp"
@@ -18,11 +19,15 @@ namespace fairway {
 /// from the target to the point `chord_length` further on, which does not jump where the string
 /// does; at the goal the goal's heading, if it has one. Not wrapped: within pi of `heading` and of
 /// the step before.
+///
+/// @param free_length  Arc length up to which the string is known to be free [m]; the speed is such
+///        that the robot can stand before it.
 void set_timed_targets(const StringAhead& string,
                        double speed,
                        double heading,
                        const std::optional<double>& goal_heading,
                        const Settings& settings,
-                       ControlProblem& problem) noexcept;
+                       ControlProblem& problem,
+                       double free_length = std::numeric_limits<double>::infinity()) noexcept;
 
 }  // namespace fairway

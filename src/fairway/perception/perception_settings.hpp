@@ -11,6 +11,8 @@ struct PerceptionSettings {
   double window = 22.0;             ///< side of the square map around the robot [m]
   double resolution = 0.05;         ///< side of its cells [m]
   double reach = 12.0;              ///< beams are used up to here [m]
+  double hit_depth = 0.02;          ///< a beam's end is taken to lie this much further [m]
+  double hit_snap = 0.03;           ///< a hit this little before something known counts for it [m]
   int hit_evidence = 6;             ///< added where a beam ends
   int miss_evidence = 1;            ///< taken away where a beam passes
   int most_evidence = 12;           ///< at most this for "occupied": bounds how long a cell is held
@@ -29,6 +31,14 @@ void visit_perception(Settings& s, Visitor&& field) {
   field(s.window, SettingInfo{"window", "m", "side of the square map around the robot", 4, 200});
   field(s.resolution, SettingInfo{"resolution", "m", "side of its cells", 0.01, 0.5});
   field(s.reach, SettingInfo{"reach", "m", "beams are used up to here", 0.5, 100});
+  field(s.hit_depth,
+        SettingInfo{
+            "hit_depth", "m",
+            "a beam's end is taken to lie this much further: cells that reach out before it make "
+            "up for it",
+            0, 0.2});
+  field(s.hit_snap, SettingInfo{"hit_snap", "m",
+                                "a hit this little before something known counts for it", 0, 0.2});
   field(s.hit_evidence,
         SettingInfo{"hit_evidence", "", "evidence added where a beam ends", 1, 100});
   field(s.miss_evidence,

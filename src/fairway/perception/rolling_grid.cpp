@@ -59,6 +59,35 @@ bool clip(const GridFrame& frame, Vector2d& from, Vector2d& to) noexcept {
   return true;
 }
 
+// Up to which length a beam crosses only cells that its neighbours cross too, so that it need not
+// clear them again; near the sensor beams are much denser than cells.
+//
+// Beam i looks at beams i - b and i + b, b its lowest bit: so every beam leaves cells only to beams
+// that leave theirs to fewer others. Where those two are less than a cell apart, a cell crossed by
+// the one between them is crossed by one of them, since a square is nowhere narrower than its side.
+double covered_by_neighbours(std::span<const Beam> beams, std::size_t i, double cell) noexcept {
+  constexpr std::size_t kFurthest = 8;
+  constexpr double kApart = 0.9;  // [cells]; the rest is for the sensor's motion
+  const std::size_t b = i & (~i + 1);
+  if (b == 0 || b > kFurthest || i + b >= beams.size()) return 0.0;
+  const Beam& left = beams[i - b];
+  const Beam& right = beams[i + b];
+  if (left.end == BeamEnd::Nothing || right.end == BeamEnd::Nothing) return 0.0;
+  if ((left.from - right.from).norm() > 0.1 * cell) return 0.0;
+  const Vector2d l = left.to - left.from;
+  const Vector2d r = right.to - right.from;
+  const Vector2d m = beams[i].to - beams[i].from;
+  const auto cross = [](const Vector2d& p, const Vector2d& q) {
+    return p.x() * q.y() - p.y() * q.x();
+  };
+  const double turn = cross(l, r);
+  const bool between = turn * cross(l, m) > 0.0 && turn * cross(m, r) > 0.0;
+  if (!between || !(l.dot(r) > 0.0) || !(l.dot(m) > 0.0)) return 0.0;
+  const double apart_at_one = std::abs(turn) / (l.norm() * r.norm());  // [m] at a length of 1 m
+  const double shorter = std::min(l.norm(), r.norm());
+  return std::max(0.0, std::min(kApart * cell / apart_at_one, shorter - 2.0 * cell));
+}
+
 }  // namespace
 
 RollingGrid::RollingGrid(const PerceptionSettings& settings, const Vector2d& center)
@@ -87,8 +116,9 @@ void RollingGrid::insert(std::span<const Beam> beams,
   for (const Beam& beam : beams) {
     if (beam.end == BeamEnd::Hit && !beam.moving) mark(beam);
   }
-  for (const Beam& beam : beams) {
-    if (beam.end != BeamEnd::Nothing) clear(beam);
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    if (beams[i].end != BeamEnd::Nothing)
+      clear(beams[i], covered_by_neighbours(beams, i, settings_.resolution));
   }
   claim_body(robot, body_radius);
 }
@@ -182,20 +212,41 @@ void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
 }
 
 void RollingGrid::mark(const Beam& beam) noexcept {
-  const CellIndex cell = frame().cell_at(beam.to);
+  const Vector2d way = beam.to - beam.from;
+  const double length = way.norm();
+  if (!(length > 0.0)) return;
+  // A cell reaches out before the point that marked it, by half a side on average, and every error
+  // of the range adds to that; a little depth keeps narrow ways open.
+  const Vector2d along = way / length;
+  CellIndex cell = frame().cell_at(beam.to + settings_.hit_depth * along);
+  // Of the errors around a known surface those to the front would make a skin of false cells.
+  const CellIndex behind =
+      frame().cell_at(beam.to + (settings_.hit_depth + settings_.hit_snap) * along);
+  if (behind != cell && at(behind) == CellState::Occupied && at(cell) != CellState::Occupied) {
+    cell = behind;
+  }
   if (!frame().contains(cell)) return;
   Cell& value = cell_of(cell);
   if (value.scan != scan_) add(cell, value, settings_.hit_evidence);
 }
 
-void RollingGrid::clear(const Beam& beam) noexcept {
-  Vector2d from = frame().to_grid(beam.from);
+void RollingGrid::clear(const Beam& beam, double known) noexcept {
+  const Vector2d way = beam.to - beam.from;
+  const double length = way.norm();
+  if (known >= length) return;
+  Vector2d from = frame().to_grid(beam.from + known / length * way);
   Vector2d to = frame().to_grid(beam.to);
   if (!clip(frame(), from, to)) return;
-  walk_cells(from, to, [this](CellIndex cell, double) {
+  const auto least = static_cast<std::int8_t>(settings_.least_evidence);
+  walk_cells(from, to, [this, least](CellIndex cell, double) {
     Cell& value = cell_of(cell);
-    // The cells that were hit bear this scan's number already.
-    if (value.scan != scan_) add(cell, value, -settings_.miss_evidence);
+    // The cells that were hit bear this scan's number already. Most others are as free as can be.
+    if (value.scan == scan_) return true;
+    if (value.evidence == least && value.scan != kNever) {
+      value.scan = scan_;
+    } else {
+      add(cell, value, -settings_.miss_evidence);
+    }
     return true;
   });
 }

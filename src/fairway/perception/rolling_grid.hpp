@@ -69,7 +69,7 @@ class RollingGrid {
   void roll(int blocks_x, int blocks_y) noexcept;
   void next_scan() noexcept;
   void mark(const Beam& beam) noexcept;
-  void clear(const Beam& beam) noexcept;
+  void clear(const Beam& beam, double known) noexcept;
   void claim_body(const Eigen::Vector2d& robot, double radius) noexcept;
   void add(CellIndex cell, Cell& value, int evidence) noexcept;
   [[nodiscard]] Cell& cell_of(CellIndex cell) noexcept {

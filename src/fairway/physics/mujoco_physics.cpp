@@ -2,10 +2,7 @@
 #include "fairway/physics/mujoco_physics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
-#include <stdexcept>
 #include <string>
 
 #include <mujoco/mujoco.h>
@@ -13,29 +10,13 @@
 #include "fairway/base/contract.hpp"
 #include "fairway/geometry/angle.hpp"
 #include "fairway/navigation/stopping.hpp"
+#include "fairway/physics/mujoco_loading.hpp"
 
 namespace fairway {
 
 namespace {
 
 constexpr double kLongestStep = 0.0025;  // [s]
-
-// MuJoCo reads models from files; this one lives in memory.
-mjModel* load_model(const std::string& xml) {
-  constexpr const char* kName = "fairway.xml";
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  if (mj_makeEmptyFileVFS(files.get(), kName, static_cast<int>(xml.size())) != 0) {
-    throw std::runtime_error("MuJoCo: no memory for the model");
-  }
-  const int index = mj_findFileVFS(files.get(), kName);
-  std::memcpy(files->filedata[index], xml.data(), xml.size());
-  std::array<char, 1000> error{};
-  mjModel* model = mj_loadXML(kName, files.get(), error.data(), static_cast<int>(error.size()));
-  mj_deleteVFS(files.get());
-  if (model == nullptr) throw std::runtime_error("MuJoCo: " + std::string(error.data()));
-  return model;
-}
 
 }  // namespace
 
@@ -49,7 +30,7 @@ MujocoPhysics::MujocoPhysics(const Scenario& scenario, const MujocoRobot& robot)
       limits_(scenario.settings.mpc),
       wheel_base_(wheel_base_of(robot, scenario.settings.robot)),
       ramped_(scenario.robots.size()),
-      model_(load_model(mujoco_model(scenario, robot))),
+      model_(load_mujoco_model(mujoco_model(scenario, robot))),
       data_(mj_makeData(model_.get())) {
   geom_robot_.assign(static_cast<std::size_t>(model_->ngeom), -1);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {

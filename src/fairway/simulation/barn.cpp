@@ -23,6 +23,7 @@ double crossing_time(const TraceRow& before,
 
 void use_jackal(Settings& settings) {
   settings.robot = {.radius = 0.31, .length = 0.458, .width = 0.416};
+  settings.mpc.linear_min = -0.5;
   settings.mpc.linear_max = 2.0;
   settings.mpc.angular_max = 4.0;
   settings.mpc.linear_acceleration_max = 2.0;

@@ -20,9 +20,9 @@ struct BarnWorld {
   double optimal_time = 0.0;  ///< OT: length of the reference path at 2 m/s [s]
 };
 
-/// The robot of the challenge, a Clearpath Jackal: 0.458 x 0.416 m, up to 2 m/s and 4 rad/s, with
-/// the accelerations that we take for it (2 m/s^2, 4 rad/s^2). Changes the robot and its limits in
-/// `settings` and nothing else.
+/// The robot of the challenge, a Clearpath Jackal: 0.458 x 0.416 m, up to 2 m/s ahead, 0.5 m/s
+/// back and 4 rad/s, with the accelerations that we take for it (2 m/s^2, 4 rad/s^2). Changes the
+/// robot and its limits in `settings` and nothing else.
 void use_jackal(Settings& settings);
 
 /// What runs of BARN share.

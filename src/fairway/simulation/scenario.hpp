@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +21,16 @@ struct RobotTask {
   Goal goal;
 };
 
+/// What moves the robots.
+enum class Engine : std::uint8_t {
+  Unicycle,  ///< exact unicycles with limited acceleration
+  Mujoco,    ///< rigid bodies on wheels that slip; optional, see docs/physics.md
+};
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Engine) noexcept {
+  return {"unicycle", "mujoco"};
+}
+
 /// Everything that a simulated run depends on: the same scenario gives the same bits.
 struct Scenario {
   std::string name;
@@ -27,10 +38,11 @@ struct Scenario {
   Settings settings;  ///< of every robot
   std::vector<RobotTask> robots;
   std::vector<MovingBody> bodies;
-  SensingModel sensing;       ///< what each robot knows of all this
-  RadioModel radio;           ///< what robots tell each other
-  double time_limit = 120.0;  ///< [s]
-  std::uint64_t seed = 1;     ///< of everything random
+  SensingModel sensing;              ///< what each robot knows of all this
+  Engine engine = Engine::Unicycle;  ///< the caller of run_episode makes it (EpisodeHooks::physics)
+  RadioModel radio;                  ///< what robots tell each other
+  double time_limit = 120.0;         ///< [s]
+  std::uint64_t seed = 1;            ///< of everything random
 };
 
 }  // namespace fairway

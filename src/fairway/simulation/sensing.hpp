@@ -18,6 +18,16 @@ enum class Sensing : std::uint8_t {
   return {"map", "lidar"};
 }
 
+/// Errors of lidar and odometry.
+enum class SensorNoise : std::uint8_t {
+  None,      ///< none, and no latency
+  Standard,  ///< use_standard_noise
+};
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(SensorNoise) noexcept {
+  return {"none", "standard"};
+}
+
 /// How a robot of a scenario senses.
 struct SensingModel {
   Sensing sensing = Sensing::Map;

@@ -14,6 +14,8 @@ export const launch = () => chromium.launch({
 /** A page whose errors fail the test that asks for them. */
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  // Generous: other work on the machine must not decide a test.
+  context.setDefaultTimeout(180_000);
   const page = await context.newPage();
   const errors = [];
   page.on('pageerror', (error) => errors.push(String(error)));

@@ -56,6 +56,27 @@ TEST(ScenarioFile, HoldsEverything) {
   EXPECT_FALSE(scenario->bodies[1].loop);
 }
 
+TEST(ScenarioFile, SaysHowRobotsSenseAndWhatMovesThem) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string rest = "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [8, 4]}]\n";
+  const auto plain = read_scenario(folder.write("plain.yaml", rest));
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_EQ(plain->sensing.sensing, Sensing::Map);
+  EXPECT_EQ(plain->engine, Engine::Unicycle);
+  const auto real = read_scenario(
+      folder.write("real.yaml", rest + "sensing: lidar\nnoise: standard\nphysics: mujoco\n"));
+  ASSERT_TRUE(real) << real.error().message;
+  EXPECT_EQ(real->sensing.sensing, Sensing::Lidar);
+  EXPECT_EQ(real->sensing.lidar.latency, 0.05);
+  EXPECT_EQ(real->engine, Engine::Mujoco);
+  const auto wrong = read_scenario(folder.write("wrong.yaml", rest + "physics: magic\n"));
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message.find(":3: physics: expected unicycle or mujoco"),
+            std::string::npos)
+      << wrong.error().message;
+}
+
 TEST(ScenarioFile, TakesDefaultsForWhatItLeavesOut) {
   const TemporaryFolder folder;
   write_map(folder);

@@ -97,6 +97,26 @@ TEST(DistanceField, AWindowUpdateGivesTheBitsOfAFullOne) {
   }
 }
 
+TEST(DistanceField, WithAReachGivesTheSameBitsUpToIt) {
+  test::Random random(15);
+  for (int trial = 0; trial < 60; ++trial) {
+    BitGrid obstacles(test::random_world(random, 150));
+    const GridFrame& frame = obstacles.frame();
+    const double reach = random.uniform(0.2, DistanceField::kMostReach) * frame.resolution;
+    DistanceField near;
+    near.set_reach(reach);
+    near.update(obstacles);
+    for (int change = 0; change < 4; ++change) {
+      const DistanceField all(obstacles);
+      for (std::size_t i = 0; i < all.cells().size(); ++i)
+        ASSERT_EQ(near.cells()[i], std::min(all.cells()[i], static_cast<float>(reach)));
+      const CellIndex cell{random.integer(0, frame.width - 1), random.integer(0, frame.height - 1)};
+      obstacles.set(cell, !obstacles.blocked(cell));
+      near.update(obstacles, {.first = cell, .last = cell});
+    }
+  }
+}
+
 TEST(DistanceField, AnEmptyWindowChangesNothing) {
   BitGrid obstacles({.width = 20, .height = 20, .resolution = 0.5, .origin = {}}, false);
   DistanceField field(obstacles);

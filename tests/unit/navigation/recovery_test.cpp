@@ -53,6 +53,27 @@ TEST(Recovery, SwingingOnTheSpotIsNoProgress) {
   EXPECT_GE(plans, 3);
 }
 
+TEST(Recovery, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
+  for (const double step : {0.1, 0.0}) {  // [m] per cycle: driving on, and not
+    Recovery recovery;
+    double remaining = 10.0;
+    int actions = 0;
+    for (int i = 0; i < 100; ++i) {
+      if (i % 10 == 9) {  // the way changes to and fro
+        const double longer = i % 20 == 9 ? 5.0 : -5.0;
+        recovery.change_way(longer);
+        remaining += longer;
+      }
+      remaining -= step;
+      actions +=
+          recovery.update(remaining, false, false, false, kDt, kPatience) != RecoveryAction::None
+              ? 1
+              : 0;
+    }
+    EXPECT_EQ(actions > 0, step == 0.0);
+  }
+}
+
 TEST(Recovery, ProgressEndsIt) {
   Recovery recovery;
   for (int i = 0; i < 6; ++i)

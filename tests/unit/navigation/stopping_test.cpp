@@ -112,5 +112,28 @@ TEST(Stopping, LeavingAnObstacleThatIsTooNearIsAllowed) {
             StopVerdict::HitsMoving);
 }
 
+TEST(Stopping, ABodyThatFitsIsStoppedWhereItCouldNotTurn) {
+  // A lane along x, 0.52 m wide: room for the body's 0.416 m, not for the disc of 0.31 m.
+  BitGrid obstacles(GridFrame{.width = 200, .height = 200, .resolution = 0.02, .origin = {}},
+                    false);
+  for (int x = 0; x < 200; ++x) {
+    for (int y = 0; y < 200; ++y) {
+      if (y < 87 || y >= 113) obstacles.set({x, y}, true);
+    }
+  }
+  const Twist2 slow{.linear = 0.1, .angular = 0.0};
+  const Pose2 pose{.position = {2.0, 2.0}, .heading = 0.0};
+  StopSurroundings around{
+      .obstacles = &obstacles, .body = Footprint::rectangle(0.458, 0.416), .moving = {}};
+  const auto verdict = [&] {
+    return check_stop(pose, slow, slow, brake_from(slow, limits()), 0.1, around);
+  };
+  EXPECT_EQ(verdict(), StopVerdict::Free);
+  around.turning_radius = 0.25;
+  EXPECT_EQ(verdict(), StopVerdict::Free);
+  around.turning_radius = 0.29;
+  EXPECT_EQ(verdict(), StopVerdict::HitsStatic);
+}
+
 }  // namespace
 }  // namespace fairway

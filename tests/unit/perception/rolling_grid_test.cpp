@@ -19,6 +19,8 @@ PerceptionSettings small_window() {
   PerceptionSettings s;
   s.window = 9.6;
   s.resolution = 0.05;
+  s.hit_depth = 0.0;  // the tests say where beams end to the cell
+  s.hit_snap = 0.0;
   return s;
 }
 
@@ -140,6 +142,34 @@ TEST(RollingGrid, HoldsTheEvidenceOfASlowGridWhileItRolls) {
   }
 }
 
+TEST(RollingGrid, DenseBeamsClearWhatEachOfThemWould) {
+  test::Random random(4);
+  const PerceptionSettings settings = small_window();
+  const Vector2d robot(0.37, -0.81);
+  RollingGrid grid(settings, robot);
+  SlowGrid slow(settings);
+  double range = 2.0;
+  for (int n = 0; n < 6; ++n) {
+    std::vector<Beam> beams;
+    for (int i = 0; i < 500; ++i) {  // posts before walls: ranges jump now and then
+      if (random.chance(0.08)) range = random.uniform(0.2, 4.0);
+      beams.push_back(beam(robot, robot + range * direction(-2.3 + 0.009 * i)));
+      if (random.chance(0.02)) beams.back().end = BeamEnd::Nothing;
+    }
+    grid.insert(beams, robot, 0.0);
+    slow.insert(beams);
+  }
+  int different = 0;
+  for (int y = 0; y < grid.frame().height; ++y) {
+    for (int x = 0; x < grid.frame().width; ++x) {
+      const Vector2d center = grid.frame().center({.x = x, .y = y});
+      if ((center - robot).norm() < 0.1) continue;
+      different += slow.at(center) == grid.at({.x = x, .y = y}) ? 0 : 1;
+    }
+  }
+  EXPECT_LE(different, 2);
+}
+
 TEST(RollingGrid, ItsBitsSayWhatItsCellsSay) {
   test::Random random(4);
   Vector2d robot(3, -7);
@@ -197,6 +227,16 @@ TEST(RollingGrid, WhatHasGoneIsClearedAfterAFewScans) {
     ++scans;
   }
   EXPECT_EQ(scans, small_window().most_evidence);
+}
+
+TEST(RollingGrid, AHitIsMarkedAsMuchDeeperAsAsked) {
+  PerceptionSettings settings = small_window();
+  settings.hit_depth = 0.02;
+  RollingGrid grid(settings, {0, 0});
+  // A wall at 1.0 m, measured a little too near: the cell before it must stay free.
+  grid.insert(std::vector<Beam>{beam({0, 0.01}, {0.99, 0.01})}, {0, 0}, 0.1);
+  EXPECT_EQ(grid.at(grid.frame().cell_at({1.01, 0.01})), CellState::Occupied);
+  EXPECT_EQ(grid.at(grid.frame().cell_at({0.99, 0.01})), CellState::Free);
 }
 
 TEST(RollingGrid, ALostBeamSaysNothing) {

@@ -64,6 +64,24 @@ TEST(LiveWorld, GoesStepByStepWhilePaused) {
   EXPECT_EQ(told, before + 3);
 }
 
+TEST(LiveWorld, KeepsTheNewestUploads) {
+  LiveState state;  // the last one; read when the world has answered
+  LiveListener listener = deaf();
+  listener.on_state = [&](const LiveState& now) { state = now; };
+  LiveWorld world({built_in_maps().back()}, listener);
+  const OccupancyGrid map(GridFrame{.width = 100, .height = 100, .resolution = 0.05, .origin = {}});
+  for (int i = 0; i < 20; ++i)
+    while (!world.use_map("map " + std::to_string(i), map))
+      std::this_thread::yield();
+  // A run for each, and one more answer from the last.
+  for (int i = 0; i < 21; ++i)
+    static_cast<void>(downloaded(world, LiveWorld::Download::Scenario));
+  ASSERT_EQ(state.maps.size(), 9U);
+  EXPECT_EQ(state.maps.front(), "Empty hall");
+  EXPECT_EQ(state.maps.back(), "map 19");
+  EXPECT_EQ(state.map, 8U);
+}
+
 TEST(LiveWorld, WhatWasDoneToItReplaysToTheBit) {
   LiveWorld world({built_in_maps().back()}, deaf());  // the empty hall
   world.ask(PauseCommand{.paused = true});

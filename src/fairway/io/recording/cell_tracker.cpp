@@ -22,4 +22,9 @@ CellTracker::Look CellTracker::look(const BitGrid& grid) {
 
 void CellTracker::settle(const BitGrid& grid) { slots_.at(&grid).known = grid; }
 
+void CellTracker::for_each(const std::function<void(int, const BitGrid&)>& give) const {
+  for (const auto& [where, slot] : slots_)
+    give(slot.number, slot.known);
+}
+
 }  // namespace fairway::io

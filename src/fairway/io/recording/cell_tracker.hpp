@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include "fairway/map/bit_grid.hpp"
@@ -26,6 +27,9 @@ class CellTracker {
   void settle(const BitGrid& grid);
 
   void clear() { slots_.clear(); }
+
+  /// Gives every map as it was told last.
+  void for_each(const std::function<void(int slot, const BitGrid& told)>& give) const;
 
  private:
   struct Slot {

@@ -127,6 +127,17 @@ void Scene::disc(const std::string& id,
        {"color", color(tint)}});
 }
 
+void Scene::box(const std::string& id,
+                const Pose2& pose,
+                double length,
+                double width,
+                double height,
+                const Tint& tint) {
+  entity(id)["cubes"].push_back({{"pose", pose_json(pose, 0.5 * height)},
+                                 {"size", vector(length, width, height)},
+                                 {"color", color(tint)}});
+}
+
 void Scene::arrow(const std::string& id, const Pose2& pose, double length, const Tint& tint) {
   entity(id)["arrows"].push_back({{"pose", pose_json(pose, 0.3)},
                                   {"shaft_length", rounded(0.7 * length)},

@@ -57,6 +57,13 @@ class Scene {
             double radius,
             double height,
             const Tint& tint);
+  /// A box with its centre at `pose`, `length` along its heading.
+  void box(const std::string& id,
+           const Pose2& pose,
+           double length,
+           double width,
+           double height,
+           const Tint& tint);
   void arrow(const std::string& id, const Pose2& pose, double length, const Tint& tint);
   void remove(const std::string& id);
 

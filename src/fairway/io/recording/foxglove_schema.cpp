@@ -99,6 +99,8 @@ Json entity_schema() {
                                                               {"bottom_scale", number()},
                                                               {"top_scale", number()},
                                                               {"color", color()}});
+  const Json cube =
+      object("foxglove.CubePrimitive", {{"pose", pose()}, {"size", vector3()}, {"color", color()}});
   const Json arrow = object("foxglove.ArrowPrimitive", {{"pose", pose()},
                                                         {"shaft_length", number()},
                                                         {"shaft_diameter", number()},
@@ -114,7 +116,7 @@ Json entity_schema() {
                                          {"frame_locked", truth()},
                                          {"metadata", list(pair)},
                                          {"arrows", list(arrow)},
-                                         {"cubes", anything},
+                                         {"cubes", list(cube)},
                                          {"spheres", anything},
                                          {"cylinders", list(cylinder)},
                                          {"lines", list(line)},

@@ -95,7 +95,7 @@ void RunMessages::on_start(const Scenario& scenario) {
   add_robots(scenario);
   plans_.assign(scenario.robots.size(), Plan{});
   tracker_.clear();
-  radius_ = scenario.settings.robot.radius;
+  body_ = scenario.settings.robot;
   shown_cells_ = cell_bytes(scenario.map);
   shown_obstacles_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
   shown_time_ = 0.0;
@@ -131,7 +131,7 @@ void RunMessages::on_start(const Scenario& scenario) {
 void RunMessages::on_navigators(double time,
                                 const Settings& settings,
                                 std::span<const Twist2> twists) {
-  radius_ = settings.robot.radius;
+  body_ = settings.robot;
   Json list = Json::array();
   for (const Twist2& twist : twists)
     list.push_back(exact::to_json(twist));
@@ -221,14 +221,22 @@ void RunMessages::on_world(const WorldView& world) {
     scene.disc("body " + std::to_string(i), world.bodies[i].position, world.bodies[i].radius, 1.7,
                {.red = 0.84, .green = 0.37, .blue = 0.0, .opacity = 0.9});
   }
-  for (std::size_t i = 0; i < world.robots.size(); ++i) {
-    const UnicycleRobot& robot = world.robots[i];
-    const std::string name = robots_.at(i).name;
-    scene.disc(name, robot.pose.position, radius_, 0.3, {.red = 0.0, .green = 0.45, .blue = 0.7});
-    scene.arrow(name + " heading", robot.pose, 1.4 * radius_,
-                {.red = 0.1, .green = 0.1, .blue = 0.1});
-  }
+  for (std::size_t i = 0; i < world.robots.size(); ++i)
+    show_robot(scene, robots_.at(i).name, world.robots[i].pose);
   write(scene_, world.time, dumped(scene.json()));
+}
+
+void RunMessages::show_robot(foxglove::Scene& scene,
+                             const std::string& name,
+                             const Pose2& pose) const {
+  constexpr double kHeight = 0.3;  // [m]
+  constexpr foxglove::Tint kBlue{.red = 0.0, .green = 0.45, .blue = 0.7};
+  if (footprint_of(body_).is_rectangle()) {
+    scene.box(name, pose, body_.length, body_.width, kHeight, kBlue);
+  } else {
+    scene.disc(name, pose.position, body_.radius, kHeight, kBlue);
+  }
+  scene.arrow(name + " heading", pose, 1.4 * body_.radius, {.red = 0.1, .green = 0.1, .blue = 0.1});
 }
 
 void RunMessages::show_map(double time, const BitGrid& obstacles) {

@@ -6,6 +6,7 @@
 
 #include "fairway/io/recording/cell_tracker.hpp"
 #include "fairway/io/recording/fleet_ledger.hpp"
+#include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_sink.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
@@ -43,6 +44,7 @@ class RunMessages final : public EpisodeObserver {
   void add_robots(const Scenario& scenario);
   void write(std::uint16_t channel, double time, const std::string& message);
   int tell_cells(double time, const BitGrid& grid);
+  void show_robot(foxglove::Scene& scene, const std::string& name, const Pose2& pose) const;
   void show_map(double time, const BitGrid& obstacles);
   void show_plan(double time, const Robot& robot, const Plan& plan);
   void show_cycle(const Robot& robot, const NavigationCycle& cycle);
@@ -57,7 +59,7 @@ class RunMessages final : public EpisodeObserver {
   std::uint16_t world_;
   std::vector<Robot> robots_;
   std::vector<Plan> plans_;
-  double radius_ = 0.0;
+  RobotSettings body_;
   std::string shown_cells_;  // of the map as shown last, a byte each
   BitGrid shown_obstacles_;
   double shown_time_ = 0.0;

@@ -39,6 +39,22 @@ void append_cells(CompactFields& out, std::size_t cells, const ValueAt& value_at
   }
 }
 
+// All cells of a map that a robot sees.
+std::string seen_map_fields(std::uint64_t slot, double time, const BitGrid& grid) {
+  std::string fields;
+  CompactFields out(fields);
+  out.count(slot);
+  out.count(1);  // whole
+  out.time(time);
+  append_frame(out, grid.frame());
+  const auto width = static_cast<std::size_t>(grid.frame().width);
+  append_cells(out, width * static_cast<std::size_t>(grid.frame().height), [&](std::size_t i) {
+    const CellIndex cell{.x = static_cast<int>(i % width), .y = static_cast<int>(i / width)};
+    return grid.blocked(cell) ? std::uint64_t{1} : std::uint64_t{0};
+  });
+  return fields;
+}
+
 void append_mark(CompactFields& out, const LimitMark& mark) {
   out.count(static_cast<std::uint64_t>(mark.row.kind));
   out.count(static_cast<std::uint64_t>(mark.shape));
@@ -83,17 +99,22 @@ std::string RunStream::beginning(double time) const {
   std::string bytes;
   append_record(bytes, Kind::Begin, begin_);
   append_record(bytes, Kind::Cells, true_map_fields(time));
+  tracker_.for_each([&](int slot, const BitGrid& told) {
+    append_record(bytes, Kind::Cells,
+                  seen_map_fields(static_cast<std::uint64_t>(slot) + 1, time, told));
+  });
   if (!tuning_.empty()) append_record(bytes, Kind::Tuning, tuning_);
   for (const std::string& plan : plans_) {
     if (!plan.empty()) append_record(bytes, Kind::Plan, plan);
   }
-  return bytes;
+  return bytes.append(newest_);
 }
 
 void RunStream::on_start(const Scenario& scenario) {
   tracker_.clear();
   true_map_ = nullptr;
   tuning_.clear();
+  newest_.clear();
   plans_.assign(scenario.robots.size(), {});
   shown_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
   states_.assign(scenario.map.cells().begin(), scenario.map.cells().end());
@@ -154,18 +175,12 @@ std::uint64_t RunStream::tell_cells(double time, const BitGrid* grid) {
   const auto slot = static_cast<std::uint64_t>(look.slot) + 1;
   if (!look.whole && !look.changed) return slot;
   std::string fields;
-  CompactFields out(fields);
-  out.count(slot);
-  out.count(look.whole ? 1 : 0);
   if (look.whole) {
-    out.time(time);
-    append_frame(out, grid->frame());
-    const auto width = static_cast<std::size_t>(grid->frame().width);
-    append_cells(out, width * static_cast<std::size_t>(grid->frame().height), [&](std::size_t i) {
-      const CellIndex cell{.x = static_cast<int>(i % width), .y = static_cast<int>(i / width)};
-      return grid->blocked(cell) ? std::uint64_t{1} : std::uint64_t{0};
-    });
+    fields = seen_map_fields(slot, time, *grid);
   } else {
+    CompactFields out(fields);
+    out.count(slot);
+    out.count(0);  // changes only
     append_changes(out, time, *look.before, *grid);
   }
   tracker_.settle(*grid);
@@ -204,6 +219,7 @@ void RunStream::on_cycle(const NavigationCycle& cycle) {
   }
   append_obstacles(out, believed);
   add(Kind::Cycle, fields);
+  append_record(newest_, Kind::Cycle, fields);
 }
 
 void RunStream::tell_true_map(double time, const BitGrid& obstacles) {
@@ -245,6 +261,8 @@ void RunStream::on_world(const WorldView& world) {
     out.count(world.encounters[i].collided ? 1 : 0);
   }
   add(Kind::World, fields);
+  newest_.clear();
+  append_record(newest_, Kind::World, fields);
 }
 
 }  // namespace fairway::io

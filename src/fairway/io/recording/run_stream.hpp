@@ -42,7 +42,7 @@ class RunStream final : public EpisodeObserver {
   [[nodiscard]] std::string take();
 
   /// Records that begin the run as it is now, for someone who joins late: what is said once, the
-  /// map, and the plans that are followed. @pre a run has started.
+  /// maps, the plans that are followed, and the newest time step. @pre a run has started.
   [[nodiscard]] std::string beginning(double time) const;
 
  private:
@@ -60,6 +60,7 @@ class RunStream final : public EpisodeObserver {
   std::string begin_;              // as told last, as are the next two
   std::string tuning_;
   std::vector<std::string> plans_;  // by robot
+  std::string newest_;              // records of the newest time step
 };
 
 }  // namespace fairway::io

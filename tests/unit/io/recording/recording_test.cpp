@@ -37,6 +37,32 @@ TEST(Recording, TellsWhenReadExactlyWhatWasTold) {
   EXPECT_EQ(again.take(), bytes);
 }
 
+// So that five minutes of four robots are below ten megabytes.
+TEST(Recording, OfHalfAMinuteOfFourRobotsIsBelowAMegabyte) {
+  const std::string bytes = recorded({.robots = 4, .bodies = 3, .seconds = 30.0, .map_side = 1000});
+  EXPECT_LT(bytes.size(), 1'000'000U);
+  RecordProperty("bytes", static_cast<int>(bytes.size()));
+}
+
+TEST(Recording, ShowsTheTrueBodiesOfTheRobots) {
+  for (const bool rectangular : {false, true}) {
+    const std::string bytes = recorded({.seconds = 0.2, .rectangular = rectangular});
+    exact::Json scene;
+    ASSERT_TRUE(read_mcap(bytes, "run.mcap", [&](const McapMessage& message) -> Expected<void> {
+      if (message.topic == "/scene") scene = exact::Json::parse(message.content);
+      return {};
+    }));
+    for (const exact::Json& entity : scene.at("entities")) {
+      if (entity.at("id") != "robot_1") continue;
+      EXPECT_EQ(entity.at("cylinders").size(), rectangular ? 0U : 1U);
+      ASSERT_EQ(entity.at("cubes").size(), rectangular ? 1U : 0U);
+      if (rectangular) {
+        EXPECT_EQ(entity.at("cubes").at(0).at("size").at("x"), 0.6);
+      }
+    }
+  }
+}
+
 TEST(Recording, IsTheSameWhenItIsTakenPieceByPiece) {
   const SyntheticRun run;
   Recording recording;

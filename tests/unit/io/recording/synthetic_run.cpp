@@ -42,6 +42,7 @@ Plan plan_along(double time, double phase, const Eigen::Vector2d& center, double
 Scenario SyntheticRun::scenario() const {
   Scenario scenario;
   scenario.name = "synthetic";
+  if (rectangular) scenario.settings.robot = {.radius = 0.37, .length = 0.6, .width = 0.4};
   const GridFrame frame{.width = map_side,
                         .height = map_side,
                         .resolution = 0.05,

@@ -11,7 +11,8 @@ struct SyntheticRun {
   int robots = 2;
   int bodies = 2;
   double seconds = 5.0;
-  int map_side = 120;  ///< [cells]
+  int map_side = 120;        ///< [cells]
+  bool rectangular = false;  ///< the robots' bodies
 
   [[nodiscard]] Scenario scenario() const;
 

@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
   const fairway::test::SyntheticRun run{.robots = std::atoi(arguments[3]),
                                         .bodies = 2,
                                         .seconds = std::atof(arguments[4]),
-                                        .map_side = std::atoi(arguments[5])};
+                                        .map_side = std::atoi(arguments[5]),
+                                        .rectangular = true};
   auto file = fairway::io::RecordingFile::create(arguments[1]);
   if (!file) return 1;
   run.play((*file)->observer());

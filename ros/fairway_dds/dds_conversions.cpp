@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway_dds/dds_conversions.hpp"
+
+#include <cmath>
+
+#include "bridge/message_conversions.hpp"
+#include "bridge/obstacle_cloud.hpp"
+
+namespace fairway::dds {
+
+namespace {
+
+// The C binding has no strings that are only read: what is sent is not changed all the same.
+char* text(const std::string& string) noexcept {
+  return const_cast<char*>(string.c_str());  // NOLINT(cppcoreguidelines-pro-type-const-cast): C
+}
+
+visualization_msgs_msg_dds__Marker_ marker(const std_msgs_msg_dds__Header_& header) {
+  static const std::string kSpace = "corridor";
+  static const std::string kNone;
+  visualization_msgs_msg_dds__Marker_ m{};
+  m.header = header;
+  m.ns = text(kSpace);
+  m.pose.orientation.w = 1.0;
+  m.texture_resource = m.text = m.mesh_resource = text(kNone);
+  m.texture.header.frame_id = m.texture.format = m.mesh_file.filename = text(kNone);
+  return m;
+}
+
+}  // namespace
+
+builtin_interfaces_msg_dds__Time_ time_of(double seconds) noexcept {
+  builtin_interfaces_msg_dds__Time_ time{};
+  const double whole = std::floor(seconds);
+  time.sec = static_cast<std::int32_t>(whole);
+  time.nanosec = static_cast<std::uint32_t>((seconds - whole) * 1e9);
+  return time;
+}
+
+std_msgs_msg_dds__Header_ header(const std::string& frame, double time) noexcept {
+  return {.stamp = time_of(time), .frame_id = text(frame)};
+}
+
+ScanInput to_scan(const sensor_msgs_msg_dds__LaserScan_& message) noexcept {
+  const std::uint32_t beams = message.ranges._length;
+  const double duration =
+      beams > 1 ? static_cast<double>(message.time_increment) * (beams - 1.0) : 0.0;
+  return {.scan = {.time = seconds_of(message.header.stamp) + duration,
+                   .first_pose = {},
+                   .last_pose = {},
+                   .first_angle = static_cast<double>(message.angle_min),
+                   .angle_step = static_cast<double>(message.angle_increment),
+                   .min_range = static_cast<double>(message.range_min),
+                   .max_range = static_cast<double>(message.range_max),
+                   .ranges = elements(message.ranges)},
+          .duration = duration};
+}
+
+Expected<OccupancyGrid> to_grid(const nav_msgs_msg_dds__OccupancyGrid_& message) {
+  return bridge::to_grid(message.info, elements(message.data));
+}
+
+Expected<std::vector<MovingObstacle>> to_obstacles(
+    const sensor_msgs_msg_dds__PointCloud2_& message) {
+  std::vector<bridge::CloudField> fields;
+  for (const sensor_msgs_msg_dds__PointField_& field : elements(message.fields))
+    fields.push_back({.name = field.name, .offset = field.offset, .datatype = field.datatype});
+  return bridge::read_obstacles({.fields = fields,
+                                 .points = std::uint64_t{message.width} * message.height,
+                                 .point_step = message.point_step,
+                                 .big_endian = message.is_bigendian,
+                                 .data = elements(message.data)});
+}
+
+PathMessage::PathMessage(const Path& path, const std::string& frame, double time)
+    : frame_(frame),
+      poses_(path.waypoints.size()) {
+  message_.header = header(frame_, time);
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    poses_[i].header = message_.header;
+    bridge::set_pose(bridge::waypoint_pose(path, i), poses_[i].pose);
+  }
+  point_to(poses_, message_.poses);
+}
+
+CorridorMessage::CorridorMessage(const Corridor& corridor, const std::string& frame, double time)
+    : frame_(frame),
+      outlines_(corridor.rectangles.size()) {
+  constexpr std::int32_t kLineStrip = 4;
+  constexpr std::int32_t kDeleteAll = 3;
+  const std_msgs_msg_dds__Header_ now = header(frame_, time);
+  markers_.push_back(marker(now));
+  markers_.back().action = kDeleteAll;
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    const auto corners = corridor.rectangles[i].corners();
+    for (std::size_t c = 0; c <= corners.size(); ++c) {
+      const Eigen::Vector2d& corner = corners[c % corners.size()];
+      outlines_[i].push_back({.x = corner.x(), .y = corner.y(), .z = 0.02});
+    }
+    markers_.push_back(marker(now));
+    visualization_msgs_msg_dds__Marker_& m = markers_.back();
+    m.id = static_cast<std::int32_t>(i);
+    m.type = kLineStrip;
+    m.scale.x = 0.03;
+    m.color = {.r = 0.1F, .g = 0.5F, .b = 0.9F, .a = 0.9F};
+    point_to(outlines_[i], m.points);
+  }
+  point_to(markers_, message_.markers);
+}
+
+}  // namespace fairway::dds

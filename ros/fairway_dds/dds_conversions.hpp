@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What bridge/message_conversions.hpp leaves to Cyclone DDS: times, C strings and C sequences.
+#pragma once
+
+#include <vector>
+
+#include "bridge/pilot.hpp"
+#include "ros2_messages.h"
+
+namespace fairway::dds {
+
+[[nodiscard]] inline double seconds_of(const builtin_interfaces_msg_dds__Time_& time) noexcept {
+  return static_cast<double>(time.sec) + 1e-9 * static_cast<double>(time.nanosec);
+}
+[[nodiscard]] builtin_interfaces_msg_dds__Time_ time_of(double seconds) noexcept;
+
+/// The elements of a received sequence.
+template <typename Sequence>
+[[nodiscard]] auto elements(const Sequence& sequence) noexcept {
+  return std::span(
+      static_cast<const std::remove_reference_t<decltype(*sequence._buffer)>*>(sequence._buffer),
+      sequence._length);
+}
+
+/// Lets a sequence that is to be sent point to the elements, which must outlive the sending.
+template <typename Sequence, typename Element>
+void point_to(std::vector<Element>& elements, Sequence& sequence) noexcept {
+  sequence._buffer = elements.data();
+  sequence._length = sequence._maximum = static_cast<std::uint32_t>(elements.size());
+  sequence._release = false;
+}
+
+/// A header whose frame must outlive the sending.
+[[nodiscard]] std_msgs_msg_dds__Header_ header(const std::string& frame, double time) noexcept;
+
+struct ScanInput {
+  LidarScan scan;         ///< without its poses
+  double duration = 0.0;  ///< from the first beam to the last [s]
+};
+[[nodiscard]] ScanInput to_scan(const sensor_msgs_msg_dds__LaserScan_& message) noexcept;
+
+[[nodiscard]] Expected<OccupancyGrid> to_grid(const nav_msgs_msg_dds__OccupancyGrid_& message);
+
+/// As bridge::read_obstacles, in the cloud's frame.
+[[nodiscard]] Expected<std::vector<MovingObstacle>> to_obstacles(
+    const sensor_msgs_msg_dds__PointCloud2_& message);
+
+/// A path to be sent, with everything that it points to.
+class PathMessage {
+ public:
+  PathMessage(const Path& path, const std::string& frame, double time);
+  PathMessage(const PathMessage&) = delete;
+  PathMessage& operator=(const PathMessage&) = delete;
+  [[nodiscard]] const nav_msgs_msg_dds__Path_& get() const noexcept { return message_; }
+
+ private:
+  std::string frame_;
+  std::vector<geometry_msgs_msg_dds__PoseStamped_> poses_;
+  nav_msgs_msg_dds__Path_ message_{};
+};
+
+/// The outlines of a corridor's rectangles as markers, after one that takes away the last ones.
+class CorridorMessage {
+ public:
+  CorridorMessage(const Corridor& corridor, const std::string& frame, double time);
+  CorridorMessage(const CorridorMessage&) = delete;
+  CorridorMessage& operator=(const CorridorMessage&) = delete;
+  [[nodiscard]] const visualization_msgs_msg_dds__MarkerArray_& get() const noexcept {
+    return message_;
+  }
+
+ private:
+  std::string frame_;
+  std::vector<std::vector<geometry_msgs_msg_dds__Point_>> outlines_;
+  std::vector<visualization_msgs_msg_dds__Marker_> markers_;
+  visualization_msgs_msg_dds__MarkerArray_ message_{};
+};
+
+}  // namespace fairway::dds

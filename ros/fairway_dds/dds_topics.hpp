@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cyclone DDS's C interface as values that clean up after themselves, and ROS 2's names and
+// qualities of service on top of it.
+#pragma once
+
+#include <dds/dds.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "fairway_dds/message_types.hpp"
+
+namespace fairway::dds {
+
+/// What ROS 2 calls a QoS profile; the history is always "keep last".
+struct Quality {
+  bool reliable = true;
+  bool transient_local = false;  ///< late readers get the last values, as of a latched topic
+  int depth = 10;
+};
+
+/// For readers of what drivers send: takes both best-effort and reliable writers.
+inline constexpr Quality kSensor{.reliable = false, .transient_local = false, .depth = 5};
+inline constexpr Quality kLatched{.reliable = true, .transient_local = true, .depth = 1};
+
+/// A DDS entity that goes away with its owner.
+class Entity {
+ public:
+  /// @throws std::runtime_error that names `what`, when it could not be made.
+  Entity(dds_entity_t entity, const std::string& what);
+  ~Entity();
+  Entity(Entity&& other) noexcept;
+  Entity& operator=(Entity&&) = delete;
+  Entity(const Entity&) = delete;
+  Entity& operator=(const Entity&) = delete;
+
+  [[nodiscard]] dds_entity_t get() const noexcept { return entity_; }
+
+ private:
+  dds_entity_t entity_;
+};
+
+/// One node's place in a domain. Names are ROS 2's: "scan" in the space "robot_0" is the DDS topic
+/// "rt/robot_0/scan"; a name with a leading slash is in no space.
+class Participant {
+ public:
+  Participant(dds_domainid_t domain, std::string space);
+
+  [[nodiscard]] std::string topic_name(const std::string& name) const;
+  [[nodiscard]] dds_entity_t get() const noexcept { return participant_.get(); }
+
+  /// Sleeps until something arrives, at most `seconds`.
+  void wait(double seconds);
+  void watch(dds_entity_t reader);
+
+ private:
+  std::string space_;
+  Entity participant_;
+  Entity waitset_;
+};
+
+[[nodiscard]] Entity make_topic(const Participant& participant,
+                                const dds_topic_descriptor_t& type,
+                                const std::string& name);
+[[nodiscard]] Entity make_endpoint(const Participant& participant,
+                                   const Entity& topic,
+                                   const Quality& quality,
+                                   bool reader,
+                                   const std::string& name);
+
+/// Receives messages of one topic.
+template <typename Message>
+class Reader {
+ public:
+  Reader(Participant& participant, const std::string& name, const Quality& quality)
+      : topic_(make_topic(participant, descriptor<Message>(), name)),
+        reader_(make_endpoint(participant, topic_, quality, true, name)) {
+    participant.watch(reader_.get());
+  }
+
+  /// Calls `use` with every message that has come since the last call.
+  template <typename Use>
+  void take(Use&& use) {
+    constexpr std::size_t kMost = 16;
+    std::array<void*, kMost> samples{};
+    std::array<dds_sample_info_t, kMost> infos{};
+    for (dds_return_t count = static_cast<dds_return_t>(kMost);
+         count == static_cast<dds_return_t>(kMost);) {
+      samples[0] = nullptr;  // asks for a loan
+      count = dds_take(reader_.get(), samples.data(), infos.data(), kMost, kMost);
+      for (dds_return_t i = 0; i < count; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        if (infos[index].valid_data) use(*static_cast<const Message*>(samples[index]));
+      }
+      if (count > 0) dds_return_loan(reader_.get(), samples.data(), count);
+    }
+  }
+
+ private:
+  Entity topic_;
+  Entity reader_;
+};
+
+/// Sends messages of one topic.
+template <typename Message>
+class Writer {
+ public:
+  Writer(Participant& participant, const std::string& name, const Quality& quality)
+      : topic_(make_topic(participant, descriptor<Message>(), name)),
+        writer_(make_endpoint(participant, topic_, quality, false, name)) {}
+
+  /// Sending never blocks for long and never fails loudly: a full queue drops, as ROS 2 does.
+  void send(const Message& message) noexcept {
+    static_cast<void>(dds_write(writer_.get(), &message));
+  }
+
+  [[nodiscard]] dds_entity_t get() const noexcept { return writer_.get(); }
+
+  /// Whether anybody reads it.
+  [[nodiscard]] bool is_read() const noexcept {
+    dds_publication_matched_status_t status{};
+    return dds_get_publication_matched_status(writer_.get(), &status) == DDS_RETCODE_OK &&
+           status.current_count > 0;
+  }
+
+ private:
+  Entity topic_;
+  Entity writer_;
+};
+
+}  // namespace fairway::dds

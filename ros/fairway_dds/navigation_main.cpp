@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+
+#include "fairway/io/settings_file.hpp"
+#include "fairway_dds/navigation_node.hpp"
+#include "fairway_dds/orderly_exit.hpp"
+
+namespace {
+
+using namespace fairway;
+
+Expected<Settings> read_settings(const std::string& file,
+                                 const std::vector<std::string>& assignments) {
+  Settings settings;
+  if (!file.empty()) {
+    const Expected<Settings> read = io::read_settings(file);
+    if (!read) return read;
+    settings = *read;
+  }
+  for (const std::string& assignment : assignments) {
+    if (const auto done = io::assign_setting(settings, assignment); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
+  if (const auto valid = validate(settings); !valid) return tl::unexpected(valid.error());
+  return settings;
+}
+
+int fail_with(const std::string& message) {
+  std::fprintf(stderr, "fairway: %s\n", message.c_str());
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Drives a robot beside ROS 2 nodes, over DDS");
+  dds::NodeOptions options;
+  std::string file;
+  std::vector<std::string> assignments;
+  bool no_map = false;
+  bool no_scan = false;
+  app.add_option("--domain", options.domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
+  app.add_option("--namespace", options.space, "of the robot's topics, without slashes around it");
+  app.add_option("--name", options.name, "of the robot in its fleet; without one it is alone");
+  app.add_option("--map-frame", options.map_frame);
+  app.add_option("--base-frame", options.base_frame);
+  app.add_option("--settings", file, "YAML file, as `fairway settings` prints it");
+  app.add_option("--set", assignments, "group.name=value");
+  app.add_option("--patience", options.pilot.patience,
+                 "a goal that gets no nearer is given up [s]");
+  app.add_flag("--no-map", no_map, "drive on what the lidar has seen");
+  app.add_flag("--no-scan", no_scan, "drive on the map alone");
+  app.add_flag("--stamped", options.stamped, "commands as TwistStamped");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail_with(error.what());
+  }
+  options.pilot.use_map = !no_map;
+  options.pilot.use_scan = !no_scan;
+  const Expected<Settings> settings = read_settings(file, assignments);
+  if (!settings) return fail_with(settings.error().message);
+  if (const auto valid = bridge::validate(options.pilot); !valid) {
+    return fail_with(valid.error().message);
+  }
+  try {
+    dds::take_over_exit();
+    dds::NavigationNode node(*settings, options);
+    while (dds::exits_wanted == 0)
+      node.tick();
+    node.stop([] { return dds::exits_wanted > 1; });
+  } catch (const std::runtime_error& error) {
+    return fail_with(error.what());
+  }
+  return 0;
+}

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway_dds/navigation_node.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "bridge/message_conversions.hpp"
+#include "fairway_dds/dds_conversions.hpp"
+
+namespace fairway::dds {
+
+namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+double wall_time() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+NavigationNode::NavigationNode(const Settings& settings, const NodeOptions& options)
+    : options_(options),
+      pilot_(settings, options.pilot),
+      clock_(options.pilot.use_scan),
+      participant_(options.domain, options.space) {
+  if (options_.stamped) {
+    stamped_command_.emplace(participant_, "cmd_vel", Quality{});
+  } else {
+    command_.emplace(participant_, "cmd_vel", Quality{});
+  }
+}
+
+std::string NavigationNode::world_frame() const {
+  return options_.pilot.use_map ? options_.map_frame : odometry_frame_;
+}
+
+std::optional<Pose2> NavigationNode::find_frame(const std::string& frame) const {
+  const auto found = frames_.find(world_frame(), frame);
+  return found ? std::optional(found->pose) : std::nullopt;
+}
+
+void NavigationNode::tick() {
+  constexpr double kLongestWait = 0.005;  // [s]
+  participant_.wait(kLongestWait);
+  receive();
+  const double now = wall_time();
+  if (clock_.due(now, pilot_.settings().mpc.dt, std::exchange(scan_came_, false))) {
+    run_cycle(now);
+  }
+}
+
+void NavigationNode::receive() {
+  static_transforms_.take([this](const auto& message) { take_transform(message, true); });
+  transforms_.take([this](const auto& message) { take_transform(message, false); });
+  map_.take([this](const nav_msgs_msg_dds__OccupancyGrid_& message) {
+    const Expected<OccupancyGrid> grid = to_grid(message);
+    if (grid) {
+      pilot_.set_map(*grid);
+    } else {
+      std::fprintf(stderr, "fairway: %s\n", grid.error().message.c_str());
+    }
+  });
+  odometry_.take([this](const nav_msgs_msg_dds__Odometry_& message) {
+    odometry_frame_ = message.header.frame_id;
+    pilot_.add_odometry(seconds_of(message.header.stamp), bridge::to_pose(message.pose.pose),
+                        bridge::to_twist(message.twist.twist));
+  });
+  update_localisation();
+  scan_.take([this](const auto& message) { take_scan(message); });
+  obstacles_.take([this](const auto& message) { take_obstacles(message); });
+  fleet_.take([this](const auto& message) { take_robot(message); });
+  cancel_.take([this](const auto& /*message*/) {
+    waiting_goal_.reset();
+    pilot_.cancel();
+  });
+  goal_.take([this](const auto& message) { take_goal(message); });
+  place_goal();
+}
+
+void NavigationNode::take_transform(const tf2_msgs_msg_dds__TFMessage_& message, bool is_static) {
+  for (const geometry_msgs_msg_dds__TransformStamped_& link : elements(message.transforms)) {
+    frames_.set(link.header.frame_id, link.child_frame_id,
+                bridge::transform_to_pose(link.transform),
+                is_static ? kForever : seconds_of(link.header.stamp));
+  }
+}
+
+void NavigationNode::update_localisation() {
+  if (!options_.pilot.use_map || odometry_frame_.empty()) return;
+  if (const auto found = frames_.find(options_.map_frame, odometry_frame_)) {
+    pilot_.set_localisation(found->pose, found->time);
+  }
+}
+
+void NavigationNode::take_scan(const sensor_msgs_msg_dds__LaserScan_& message) {
+  const auto mount = frames_.find(options_.base_frame, message.header.frame_id);
+  if (!mount || !options_.pilot.use_scan) return;
+  const ScanInput input = to_scan(message);
+  if (pilot_.add_scan(input.scan, input.duration, mount->pose)) scan_came_ = true;
+}
+
+void NavigationNode::take_obstacles(const sensor_msgs_msg_dds__PointCloud2_& message) {
+  Expected<std::vector<MovingObstacle>> read = to_obstacles(message);
+  const auto frame = find_frame(message.header.frame_id);
+  if (!read) std::fprintf(stderr, "fairway: %s\n", read.error().message.c_str());
+  if (!read || !frame) return;
+  for (MovingObstacle& obstacle : *read) {
+    obstacle.position = transform(*frame, obstacle.position);
+    obstacle.velocity = rotated(obstacle.velocity, frame->heading);
+  }
+  pilot_.board().set_detections(
+      "obstacles", {.obstacles = *std::move(read), .time = seconds_of(message.header.stamp)});
+}
+
+void NavigationNode::take_goal(const geometry_msgs_msg_dds__PoseStamped_& message) {
+  const Pose2 pose = bridge::to_pose(message.pose);
+  if (!is_finite(pose)) {
+    tell_status("goal rejected: not finite");
+    return;
+  }
+  waiting_goal_ = WaitingGoal{.frame = message.header.frame_id, .pose = pose};
+}
+
+// A goal may come before its frame is known: nobody could be told to send it again.
+void NavigationNode::place_goal() {
+  if (!waiting_goal_) return;
+  const auto frame = find_frame(waiting_goal_->frame);
+  if (!frame) {
+    const std::string text = "goal waits for frame " + waiting_goal_->frame;
+    if (text != told_) tell_status(text);
+    return;
+  }
+  const Pose2 goal = bridge::compose(*frame, waiting_goal_->pose);
+  pilot_.set_goal({.position = goal.position, .heading = goal.heading});
+  waiting_goal_.reset();
+}
+
+void NavigationNode::take_robot(const fairway_msgs_msg_dds__RobotState_& message) {
+  const std::string name = message.name;
+  if (options_.name.empty() || name == options_.name) return;
+  if (message.leaving) {
+    pilot_.board().remove_neighbour(name);
+    return;
+  }
+  const auto frame = find_frame(message.header.frame_id);
+  if (!frame) return;
+  const Pose2 pose = bridge::compose(*frame, bridge::to_pose(message.pose));
+  const Twist2 twist = bridge::to_twist(message.twist);
+  pilot_.board().set_neighbour(name, {.body = {.position = pose.position,
+                                               .velocity = twist.linear * direction(pose.heading),
+                                               .radius = message.radius},
+                                      .greatest_speed = message.greatest_speed,
+                                      .time = seconds_of(message.header.stamp)});
+}
+
+void NavigationNode::run_cycle(double now) {
+  clock_.begin(now);
+  const bridge::PilotStep step = pilot_.cycle(now);
+  if (step.send) {
+    send(step.command);
+    std::string text = to_text(step.status);
+    if (step.limit != Limit::None) text += std::string(": ") + to_text(step.limit);
+    if (step.end == bridge::GoalEnd::GivenUp) text = "goal given up: " + step.reason;
+    if (step.end == bridge::GoalEnd::Reached || text != told_) tell_status(text);
+  }
+  if (step.new_plan) {
+    const Plan& plan = pilot_.guide()->navigator().plan();
+    plan_.send(PathMessage(plan.path, world_frame(), now).get());
+    corridor_.send(CorridorMessage(plan.corridor, world_frame(), now).get());
+  }
+  tell_fleet(now, false);
+}
+
+void NavigationNode::send(const Twist2& command) {
+  geometry_msgs_msg_dds__Twist_ message{};
+  bridge::set_twist(command, message);
+  if (command_) {
+    command_->send(message);
+    return;
+  }
+  const geometry_msgs_msg_dds__TwistStamped_ stamped{
+      .header = header(options_.base_frame, wall_time()), .twist = message};
+  stamped_command_->send(stamped);
+}
+
+void NavigationNode::tell_status(const std::string& text) {
+  told_ = text;
+  const std_msgs_msg_dds__String_ message{.data = told_.data()};
+  status_.send(message);
+}
+
+void NavigationNode::tell_fleet(double now, bool leaving) {
+  constexpr double kPeriod = 0.05;  // [s]
+  const std::optional<Pose2> pose = pilot_.pose();
+  if (options_.name.empty() || !pose || (!leaving && now - last_told_ < kPeriod)) return;
+  last_told_ = now;
+  const std::string frame = world_frame();
+  fairway_msgs_msg_dds__RobotState_ state{};
+  state.header = header(frame, pilot_.odometry().time());
+  state.name = options_.name.data();
+  bridge::set_pose(*pose, state.pose);
+  bridge::set_twist(pilot_.odometry().twist(), state.twist);
+  state.radius = pilot_.settings().robot.radius;
+  state.greatest_speed = pilot_.settings().mpc.linear_max;
+  state.leaving = leaving;
+  own_state_.send(state);
+}
+
+void NavigationNode::stop(bool (*urgent)()) {
+  constexpr double kLongest = 3.0;  // [s]
+  const double begin = wall_time();
+  waiting_goal_.reset();
+  pilot_.cancel();
+  while (pilot_.state() != bridge::PilotState::Idle && !urgent() && wall_time() - begin < kLongest)
+    tick();
+  send({});
+  tell_fleet(wall_time(), true);
+  participant_.wait(0.05);  // for the protocol's own threads to get it out
+}
+
+}  // namespace fairway::dds

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bridge/cycle_clock.hpp"
+#include "bridge/frame_tree.hpp"
+#include "bridge/pilot.hpp"
+#include "fairway_dds/dds_topics.hpp"
+
+namespace fairway::dds {
+
+/// What the node is told by its command line.
+struct NodeOptions {
+  std::uint32_t domain = 0;  ///< ROS_DOMAIN_ID
+  std::string space;         ///< the robot's namespace; empty for none
+  std::string name;          ///< of the robot in its fleet; empty: alone
+  std::string map_frame = "map";
+  std::string base_frame = "base_link";
+  bool stamped = false;  ///< commands as TwistStamped, as Nav2 has them since Kilted
+  bridge::PilotOptions pilot;
+};
+
+/// The present time of ROS 2's system clock [s].
+[[nodiscard]] double wall_time();
+
+/// One robot's navigation beside ROS 2 nodes, without ROS 2: converts, and hands on to a Pilot.
+class NavigationNode {
+ public:
+  NavigationNode(const Settings& settings, const NodeOptions& options);
+
+  /// Waits for what comes, takes it in, and runs a control cycle if one is due.
+  void tick();
+
+  /// Brakes, says zero, and tells the fleet that it leaves; returns when the robot was told to
+  /// stand, or `urgent` says true.
+  void stop(bool (*urgent)());
+
+ private:
+  void receive();
+  void take_transform(const tf2_msgs_msg_dds__TFMessage_& message, bool is_static);
+  void take_scan(const sensor_msgs_msg_dds__LaserScan_& message);
+  void take_obstacles(const sensor_msgs_msg_dds__PointCloud2_& message);
+  void take_goal(const geometry_msgs_msg_dds__PoseStamped_& message);
+  void place_goal();
+  void take_robot(const fairway_msgs_msg_dds__RobotState_& message);
+  void update_localisation();
+  void run_cycle(double now);
+  void send(const Twist2& command);
+  void tell_status(const std::string& text);
+  void tell_fleet(double now, bool leaving);
+  [[nodiscard]] std::string world_frame() const;
+  [[nodiscard]] std::optional<Pose2> find_frame(const std::string& frame) const;
+
+  struct WaitingGoal {
+    std::string frame;
+    Pose2 pose;
+  };
+
+  NodeOptions options_;
+  bridge::Pilot pilot_;
+  bridge::FrameTree frames_;
+  bridge::CycleClock clock_;
+  Participant participant_;
+  Reader<nav_msgs_msg_dds__OccupancyGrid_> map_{participant_, "map", kLatched};
+  Reader<nav_msgs_msg_dds__Odometry_> odometry_{participant_, "odom", kSensor};
+  Reader<sensor_msgs_msg_dds__LaserScan_> scan_{participant_, "scan", kSensor};
+  Reader<sensor_msgs_msg_dds__PointCloud2_> obstacles_{participant_, "obstacles", kSensor};
+  Reader<tf2_msgs_msg_dds__TFMessage_> transforms_{participant_, "/tf", {.depth = 100}};
+  Reader<tf2_msgs_msg_dds__TFMessage_> static_transforms_{
+      participant_, "/tf_static", {.transient_local = true, .depth = 100}};
+  Reader<geometry_msgs_msg_dds__PoseStamped_> goal_{participant_, "goal_pose", {}};
+  Reader<std_msgs_msg_dds__Empty_> cancel_{participant_, "cancel_goal", {}};
+  Reader<fairway_msgs_msg_dds__RobotState_> fleet_{
+      participant_, "/fairway/fleet", {.reliable = false, .depth = 50}};
+  std::optional<Writer<geometry_msgs_msg_dds__Twist_>> command_;                 // one of these
+  std::optional<Writer<geometry_msgs_msg_dds__TwistStamped_>> stamped_command_;  // two
+  Writer<nav_msgs_msg_dds__Path_> plan_{participant_, "plan", kLatched};
+  Writer<visualization_msgs_msg_dds__MarkerArray_> corridor_{participant_, "corridor", kLatched};
+  Writer<std_msgs_msg_dds__String_> status_{participant_, "fairway_status", {}};
+  Writer<fairway_msgs_msg_dds__RobotState_> own_state_{
+      participant_, "/fairway/fleet", {.reliable = false, .depth = 1}};
+  std::optional<WaitingGoal> waiting_goal_;
+  std::string odometry_frame_;
+  std::string told_;
+  bool scan_came_ = false;  // since the last tick
+  double last_told_ = 0.0;  // to the fleet
+};
+
+}  // namespace fairway::dds

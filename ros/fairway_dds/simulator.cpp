@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway_dds/simulator.hpp"
+
+#include <array>
+#include <iomanip>
+
+#include "bridge/message_conversions.hpp"
+#include "bridge/pose_history.hpp"
+#include "fairway_dds/dds_conversions.hpp"
+#include "fairway_dds/navigation_node.hpp"
+
+namespace fairway::dds {
+
+namespace {
+
+constexpr double kOdometryPeriod = 0.02;  // [s]
+
+}  // namespace
+
+Simulator::Simulator(const Scenario& scenario,
+                     std::uint32_t domain,
+                     const std::string& space,
+                     const std::string& track)
+    : scenario_(scenario),
+      world_(scenario_),
+      senses_(scenario_.sensing, world_, 0, scenario_.seed),
+      prefix_(space.empty() ? "" : space + "/"),
+      participant_(domain, space),
+      start_(wall_time()) {
+  if (!track.empty()) {
+    track_.open(track);
+    track_ << "time,x,y,heading\n" << std::setprecision(15);
+  }
+  publish_map();
+  publish_mount();
+}
+
+void Simulator::tick() {
+  constexpr double kLongestStep = 0.05;  // [s]: a starved machine slows the world, it never jumps
+  participant_.wait(0.004);
+  commands_.take([this](const geometry_msgs_msg_dds__Twist_& message) {
+    command_ = bridge::to_twist(message);
+    command_time_ = wall_time();
+  });
+  const double now = wall_time();
+  double step = now - start_ - world_.time();
+  if (step < World::kFineStep) return;
+  if (step > kLongestStep) {
+    start_ += step - kLongestStep;
+    step = kLongestStep;
+  }
+  const bool heard = now - command_time_ <= kCommandTimeout && is_finite(command_);
+  world_.advance({heard ? command_ : Twist2{}}, step);
+  senses_.measure(world_);
+  senses_.deliver(
+      world_.time(),
+      [this](const LidarScan& scan, const Eigen::Vector2d& /*position*/) { publish_scan(scan); });
+  if (world_.time() >= next_odometry_) {
+    next_odometry_ = world_.time() + kOdometryPeriod;
+    publish_odometry(start_ + world_.time());
+  }
+}
+
+void Simulator::publish_map() {
+  const std::string frame = "map";
+  std::vector<std::int8_t> percents;
+  for (const CellState state : scenario_.map.cells())
+    percents.push_back(bridge::percent_of_cell(state));
+  nav_msgs_msg_dds__OccupancyGrid_ message{};
+  message.header = header(frame, start_);
+  message.info.map_load_time = message.header.stamp;
+  bridge::set_grid_info(scenario_.map.frame(), message.info);
+  point_to(percents, message.data);
+  map_.send(message);
+}
+
+void Simulator::publish_mount() {
+  const std::string base = prefix_ + "base_link";
+  std::string lidar = prefix_ + "base_scan";
+  std::vector<geometry_msgs_msg_dds__TransformStamped_> links(1);
+  links[0].header = header(base, start_);
+  links[0].child_frame_id = lidar.data();
+  bridge::set_transform({.position = scenario_.sensing.lidar.mount, .heading = 0.0},
+                        links[0].transform);
+  tf2_msgs_msg_dds__TFMessage_ message{};
+  point_to(links, message.transforms);
+  static_transforms_.send(message);
+}
+
+void Simulator::publish_odometry(double time) {
+  const UnicycleRobot& robot = world_.robots()[0];
+  const std::string map = "map";
+  std::string odom = prefix_ + "odom";
+  std::string base = prefix_ + "base_link";
+  nav_msgs_msg_dds__Odometry_ odometry{};
+  odometry.header = header(odom, time);
+  odometry.child_frame_id = base.data();
+  bridge::set_pose(senses_.pose(), odometry.pose.pose);
+  bridge::set_twist(robot.twist, odometry.twist.twist);
+
+  // What a localisation would say: where the odometry's frame truly lies in the map.
+  std::vector<geometry_msgs_msg_dds__TransformStamped_> links(2);
+  links[0].header = odometry.header;
+  links[0].child_frame_id = base.data();
+  bridge::set_transform(senses_.pose(), links[0].transform);
+  links[1].header = header(map, time);
+  links[1].child_frame_id = odom.data();
+  bridge::set_transform(bridge::compose(robot.pose, bridge::inverse(senses_.pose())),
+                        links[1].transform);
+  tf2_msgs_msg_dds__TFMessage_ message{};
+  point_to(links, message.transforms);
+  transforms_.send(message);
+  odometry_.send(odometry);
+  if (track_.is_open()) {
+    track_ << time << ',' << robot.pose.position.x() << ',' << robot.pose.position.y() << ','
+           << robot.pose.heading << std::endl;
+  }
+}
+
+void Simulator::publish_scan(const LidarScan& scan) {
+  const std::string frame = prefix_ + "base_scan";
+  std::vector<float> ranges(scan.ranges.begin(), scan.ranges.end());
+  sensor_msgs_msg_dds__LaserScan_ message{};
+  message.header = header(frame, start_ + scan.time);
+  message.angle_min = static_cast<float>(scan.first_angle);
+  message.angle_increment = static_cast<float>(scan.angle_step);
+  message.angle_max = static_cast<float>(
+      scan.first_angle + static_cast<double>(scan.ranges.size() - 1) * scan.angle_step);
+  message.scan_time = static_cast<float>(1.0 / scenario_.sensing.lidar.rate);
+  message.range_min = static_cast<float>(scan.min_range);
+  message.range_max = static_cast<float>(scan.max_range);
+  point_to(ranges, message.ranges);
+  scan_.send(message);
+}
+
+}  // namespace fairway::dds

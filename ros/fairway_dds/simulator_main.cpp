@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+
+#include "fairway/io/map_file.hpp"
+#include "fairway_dds/orderly_exit.hpp"
+#include "fairway_dds/simulator.hpp"
+
+int main(int argc, char** argv) {
+  using namespace fairway;
+  CLI::App app("Simulates a robot with ROS 2's topics, over DDS");
+  std::string map;
+  std::vector<double> start{0.0, 0.0, 0.0};
+  std::uint32_t domain = 0;
+  std::string space;
+  std::string track;
+  bool noise = false;
+  app.add_option("map", map, "map_server YAML file")->required();
+  app.add_option("--start", start, "x,y,heading")->delimiter(',')->expected(3);
+  app.add_option("--domain", domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
+  app.add_option("--namespace", space, "of the robot's topics");
+  app.add_option("--track", track, "CSV file of where it truly is");
+  app.add_flag("--noise", noise, "the standard errors of lidar and odometry");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "fairway: %s\n", error.what());
+    return 2;
+  }
+  const Expected<OccupancyGrid> grid = io::read_map(map);
+  if (!grid) {
+    std::fprintf(stderr, "fairway: %s\n", grid.error().message.c_str());
+    return 2;
+  }
+  Scenario scenario;
+  scenario.map = *grid;
+  const Pose2 pose{.position = {start[0], start[1]}, .heading = start[2]};
+  scenario.robots = {{.name = "robot", .start = pose, .goal = {.position = pose.position}}};
+  if (noise) use_standard_noise(scenario.sensing);
+  try {
+    dds::take_over_exit();
+    dds::Simulator simulator(scenario, domain, space, track);
+    while (dds::exits_wanted == 0)
+      simulator.tick();
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "fairway: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}

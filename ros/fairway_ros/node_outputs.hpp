@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <ros/node_handle.h>
+
+#include "bridge/pilot.hpp"
+
+namespace fairway::ros1 {
+
+/// When the newest scan was taken and received, and when its command left, all on one clock [s].
+struct ScanTimes {
+  double taken = 0.0;
+  double received = 0.0;
+};
+
+/// Everything that the navigation node publishes.
+class NodeOutputs {
+ public:
+  /// @param node  for `cmd_vel`; @param own  for the node's private topics.
+  NodeOutputs(ros::NodeHandle node, ros::NodeHandle own);
+
+  void send(const Twist2& command);
+
+  /// Path, corridor, prediction, tracks, footprint and status of a cycle. Whatever nobody listens
+  /// to is not even made.
+  /// @param scan   of the scan that the command is the first answer to, if it is one.
+  /// @param seconds  that the cycle took.
+  void show(const bridge::Pilot& pilot,
+            const bridge::PilotStep& step,
+            const std::string& frame,
+            const std::optional<ScanTimes>& scan,
+            double seconds);
+
+  /// The same status on /diagnostics, for robot_monitor; call it about once a second.
+  void publish_diagnostics();
+
+ private:
+  void publish_status(const bridge::Pilot& pilot,
+                      const bridge::PilotStep& step,
+                      const std::optional<ScanTimes>& scan,
+                      double seconds);
+
+  ros::Publisher command_;
+  ros::Publisher plan_;
+  ros::Publisher corridor_;
+  ros::Publisher prediction_;
+  ros::Publisher obstacles_;
+  ros::Publisher obstacle_markers_;
+  ros::Publisher footprint_;
+  ros::Publisher status_;
+  ros::Publisher diagnostics_;
+  diagnostic_msgs::DiagnosticStatus last_status_;
+  std::size_t shown_rectangle_ = 0;
+};
+
+}  // namespace fairway::ros1

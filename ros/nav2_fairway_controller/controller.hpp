@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <nav2_core/controller.hpp>
+#include <nav2_costmap_2d/costmap_2d_ros.hpp>
+#include <sensor_msgs/msg/laser_scan.hpp>
+#include <sensor_msgs/msg/point_cloud2.hpp>
+
+#include "fairway/perception/perception.hpp"
+#include "nav2_fairway_controller/parameters.hpp"
+#include "nav2_fairway_controller/path_follower.hpp"
+
+namespace fairway::nav2 {
+
+/// Fairway as a controller of Nav2: converts, and hands on to a PathFollower.
+///
+/// Where nothing safe can be done it brakes within the limits first; only once the robot stands is
+/// the exception thrown that tells Nav2 so.
+class FairwayController : public nav2_core::Controller {
+ public:
+  void configure(const LifecycleNode::WeakPtr& parent,
+                 std::string name,
+                 TransformBuffer transforms,
+                 std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap) override;
+  void cleanup() override;
+  void activate() override {}
+  void deactivate() override;
+  void setSpeedLimit(const double& limit, const bool& percentage) override;
+
+#if FAIRWAY_NAV2_LYRICAL
+  void newPathReceived(const nav_msgs::msg::Path& path) override { take_path(path); }
+  geometry_msgs::msg::TwistStamped computeVelocityCommands(
+      const geometry_msgs::msg::PoseStamped& pose,
+      const geometry_msgs::msg::Twist& velocity,
+      nav2_core::GoalChecker* /*goal_checker*/,
+      const nav_msgs::msg::Path& /*transformed_global_plan*/,
+      const geometry_msgs::msg::PoseStamped& /*global_goal*/) override {
+    return compute(pose, velocity);
+  }
+#else
+  void setPlan(const nav_msgs::msg::Path& path) override { take_path(path); }
+  geometry_msgs::msg::TwistStamped computeVelocityCommands(
+      const geometry_msgs::msg::PoseStamped& pose,
+      const geometry_msgs::msg::Twist& velocity,
+      nav2_core::GoalChecker* /*goal_checker*/) override {
+    return compute(pose, velocity);
+  }
+#endif
+#if FAIRWAY_NAV2_TYPED_EXCEPTIONS
+  bool cancel() override;
+  void reset() override;
+#endif
+
+ private:
+  void take_path(const nav_msgs::msg::Path& path);
+  [[nodiscard]] geometry_msgs::msg::TwistStamped compute(
+      const geometry_msgs::msg::PoseStamped& pose, const geometry_msgs::msg::Twist& velocity);
+  void take_scan(const sensor_msgs::msg::LaserScan& scan);
+  void take_obstacles(const sensor_msgs::msg::PointCloud2& cloud);
+  /// Brings the last path into the costmap's frame; it may have moved against the path's.
+  void hand_over_path();
+  [[nodiscard]] Pose2 frame_in_costmap(const std::string& frame) const;
+
+  std::shared_ptr<LifecycleNode> node_;
+  std::string name_;
+  TransformBuffer transforms_;
+  std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
+  std::unique_ptr<Parameters> parameters_;
+  std::unique_ptr<PathFollower> follower_;
+  nav_msgs::msg::Path path_;
+  bool cancelling_ = false;
+  bool standing_ = true;
+
+  // What the subscriptions fill; their callbacks run in the executor's threads.
+  std::mutex obstacles_mutex_;
+  bridge::ObstacleBoard board_;
+  std::unique_ptr<Perception> perception_;
+  std::shared_ptr<void> scans_;      // the subscriptions, whose types differ between
+  std::shared_ptr<void> obstacles_;  // distributions
+};
+
+}  // namespace fairway::nav2

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nav2_fairway_controller/planner.hpp"
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "bridge/message_conversions.hpp"
+#include "bridge/pose_history.hpp"
+#include "nav2_fairway_controller/costmap_conversion.hpp"
+
+namespace fairway::nav2 {
+
+namespace {
+
+// Nav2's behaviour trees tell these apart.
+[[noreturn]] void throw_reason(const Plan& plan) {
+  switch (plan.path_status) {
+    case PathStatus::StartOutsideMap:
+      throw StartOutsideMap(plan.reason());
+    case PathStatus::GoalOutsideMap:
+      throw GoalOutsideMap(plan.reason());
+    case PathStatus::StartBlocked:
+      throw StartOccupied(plan.reason());
+    case PathStatus::GoalBlocked:
+      throw GoalOccupied(plan.reason());
+    case PathStatus::Found:
+    case PathStatus::NoConnection:
+      break;
+  }
+  throw NoValidPath(plan.reason());
+}
+
+}  // namespace
+
+void FairwayPlanner::configure(const LifecycleNode::WeakPtr& parent,
+                               std::string name,
+                               TransformBuffer transforms,
+                               std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap) {
+  node_ = parent.lock();
+  if (!node_) throw ControllerSetupError("the node is gone");
+  transforms_ = std::move(transforms);
+  costmap_ = std::move(costmap);
+  parameters_ = std::make_unique<Parameters>(node_, std::move(name));
+}
+
+void FairwayPlanner::cleanup() {
+  parameters_.reset();
+  costmap_.reset();
+  transforms_.reset();
+  node_.reset();
+}
+
+Pose2 FairwayPlanner::in_costmap(const geometry_msgs::msg::PoseStamped& pose) const {
+  const std::string world = costmap_->getGlobalFrameID();
+  if (pose.header.frame_id == world) return bridge::to_pose(pose.pose);
+  try {
+    const auto found =
+        transforms_->lookupTransform(world, pose.header.frame_id, tf2::TimePointZero);
+    return bridge::compose(bridge::transform_to_pose(found.transform), bridge::to_pose(pose.pose));
+  } catch (const tf2::TransformException& error) {
+    throw PlannerTransformError(error.what());
+  }
+}
+
+nav_msgs::msg::Path FairwayPlanner::plan(
+    const geometry_msgs::msg::PoseStamped& start,
+    const geometry_msgs::msg::PoseStamped& goal,
+    const std::vector<geometry_msgs::msg::PoseStamped>& via_points,
+    const std::function<bool()>& cancelled) {
+  const Settings settings = parameters_->settings();
+  PreparedMap map;
+  {
+    nav2_costmap_2d::Costmap2D* costmap = costmap_->getCostmap();
+    const std::lock_guard<nav2_costmap_2d::Costmap2D::mutex_t> lock(*costmap->getMutex());
+    map.obstacles = to_obstacles(*costmap, unknown_cells(settings.map));
+  }
+  map.distances.update(map.obstacles);
+
+  std::vector<geometry_msgs::msg::PoseStamped> stops = via_points;
+  stops.push_back(goal);
+  Eigen::Vector2d from = in_costmap(start).position;
+  Path whole;
+  Pose2 last;
+  for (const geometry_msgs::msg::PoseStamped& stop : stops) {
+    if (cancelled()) throw PlannerCancelled("cancelled while planning");
+    last = in_costmap(stop);
+    if (!is_finite(last)) throw NoValidPath("expected a finite goal");
+    const Plan leg =
+        planner_.plan(map, from, {.position = last.position, .heading = last.heading}, settings);
+    if (!leg.usable()) throw_reason(leg);
+    const std::size_t skip = whole.waypoints.empty() ? 0 : 1;  // where the legs meet
+    whole.waypoints.insert(whole.waypoints.end(),
+                           leg.path.waypoints.begin() + static_cast<std::ptrdiff_t>(skip),
+                           leg.path.waypoints.end());
+    from = last.position;
+  }
+  nav_msgs::msg::Path message;
+  message.header.stamp = node_->now();
+  message.header.frame_id = costmap_->getGlobalFrameID();
+  fill_path(whole, last.heading, map.obstacles.frame().resolution, message);
+  return message;
+}
+
+}  // namespace fairway::nav2
+
+PLUGINLIB_EXPORT_CLASS(fairway::nav2::FairwayPlanner, nav2_core::GlobalPlanner)

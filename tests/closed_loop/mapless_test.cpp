@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole runs of a robot that knows nothing but what its lidar and its wheels tell.
+#include <gtest/gtest.h>
+
+#include "fairway/simulation/episode.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+// A hall of 14 x 10 m with walls around; the robot starts at the left and looks along x.
+Scenario hall(std::uint64_t seed) {
+  Scenario scenario;
+  scenario.map = OccupancyGrid({.width = 280, .height = 200, .resolution = 0.05, .origin = {}});
+  scenario.settings.robot = {.radius = 0.31, .length = 0.458, .width = 0.416};
+  scenario.settings.mpc.linear_max = 1.5;
+  scenario.settings.mpc.angular_max = 3.0;
+  scenario.robots = {{.name = "robot",
+                      .start = {.position = {1.5, 5.0}, .heading = 0.0},
+                      .goal = {.position = {12.5, 5.0}, .heading = {}}}};
+  scenario.sensing.sensing = Sensing::Lidar;
+  use_standard_noise(scenario.sensing);
+  scenario.time_limit = 60.0;
+  scenario.seed = seed;
+  return scenario;
+}
+
+void put_box(OccupancyGrid& map, double x0, double y0, double x1, double y1) {
+  const CellIndex first = map.frame().cell_at({x0, y0});
+  const CellIndex last = map.frame().cell_at({x1, y1});
+  for (int y = first.y; y <= last.y; ++y) {
+    for (int x = first.x; x <= last.x; ++x)
+      map.set({x, y}, CellState::Occupied);
+  }
+}
+
+void expect_arrival(const EpisodeResult& result, const Scenario& scenario) {
+  EXPECT_FALSE(result.robots[0].collided);
+  EXPECT_TRUE(result.robots[0].reached) << to_text(result.trace.rows.back().status);
+  // Odometry errs by up to 1 % and 0.2 degrees per metre.
+  const Eigen::Vector2d off =
+      result.trace.rows.back().pose.position - scenario.robots[0].goal.position;
+  EXPECT_LT(off.norm(), 1.0);
+}
+
+TEST(Mapless, CrossesPostsItHasNeverSeen) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Scenario scenario = hall(seed);
+    test::Random random(seed);
+    for (int i = 0; i < 25; ++i) {
+      const double x = random.uniform(3.0, 11.0);
+      const double y = random.uniform(0.5, 9.5);
+      put_box(scenario.map, x, y, x + 0.15, y + 0.15);
+    }
+    SCOPED_TRACE(seed);
+    expect_arrival(run_episode(scenario), scenario);
+  }
+}
+
+TEST(Mapless, LeavesADeadEndAgain) {
+  Scenario scenario = hall(1);
+  // A pocket around the straight way, open to the robot.
+  put_box(scenario.map, 4.0, 3.0, 8.0, 3.1);
+  put_box(scenario.map, 4.0, 6.9, 8.0, 7.0);
+  put_box(scenario.map, 8.0, 3.0, 8.1, 7.0);
+  expect_arrival(run_episode(scenario), scenario);
+}
+
+// A passage of twice 0.365 m, as narrow as BARN's, may have only 0.70 m left once it is cells.
+TEST(Mapless, PassesADoorAsNarrowAsBarns) {
+  for (const Sensing sensing : {Sensing::Map, Sensing::Lidar}) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      Scenario scenario = hall(seed);
+      scenario.sensing.sensing = sensing;
+      const double low = 4.0 + 0.7 * static_cast<double>(seed);
+      put_box(scenario.map, 6.0, 0.0, 6.39, low - 0.01);
+      put_box(scenario.map, 6.0, low + 0.71, 6.39, 9.99);
+      SCOPED_TRACE(seed);
+      expect_arrival(run_episode(scenario), scenario);
+    }
+  }
+}
+
+TEST(Mapless, StandsStillWithoutScans) {
+  Scenario scenario = hall(1);
+  scenario.sensing.lidar.latency = 100.0;  // none ever arrives
+  scenario.time_limit = 3.0;
+  const EpisodeResult result = run_episode(scenario);
+  EXPECT_EQ(result.robots[0].length, 0.0);
+  EXPECT_EQ(result.trace.rows.back().status, NavigationStatus::Stale);
+}
+
+TEST(Mapless, SameSeedGivesTheSameBits) {
+  Scenario scenario = hall(5);
+  put_box(scenario.map, 5.0, 4.0, 5.2, 6.5);
+  scenario.time_limit = 4.0;
+  const EpisodeResult first = run_episode(scenario);
+  const EpisodeResult second = run_episode(scenario);
+  ASSERT_EQ(first.trace.rows.size(), second.trace.rows.size());
+  for (std::size_t i = 0; i < first.trace.rows.size(); ++i)
+    ASSERT_EQ(first.trace.rows[i].pose.position, second.trace.rows[i].pose.position);
+}
+
+}  // namespace
+}  // namespace fairway

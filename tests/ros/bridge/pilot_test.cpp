@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole way from measurements to commands and back, in simulated time, without a middleware.
+#include "bridge/pilot.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "fairway/simulation/lidar_senses.hpp"
+
+namespace fairway::bridge {
+namespace {
+
+// A room of 10 m x 6 m with a wall that leaves a passage of 2 m at its upper end.
+Scenario room() {
+  Scenario scenario;
+  scenario.map = OccupancyGrid({.width = 200, .height = 120, .resolution = 0.05, .origin = {}});
+  for (int y = 0; y < 80; ++y)
+    scenario.map.set({100, y}, CellState::Occupied);
+  scenario.robots = {
+      {.name = "robot", .start = {.position = {1.5, 1.5}, .heading = 0}, .goal = {}}};
+  scenario.sensing.sensing = Sensing::Lidar;
+  return scenario;
+}
+
+// One robot, its base and sensors in a true world, and a pilot that knows only what they send.
+struct Rig {
+  explicit Rig(const PilotOptions& options, const Scenario& truth = room())
+      : scenario(truth),
+        world(scenario),
+        senses(scenario.sensing, world, 0, 1),
+        pilot(scenario.settings, options) {
+    pilot.set_map(room().map);
+  }
+
+  PilotStep step() {
+    senses.measure(world);
+    const UnicycleRobot& robot = world.robots()[0];
+    if (odometry_alive) {
+      const Pose2 in_odometry = compose(inverse(odometry_in_map), robot.pose);
+      pilot.add_odometry(world.time(), in_odometry, robot.twist);
+    }
+    if (localisation_alive) pilot.set_localisation(odometry_in_map, world.time());
+    senses.deliver(world.time(), [this](const LidarScan& scan, const Eigen::Vector2d&) {
+      if (scan_alive) {
+        pilot.add_scan(scan, 0.0, {.position = scenario.sensing.lidar.mount, .heading = 0.0});
+      }
+    });
+    const PilotStep answer = pilot.cycle(world.time());
+    if (answer.send) command = answer.command;
+    world.advance({command}, scenario.settings.mpc.dt);
+    return answer;
+  }
+
+  // Steps until the goal ended or `seconds` have passed.
+  PilotStep drive(double seconds) {
+    const double until = world.time() + seconds;
+    PilotStep last;
+    while (world.time() < until && last.end == GoalEnd::None)
+      last = step();
+    return last;
+  }
+
+  // The goal as a robot without a map is told it.
+  [[nodiscard]] Goal in_odometry(const Goal& goal) const {
+    return {.position = inverse_transform(odometry_in_map, goal.position), .heading = {}};
+  }
+
+  [[nodiscard]] double speed() const { return std::abs(world.robots()[0].twist.linear); }
+
+  Scenario scenario;
+  World world;
+  LidarSenses senses;
+  Pilot pilot;
+  Pose2 odometry_in_map{.position = {4.0, -2.0}, .heading = 0.6};
+  bool odometry_alive = true;
+  bool localisation_alive = true;
+  bool scan_alive = true;
+  Twist2 command;
+};
+
+constexpr PilotOptions kMapAndScan{.plan_in_background = false};
+constexpr PilotOptions kMapOnly{.use_scan = false, .plan_in_background = false};
+const Goal kBehindTheWall{.position = {8.0, 1.5}, .heading = 1.0};
+
+TEST(Pilot, SendsNothingWithoutAGoal) {
+  Rig rig(kMapAndScan);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_FALSE(rig.step().send);
+}
+
+TEST(Pilot, ReachesAGoalOnTheMapWithOdometryInAFrameOfItsOwn) {
+  for (const PilotOptions& options : {kMapAndScan, kMapOnly}) {
+    Rig rig(options);
+    rig.pilot.set_goal(kBehindTheWall);
+    EXPECT_EQ(rig.drive(40.0).end, GoalEnd::Reached);
+    EXPECT_LT((rig.world.robots()[0].pose.position - kBehindTheWall.position).norm(), 0.15);
+    EXPECT_NEAR(rig.world.robots()[0].pose.heading, 1.0, 0.15);
+    EXPECT_FALSE(rig.world.encounters()[0].collided);
+    for (int i = 0; i < 5; ++i)
+      rig.step();
+    EXPECT_EQ(rig.pilot.state(), PilotState::Idle);
+    EXPECT_EQ(rig.speed(), 0.0);
+  }
+}
+
+TEST(Pilot, GoesRoundWhatTheMapDoesNotHave) {
+  Scenario changed = room();
+  for (int y = 85; y < 105; ++y) {
+    for (int x = 60; x < 90; ++x)
+      changed.map.set({x, y}, CellState::Occupied);
+  }
+  for (int y = 20; y < 50; ++y) {
+    for (int x = 60; x < 66; ++x)
+      changed.map.set({x, y}, CellState::Occupied);
+  }
+  Rig rig(kMapAndScan, changed);
+  rig.pilot.set_goal(kBehindTheWall);
+  EXPECT_EQ(rig.drive(60.0).end, GoalEnd::Reached);
+  EXPECT_FALSE(rig.world.encounters()[0].collided);
+}
+
+TEST(Pilot, ReachesAGoalWithoutAMap) {
+  Rig rig({.use_map = false, .plan_in_background = false});
+  rig.step();
+  rig.pilot.set_goal(rig.in_odometry(kBehindTheWall));
+  EXPECT_EQ(rig.drive(60.0).end, GoalEnd::Reached);
+  EXPECT_LT((rig.world.robots()[0].pose.position - kBehindTheWall.position).norm(), 0.15);
+  EXPECT_FALSE(rig.world.encounters()[0].collided);
+}
+
+// Drives off, then takes one input away, and looks that the robot stands when it must.
+void expect_stop_without(bool Rig::*input,
+                         const PilotOptions& options,
+                         double age_limit,
+                         Limit limit) {
+  Rig rig(options);
+  rig.pilot.set_goal(options.use_map ? kBehindTheWall : rig.in_odometry(kBehindTheWall));
+  rig.drive(2.0);
+  ASSERT_GT(rig.speed(), 0.5);
+  rig.*input = false;
+  const double braking = rig.speed() / rig.scenario.settings.mpc.linear_acceleration_max;
+  const PilotStep answer = rig.drive(age_limit + braking + 3.0 * rig.scenario.settings.mpc.dt);
+  EXPECT_TRUE(answer.send) << "zero commands go on";
+  EXPECT_EQ(answer.command.linear, 0.0);
+  EXPECT_EQ(answer.command.angular, 0.0);
+  EXPECT_EQ(answer.status, NavigationStatus::Stale);
+  EXPECT_EQ(answer.limit, limit) << to_text(answer.limit);
+  EXPECT_LT(rig.speed(), 0.01);
+  rig.*input = true;
+  EXPECT_EQ(rig.drive(40.0).end, GoalEnd::Reached) << "goes on when the input is back";
+}
+
+TEST(Pilot, StopsWithoutScans) {
+  expect_stop_without(&Rig::scan_alive, kMapAndScan, 0.3, Limit::StaleMap);
+  expect_stop_without(&Rig::scan_alive, {.use_map = false, .plan_in_background = false}, 0.3,
+                      Limit::StaleMap);
+}
+
+TEST(Pilot, StopsWithoutOdometry) {
+  expect_stop_without(&Rig::odometry_alive, kMapOnly, 0.2, Limit::StalePose);
+}
+
+TEST(Pilot, StopsWithoutLocalisation) {
+  expect_stop_without(&Rig::localisation_alive, kMapOnly, 2.0, Limit::StalePose);
+}
+
+TEST(Pilot, StopsWhenADetectorThatSawNothingFallsSilent) {
+  Rig rig(kMapOnly);
+  rig.pilot.set_goal(kBehindTheWall);
+  rig.pilot.board().set_detections("camera", {.obstacles = {}, .time = 0.0});
+  const PilotStep answer = rig.drive(2.0);
+  EXPECT_EQ(answer.limit, Limit::StaleTracks);
+  EXPECT_EQ(rig.speed(), 0.0);
+}
+
+TEST(Pilot, BrakesWhenTheGoalIsCancelled) {
+  Rig rig(kMapOnly);
+  rig.pilot.set_goal(kBehindTheWall);
+  rig.drive(2.0);
+  ASSERT_GT(rig.speed(), 0.5);
+  rig.pilot.cancel();
+  EXPECT_EQ(rig.pilot.state(), PilotState::Stopping);
+  double before = rig.speed();
+  while (rig.pilot.state() != PilotState::Idle && rig.world.time() < 10.0) {
+    rig.step();
+    EXPECT_LE(rig.speed(), before + 1e-9);
+    before = rig.speed();
+  }
+  EXPECT_EQ(rig.speed(), 0.0);
+  EXPECT_FALSE(rig.step().send);
+}
+
+TEST(Pilot, GivesUpAGoalThatCannotBeReachedAndSaysWhy) {
+  Rig rig(kMapOnly);
+  rig.pilot.set_goal({.position = {5.02, 1.0}, .heading = {}});  // in the wall
+  const PilotStep answer = rig.drive(60.0);
+  EXPECT_EQ(answer.end, GoalEnd::GivenUp);
+  EXPECT_NE(answer.reason.find("the robot does not fit at the goal"), std::string::npos)
+      << answer.reason;
+  EXPECT_NEAR(rig.world.time(), rig.pilot.options().patience, 0.5);
+}
+
+TEST(Pilot, TakesANewGoalOnTheWay) {
+  Rig rig(kMapOnly);
+  rig.pilot.set_goal(kBehindTheWall);
+  rig.drive(2.0);
+  rig.pilot.set_goal({.position = {2.0, 4.5}, .heading = {}});
+  EXPECT_EQ(rig.drive(30.0).end, GoalEnd::Reached);
+  EXPECT_LT((rig.world.robots()[0].pose.position - Eigen::Vector2d(2.0, 4.5)).norm(), 0.15);
+}
+
+TEST(Pilot, DrivesOnWithOtherSettings) {
+  Rig rig(kMapOnly);
+  rig.pilot.set_goal(kBehindTheWall);
+  rig.drive(2.0);
+  Settings slow = rig.scenario.settings;
+  slow.mpc.linear_max = 0.3;
+  rig.pilot.set_settings(slow);
+  rig.drive(1.5);
+  EXPECT_LT(rig.speed(), 0.35);
+  EXPECT_GT(rig.speed(), 0.2);
+  EXPECT_EQ(rig.drive(60.0).end, GoalEnd::Reached);
+}
+
+TEST(PilotOptions, AreChecked) {
+  EXPECT_TRUE(validate(PilotOptions{}));
+  EXPECT_EQ(validate(PilotOptions{.use_map = false, .use_scan = false}).error().message,
+            "use_map, use_scan: expected one of them true, found both false");
+  EXPECT_FALSE(validate(PilotOptions{.patience = std::nan("")}));
+  EXPECT_FALSE(validate(PilotOptions{.localisation_timeout = 0.0}));
+}
+
+}  // namespace
+}  // namespace fairway::bridge
