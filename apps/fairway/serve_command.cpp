@@ -47,6 +47,7 @@ void add_serve_command(CLI::App& tool, Command& chosen) {
   sub->add_option("SCENARIO", command->scenarios, "Scenario YAML files to choose from")
       ->type_name("SCENARIO.yaml");
   sub->add_option("--port", command->server.port, "Port; 0 takes a free one")
+      ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   sub->add_option("--address", command->server.address,
                   "Address to listen at; others than this machine's own reach the page only if it "
