@@ -30,6 +30,7 @@ struct GuideInput {
   Pose2 pose;
   double pose_time = 0.0;
   const ObstacleBoard& board;
+  Fleet fleet{};  ///< other robots, in the same frame
 };
 
 /// One of the library's two navigators behind one face: with a map, or without.

@@ -58,7 +58,7 @@ class MapGuide final : public Guide {
       const MovingObstacles tracked = this->tracked();
       board.set_detections("own", {.obstacles = {tracked.begin(), tracked.end()}, .time = seen});
     }
-    const SeenObstacles moving = board.collect(input.time, settings_.navigation.tracks_timeout);
+    const SeenObstacles moving = board.collect(input.time);
     NavigationInput in{.time = input.time,
                        .pose = input.pose,
                        .pose_time = input.pose_time,
@@ -66,7 +66,8 @@ class MapGuide final : public Guide {
                        .obstacles_time = moving.time,
                        .obstacles_due = board.has_detectors(),
                        .map = map_ ? &now_ : nullptr,
-                       .map_time = input.time};
+                       .map_time = input.time,
+                       .fleet = input.fleet};
     if (options_.use_scan) in.map_time = perception_ ? perception_->time() : -kNever;
     const NavigationStep step = navigator_.update(in);
     wants_plan_ = wants_plan_ || step.wants_plan;

@@ -107,21 +107,30 @@ void Pilot::cancel() {
   if (guide_) guide_->cancel();
 }
 
+std::optional<SharedMotion> Pilot::share(std::uint32_t robot, double time) const {
+  const std::optional<Pose2> now = pose();
+  if (!options_.use_map || !now) return std::nullopt;
+  return guide_->navigator().share(robot, time, *now);
+}
+
 PilotStep Pilot::cycle(double time) {
   PilotStep answer;
   if (fresh_goal_) {
-    if (state_ == PilotState::Idle && guide_ && !odometry_.empty())
-      guide_->reset(odometry_.twist());
     state_ = PilotState::Driving;
     fresh_goal_ = false;
     progress_time_ = time;
     if (guide_) guide_->set_goal(*goal_);
   }
-  if (state_ == PilotState::Idle) return answer;
+  if (state_ == PilotState::Idle) {
+    // Others may drive it meanwhile: a drive begins with what it does, and the fleet is told so.
+    if (guide_ && !odometry_.empty()) guide_->reset(odometry_.twist());
+    return answer;
+  }
 
   GuideInput input{.time = time, .pose = {}, .pose_time = -kInfinity, .board = board_};
-  if (pose()) {
-    input.pose = in_world(odometry_.at(time).value_or(odometry_.pose()));
+  if (const std::optional<Pose2> now = pose()) {
+    input.pose = *now;
+    if (options_.use_map) input.fleet = fleet_.around(now->position, time);
     const bool lost = options_.use_map && time - localisation_time_ > options_.localisation_timeout;
     if (!lost) input.pose_time = odometry_.time();
   }

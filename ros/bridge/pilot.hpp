@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "bridge/fleet_board.hpp"
 #include "bridge/guide.hpp"
 #include "bridge/pose_history.hpp"
 
@@ -60,6 +61,15 @@ class Pilot {
   /// Who else moves; positions in the world's frame.
   [[nodiscard]] ObstacleBoard& board() noexcept { return board_; }
 
+  /// The other robots; what they tell, in the map's frame. Without a map there is no frame in
+  /// common, and they are not looked at.
+  [[nodiscard]] FleetBoard& fleet() noexcept { return fleet_; }
+
+  /// What to tell the fleet after a cycle at `time`: what this robot does, and the stop to which it
+  /// has bound itself until it tells something else. None before the pose is known, or without a
+  /// map.
+  [[nodiscard]] std::optional<SharedMotion> share(std::uint32_t robot, double time) const;
+
   /// Sends the robot somewhere. @pre the goal is finite, in the world's frame.
   void set_goal(const Goal& goal);
 
@@ -93,6 +103,7 @@ class Pilot {
   std::optional<Pose2> localisation_;
   double localisation_time_ = 0.0;
   ObstacleBoard board_;
+  FleetBoard fleet_;
   std::unique_ptr<Guide> guide_;  // without a map, only once the first pose is known
   std::optional<Goal> goal_;
   PilotState state_ = PilotState::Idle;

@@ -108,4 +108,89 @@ CorridorMessage::CorridorMessage(const Corridor& corridor, const std::string& fr
   point_to(markers_, message_.markers);
 }
 
+namespace {
+
+Eigen::Vector2d vector_of(const geometry_msgs_msg_dds__Point_& point) noexcept {
+  return {point.x, point.y};
+}
+
+geometry_msgs_msg_dds__Point_ point_of(const Eigen::Vector2d& vector) noexcept {
+  return {.x = vector.x(), .y = vector.y(), .z = 0.0};
+}
+
+SampledMotion to_samples(const fairway_msgs_msg_dds__SampledMotion_& message,
+                         double time,
+                         const Pose2& frame) noexcept {
+  SampledMotion motion{.start = time + message.start, .interval = message.interval};
+  for (const geometry_msgs_msg_dds__Point_& point : elements(message.positions))
+    motion.add(transform(frame, vector_of(point)));
+  return motion;
+}
+
+void set_samples(const SampledMotion& motion,
+                 double time,
+                 std::vector<geometry_msgs_msg_dds__Point_>& points,
+                 fairway_msgs_msg_dds__SampledMotion_& message) {
+  for (int i = 0; i < motion.count; ++i)
+    points.push_back(point_of(motion.positions[static_cast<std::size_t>(i)]));
+  message.start = motion.start - time;
+  message.interval = motion.interval;
+  point_to(points, message.positions);
+}
+
+}  // namespace
+
+SharedMotion to_motion(const fairway_msgs_msg_dds__SharedMotion_& message,
+                       const Pose2& frame) noexcept {
+  const double time = seconds_of(message.header.stamp);
+  SharedMotion motion{.robot = bridge::robot_number(message.name),
+                      .time = time,
+                      .position = transform(frame, vector_of(message.position)),
+                      .speed = message.speed,
+                      .radius = message.radius,
+                      .speed_max = message.speed_max,
+                      .acceleration = message.acceleration,
+                      .turn_max = message.turn_max,
+                      .plan = to_samples(message.plan, time, frame),
+                      .stop = to_samples(message.stop, time, frame)};
+  for (const geometry_msgs_msg_dds__Point_& point : elements(message.way)) {
+    if (motion.way.count == WayAhead::kMaxPoints) break;
+    motion.way.points[static_cast<std::size_t>(motion.way.count++)] =
+        transform(frame, vector_of(point));
+  }
+  motion.under_way = message.under_way;
+  motion.to_narrow = message.to_narrow;
+  motion.can_step_aside = message.can_step_aside;
+  motion.roundabout = {.center = transform(frame, vector_of(message.roundabout_center)),
+                       .radius = message.roundabout_radius};
+  return motion;
+}
+
+MotionMessage::MotionMessage(const SharedMotion& motion,
+                             const std::string& name,
+                             const std::string& frame,
+                             bool leaving)
+    : name_(name),
+      frame_(frame) {
+  message_.header = header(frame_, motion.time);
+  message_.name = name_.data();
+  message_.leaving = leaving;
+  message_.position = point_of(motion.position);
+  message_.speed = motion.speed;
+  message_.radius = motion.radius;
+  message_.speed_max = motion.speed_max;
+  message_.acceleration = motion.acceleration;
+  message_.turn_max = motion.turn_max;
+  set_samples(motion.plan, motion.time, plan_, message_.plan);
+  set_samples(motion.stop, motion.time, stop_, message_.stop);
+  for (int i = 0; i < motion.way.count; ++i)
+    way_.push_back(point_of(motion.way.points[static_cast<std::size_t>(i)]));
+  point_to(way_, message_.way);
+  message_.under_way = motion.under_way;
+  message_.to_narrow = motion.to_narrow;
+  message_.can_step_aside = motion.can_step_aside;
+  message_.roundabout_center = point_of(motion.roundabout.center);
+  message_.roundabout_radius = motion.roundabout.radius;
+}
+
 }  // namespace fairway::dds

@@ -76,4 +76,29 @@ class CorridorMessage {
   visualization_msgs_msg_dds__MarkerArray_ message_{};
 };
 
+/// What another robot tells, its positions brought from the message's frame into this one.
+/// More samples than fit are dropped.
+[[nodiscard]] SharedMotion to_motion(const fairway_msgs_msg_dds__SharedMotion_& message,
+                                     const Pose2& frame) noexcept;
+
+/// What this robot tells, with everything that the message points to.
+class MotionMessage {
+ public:
+  MotionMessage(const SharedMotion& motion,
+                const std::string& name,
+                const std::string& frame,
+                bool leaving);
+  MotionMessage(const MotionMessage&) = delete;
+  MotionMessage& operator=(const MotionMessage&) = delete;
+  [[nodiscard]] const fairway_msgs_msg_dds__SharedMotion_& get() const noexcept { return message_; }
+
+ private:
+  std::string name_;
+  std::string frame_;
+  std::vector<geometry_msgs_msg_dds__Point_> plan_;
+  std::vector<geometry_msgs_msg_dds__Point_> stop_;
+  std::vector<geometry_msgs_msg_dds__Point_> way_;
+  fairway_msgs_msg_dds__SharedMotion_ message_{};
+};
+
 }  // namespace fairway::dds

@@ -59,8 +59,8 @@ descriptor<visualization_msgs_msg_dds__MarkerArray_>() noexcept {
   return visualization_msgs_msg_dds__MarkerArray__desc;
 }
 template <>
-inline const dds_topic_descriptor_t& descriptor<fairway_msgs_msg_dds__RobotState_>() noexcept {
-  return fairway_msgs_msg_dds__RobotState__desc;
+inline const dds_topic_descriptor_t& descriptor<fairway_msgs_msg_dds__SharedMotion_>() noexcept {
+  return fairway_msgs_msg_dds__SharedMotion__desc;
 }
 
 }  // namespace fairway::dds

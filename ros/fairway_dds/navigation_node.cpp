@@ -139,22 +139,15 @@ void NavigationNode::place_goal() {
   waiting_goal_.reset();
 }
 
-void NavigationNode::take_robot(const fairway_msgs_msg_dds__RobotState_& message) {
+void NavigationNode::take_robot(const fairway_msgs_msg_dds__SharedMotion_& message) {
   const std::string name = message.name;
   if (options_.name.empty() || name == options_.name) return;
-  if (message.leaving) {
-    pilot_.board().remove_neighbour(name);
-    return;
-  }
   const auto frame = find_frame(message.header.frame_id);
-  if (!frame) return;
-  const Pose2 pose = bridge::compose(*frame, bridge::to_pose(message.pose));
-  const Twist2 twist = bridge::to_twist(message.twist);
-  pilot_.board().set_neighbour(name, {.body = {.position = pose.position,
-                                               .velocity = twist.linear * direction(pose.heading),
-                                               .radius = message.radius},
-                                      .greatest_speed = message.greatest_speed,
-                                      .time = seconds_of(message.header.stamp)});
+  if (message.leaving) {
+    pilot_.fleet().forget(name);
+  } else if (frame) {
+    pilot_.fleet().hear(name, to_motion(message, *frame));
+  }
 }
 
 void NavigationNode::run_cycle(double now) {
@@ -194,20 +187,10 @@ void NavigationNode::tell_status(const std::string& text) {
 }
 
 void NavigationNode::tell_fleet(double now, bool leaving) {
-  constexpr double kPeriod = 0.05;  // [s]
-  const std::optional<Pose2> pose = pilot_.pose();
-  if (options_.name.empty() || !pose || (!leaving && now - last_told_ < kPeriod)) return;
-  last_told_ = now;
-  const std::string frame = world_frame();
-  fairway_msgs_msg_dds__RobotState_ state{};
-  state.header = header(frame, pilot_.odometry().time());
-  state.name = options_.name.data();
-  bridge::set_pose(*pose, state.pose);
-  bridge::set_twist(pilot_.odometry().twist(), state.twist);
-  state.radius = pilot_.settings().robot.radius;
-  state.greatest_speed = pilot_.settings().mpc.linear_max;
-  state.leaving = leaving;
-  own_state_.send(state);
+  if (options_.name.empty()) return;
+  if (const auto motion = pilot_.share(bridge::robot_number(options_.name), now)) {
+    own_motion_.send(MotionMessage(*motion, options_.name, world_frame(), leaving).get());
+  }
 }
 
 void NavigationNode::stop(bool (*urgent)()) {

@@ -41,7 +41,7 @@ class NavigationNode {
   void take_obstacles(const sensor_msgs_msg_dds__PointCloud2_& message);
   void take_goal(const geometry_msgs_msg_dds__PoseStamped_& message);
   void place_goal();
-  void take_robot(const fairway_msgs_msg_dds__RobotState_& message);
+  void take_robot(const fairway_msgs_msg_dds__SharedMotion_& message);
   void update_localisation();
   void run_cycle(double now);
   void send(const Twist2& command);
@@ -69,20 +69,19 @@ class NavigationNode {
       participant_, "/tf_static", {.transient_local = true, .depth = 100}};
   Reader<geometry_msgs_msg_dds__PoseStamped_> goal_{participant_, "goal_pose", {}};
   Reader<std_msgs_msg_dds__Empty_> cancel_{participant_, "cancel_goal", {}};
-  Reader<fairway_msgs_msg_dds__RobotState_> fleet_{
+  Reader<fairway_msgs_msg_dds__SharedMotion_> fleet_{
       participant_, "/fairway/fleet", {.reliable = false, .depth = 50}};
   std::optional<Writer<geometry_msgs_msg_dds__Twist_>> command_;                 // one of these
   std::optional<Writer<geometry_msgs_msg_dds__TwistStamped_>> stamped_command_;  // two
   Writer<nav_msgs_msg_dds__Path_> plan_{participant_, "plan", kLatched};
   Writer<visualization_msgs_msg_dds__MarkerArray_> corridor_{participant_, "corridor", kLatched};
   Writer<std_msgs_msg_dds__String_> status_{participant_, "fairway_status", {}};
-  Writer<fairway_msgs_msg_dds__RobotState_> own_state_{
+  Writer<fairway_msgs_msg_dds__SharedMotion_> own_motion_{
       participant_, "/fairway/fleet", {.reliable = false, .depth = 1}};
   std::optional<WaitingGoal> waiting_goal_;
   std::string odometry_frame_;
   std::string told_;
   bool scan_came_ = false;  // since the last tick
-  double last_told_ = 0.0;  // to the fleet
 };
 
 }  // namespace fairway::dds

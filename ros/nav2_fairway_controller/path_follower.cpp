@@ -119,8 +119,7 @@ FollowerStep PathFollower::update(const FollowerInput& input) {
                    (wants_plan_ && plan_time_ == kNever);
   if (!path_.waypoints.empty() && due && is_finite(input.pose)) replan(input);
 
-  const bridge::SeenObstacles moving =
-      input.moving.collect(input.time, navigator_->settings().navigation.tracks_timeout);
+  const bridge::SeenObstacles moving = input.moving.collect(input.time);
   const NavigationStep step = navigator_->update({.time = input.time,
                                                   .pose = input.pose,
                                                   .pose_time = input.pose_time,

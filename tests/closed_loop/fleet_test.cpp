@@ -48,5 +48,30 @@ TEST(Fleet, DoesNotTouchWhereMessagesAreLateOrLost) {
   }
 }
 
+// Two rooms of 5 m x 6 m and a door of 0.9 m.
+TEST(Fleet, ChangesRoomsThroughADoorThatOnlyOneFitsThrough) {
+  OccupancyGrid map({.width = 200, .height = 120, .resolution = 0.05, .origin = {}});
+  for (int y = 0; y < 120; ++y) {
+    for (int x = 98; x < 102; ++x)
+      map.set({x, y}, y >= 51 && y < 69 ? CellState::Free : CellState::Occupied);
+  }
+  Scenario scenario;
+  scenario.map = map;
+  scenario.time_limit = 60.0;
+  const auto add = [&](double y, bool from_west) {
+    scenario.robots.push_back(
+        {.name = "robot",
+         .start = {.position = {from_west ? 1.0 : 9.0, y}, .heading = from_west ? 0.0 : 3.14},
+         .goal = {.position = {from_west ? 9.0 : 1.0, y}, .heading = {}}});
+  };
+  add(1.5, true);
+  add(4.5, true);
+  add(1.5, false);
+  add(4.5, false);
+  const Outcome outcome = run(scenario);
+  EXPECT_TRUE(outcome.arrived);
+  EXPECT_FALSE(outcome.touched);
+}
+
 }  // namespace
 }  // namespace fairway

@@ -130,7 +130,7 @@ Figure snapshot_figure(const std::shared_ptr<const ExchangeRuns>& runs, Exchange
           const auto at = static_cast<std::size_t>(std::lround(share * last));
           picture.panels.push_back(
               {.title = fmt::format("{} s", fixed(run.moments[at].time, 1)),
-               .data = {.min = {3.0, 3.0}, .max = {13.0, 13.0}},
+               .data = {.min = {-5.0, -5.0}, .max = {5.0, 5.0}},
                .draw = [runs, kind, at](io::Canvas& canvas, const io::PlotAxes& axes) {
                  draw_moment(canvas, axes, first_run(*runs, kind), at);
                }});

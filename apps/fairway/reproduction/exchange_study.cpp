@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <numbers>
-#include <random>
 
-#include "fairway/geometry/angle.hpp"
+#include "fairway/simulation/swap_scenario.hpp"
 #include "parallel_runs.hpp"
 
 namespace fairway::reproduction {
@@ -18,9 +16,6 @@ using Eigen::Vector2d;
 
 constexpr double kBodyRadius = 0.25;   // [m]
 constexpr double kPaperKeepOut = 0.8;  // R_o [m]
-constexpr double kCircle = 4.0;        // radius of the circle that they start on [m]
-constexpr double kSide = 16.0;         // of the open square [m]
-constexpr double kStartNoise = 0.05;   // [m]
 constexpr double kTimeLimit = 90.0;    // some ten times what the straight way takes [s]
 
 Settings exchange_settings(ExchangeKind kind) {
@@ -90,29 +85,11 @@ double Exchange::nearest(const ExchangeMoment& moment, std::size_t robot) {
 }
 
 Scenario exchange_scenario(std::uint64_t seed, ExchangeKind kind) {
-  constexpr double kCell = 0.05;
-  Scenario scenario;
-  scenario.name = to_text(kind);
-  const int cells = static_cast<int>(kSide / kCell);
-  scenario.map =
-      OccupancyGrid({.width = cells, .height = cells, .resolution = kCell, .origin = {}});
-  scenario.settings = exchange_settings(kind);
+  Scenario scenario = swap_scenario(static_cast<int>(kExchangeRobots), kExchangeRadius,
+                                    exchange_settings(kind), seed + 1);
   scenario.time_limit = kTimeLimit;
-  std::mt19937_64 engine(seed);
-  const auto noise = [&] {
-    return kStartNoise * (static_cast<double>(engine() >> 11U) * 0x1.0p-52 - 1.0);
-  };
-  const Vector2d center = Vector2d::Constant(0.5 * kSide);
-  for (std::size_t i = 0; i < kExchangeRobots; ++i) {
-    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kExchangeRobots;
-    const double x = noise();
-    const Vector2d off(x, noise());
-    const Vector2d way = kCircle * direction(angle);
-    scenario.robots.push_back(
-        {.name = fmt::format("robot {}", i + 1),
-         .start = {.position = center + way + off, .heading = wrap_to_pi(angle + std::numbers::pi)},
-         .goal = {.position = center - way, .heading = std::nullopt}});
-  }
+  // The paper's robots share positions and speeds, which everybody here sees anyhow.
+  scenario.radio.on = kind == ExchangeKind::Ours;
   return scenario;
 }
 

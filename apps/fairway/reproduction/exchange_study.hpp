@@ -14,10 +14,11 @@ namespace fairway::reproduction {
 /// Who drives the robots of Case 3.
 enum class ExchangeKind : std::uint8_t {
   Ismpc,  ///< the paper's settings: R_o = 0.8 m between centres, gamma = 5
-  Ours,   ///< our default settings
+  Ours,   ///< our default settings; robots tell each other what they intend
 };
 inline constexpr std::size_t kExchangeKinds = 2;
 inline constexpr std::size_t kExchangeRobots = 4;
+inline constexpr double kExchangeRadius = 4.0;  ///< of the circle that they start on [m]
 
 [[nodiscard]] const char* to_text(ExchangeKind kind) noexcept;
 
@@ -50,8 +51,8 @@ struct Exchange {
 /// The runs of one seed by every kind.
 using ExchangeComparison = std::array<Exchange, kExchangeKinds>;
 
-/// Four robots on a circle of 4 m in the open, each bound for the place opposite; the starts are
-/// off by up to 0.05 m in x and y, so that nothing is quite symmetric.
+/// Four robots on a circle in the open, each bound for the place opposite; the starts are off by up
+/// to 0.05 m in x and y and turned by up to 0.1 rad, so that nothing is quite symmetric.
 [[nodiscard]] Scenario exchange_scenario(std::uint64_t seed, ExchangeKind kind);
 
 [[nodiscard]] Exchange exchange(const Scenario& scenario, const StudyOptions& options);

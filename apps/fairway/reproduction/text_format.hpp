@@ -18,15 +18,15 @@ namespace fairway::reproduction {
   return fmt::format("{}{}", value < 0.0 && !zero ? "\u2212" : "", digits);
 }
 
-/// Mean and half width of the 95 % interval.
+/// Mean and half width of the 95 % interval; the mean alone where there is no interval.
 [[nodiscard]] inline std::string with_interval(const Estimate& e, int decimals) {
-  return fixed(e.mean, decimals) + " \u00b1 " + fixed(e.half_width(), decimals);
+  if (e.count < 2) return fixed(e.mean, decimals);
+  return fmt::format("{} \u00b1 {}", fixed(e.mean, decimals), fixed(e.half_width(), decimals));
 }
 
 /// The same as a signed percentage.
 [[nodiscard]] inline std::string percent_interval(const Estimate& e) {
-  return fmt::format("{}{} \u00b1 {} %", e.mean > 0.0 ? "+" : "", fixed(e.mean, 1),
-                     fixed(e.half_width(), 1));
+  return fmt::format("{}{} %", e.mean > 0.0 ? "+" : "", with_interval(e, 1));
 }
 
 /// A p-value as papers print it.

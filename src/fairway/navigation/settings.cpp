@@ -36,6 +36,7 @@ Settings paper_settings() {
   s.navigation.goal_tolerance = 0.2;  // d_max is not given
   s.navigation.heading_tolerance = 3.15;
   s.navigation.actuation_lag = 0.0;
+  s.navigation.obstacle_growth = 0.0;
   s.navigation.obstacle_margin = 0.2;  // two robots of radius 0.3 then keep R_o = 0.8
   return s;
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bridge/fleet_board.hpp"
+
+#include <algorithm>
+
+namespace fairway::bridge {
+
+// FNV-1a: short, and the same everywhere.
+std::uint32_t robot_number(std::string_view name) noexcept {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : name) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 16777619U;
+  }
+  return hash;
+}
+
+void FleetBoard::hear(const std::string& name, const SharedMotion& motion) {
+  const auto known = told_.find(name);
+  if (known == told_.end()) {
+    told_.emplace(name, motion);
+  } else if (motion.time >= known->second.time) {
+    known->second = motion;
+  }
+}
+
+Fleet FleetBoard::around(const Eigen::Vector2d& position, double time) {
+  around_.clear();
+  for (const auto& [name, motion] : told_) {
+    const double unseen = std::max(0.0, time - motion.time);
+    const double away = (motion.position - position).norm();
+    // Written so that what is not finite stays in, for the navigator to refuse.
+    if (away > kRange + motion.speed_max * unseen) continue;
+    around_.push_back({.motion = &motion, .unseen = unseen});
+  }
+  return around_;
+}
+
+}  // namespace fairway::bridge

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bridge/fleet_board.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fairway::bridge {
+namespace {
+
+SharedMotion motion_at(double x, double time) {
+  return {.robot = 1, .time = time, .position = {x, 0.0}, .speed_max = 1.0, .acceleration = 2.0};
+}
+
+TEST(FleetBoard, NumbersRobotsByTheirNames) {
+  EXPECT_EQ(robot_number(""), 2166136261U);
+  EXPECT_EQ(robot_number("a"), 0xe40c292cU) << "FNV-1a's published value";
+  EXPECT_NE(robot_number("robot_1"), robot_number("robot_2"));
+}
+
+TEST(FleetBoard, TellsHowOldItsNewsIs) {
+  FleetBoard board;
+  board.hear("b", motion_at(3.0, 10.0));
+  const Fleet fleet = board.around({0, 0}, 10.25);
+  ASSERT_EQ(fleet.size(), 1U);
+  EXPECT_EQ(fleet[0].motion->position.x(), 3.0);
+  EXPECT_DOUBLE_EQ(fleet[0].unseen, 0.25);
+}
+
+TEST(FleetBoard, PrefersTheNewestNews) {
+  FleetBoard board;
+  board.hear("b", motion_at(3.0, 10.0));
+  board.hear("b", motion_at(2.0, 9.9));
+  EXPECT_EQ(board.around({0, 0}, 10.0)[0].motion->position.x(), 3.0);
+  board.hear("b", motion_at(4.0, 10.1));
+  EXPECT_EQ(board.around({0, 0}, 10.1)[0].motion->position.x(), 4.0);
+}
+
+TEST(FleetBoard, KeepsWhoIsSilentAndForgetsOnlyWhoLeaves) {
+  FleetBoard board;
+  board.hear("b", motion_at(3.0, 10.0));
+  EXPECT_EQ(board.around({0, 0}, 1000.0).size(), 1U);
+  board.forget("b");
+  EXPECT_TRUE(board.around({0, 0}, 1000.0).empty());
+}
+
+TEST(FleetBoard, LeavesOutWhoIsFarAwayUntilTheyCanHaveCome) {
+  FleetBoard board;
+  board.hear("b", motion_at(20.0, 10.0));
+  EXPECT_TRUE(board.around({0, 0}, 10.0).empty());
+  EXPECT_TRUE(board.around({0, 0}, 14.0).empty());
+  EXPECT_EQ(board.around({0, 0}, 16.0).size(), 1U);
+}
+
+}  // namespace
+}  // namespace fairway::bridge
