@@ -43,6 +43,10 @@ struct MujocoCamera::Scene {
       throw std::runtime_error("OSMesa: no off-screen context");
     }
     mjv_makeScene(model, &shapes, kMostShapes);
+    // The processor draws: shadows and reflections would take most of its time.
+    model->vis.quality.shadowsize = 0;
+    shapes.flags[mjRND_SHADOW] = 0;
+    shapes.flags[mjRND_REFLECTION] = 0;
     mjr_makeContext(model, &renderer, mjFONTSCALE_100);
     mjr_setBuffer(mjFB_OFFSCREEN, &renderer);
   }
