@@ -33,6 +33,7 @@ Query query(const benchmark::State& state) {
           .settings = {},
           .start = {},
           .goal = {}};
+  q.settings.path.margin = 0.1;  // always enough for the wished overlap: docs/corridors.md
   const fairway::GridFrame& frame = q.map.obstacles.frame();
   const double side = frame.width * frame.resolution;
   const auto free_near = [&](double from, double way) {
