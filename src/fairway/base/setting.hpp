@@ -5,8 +5,8 @@
 
 namespace fairway {
 
-/// An enumeration that can be a setting has, beside it, an overload of `setting_names`: the names of
-/// its values from 0 on, as written in files.
+/// An enumeration that can be a setting has, beside it, an overload of `setting_names`: the names
+/// of its values from 0 on, as written in files.
 ///
 ///     [[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorMethod) noexcept;
 

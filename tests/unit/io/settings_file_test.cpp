@@ -89,8 +89,9 @@ TEST(SettingsFile, NamesFileLineKeyRangeAndWhatWasFound) {
   EXPECT_EQ(complaint("corridor:\n  method: astar"),
             "s.yaml:2: corridor.method: expected mdsrc or fewest, found 'astar'");
   EXPECT_EQ(complaint("preset: fast"), "s.yaml:1: preset: expected default or paper, found 'fast'");
-  EXPECT_EQ(complaint("robot:\n  raduis: 1"),
-            "s.yaml:2: robot.'raduis': expected one of length, radius, width, found an unknown key");
+  EXPECT_EQ(
+      complaint("robot:\n  raduis: 1"),
+      "s.yaml:2: robot.'raduis': expected one of length, radius, width, found an unknown key");
   EXPECT_EQ(complaint("\nmcp: {}").substr(0, 17), "s.yaml:2: 'mcp': ");
   EXPECT_EQ(complaint("mpc: 3"), "s.yaml:1: mpc: expected a mapping, found '3'");
   EXPECT_EQ(complaint("mpc:\n  dt: 1\n  decay_rate: 5"),
