@@ -96,15 +96,23 @@ bool SafeStop::evade(const StopSituation& situation,
   std::array<Twist2, kRun> run;
   double latest = than + limits.dt;
   bool found = false;
+  // A way that something moving would meet is looked at no further than to there; what stands must
+  // be out of all of it, since what moves may do otherwise.
+  StopSituation alone = situation;
+  alone.around.moving = {};
+  alone.around.fleet = {};
   const auto consider = [&](std::span<const Twist2> way) {
     const StopSequence stop = follow_then_brake(way, way.size() - 1, limits);
     const StopOutcome outcome = follow_stop(situation.pose, situation.current, way[0], stop,
                                             limits.dt, situation.hold, situation.around);
     if (outcome.verdict == StopVerdict::HitsStatic) return;
-    const double time = outcome.verdict == StopVerdict::Free
-                            ? std::numeric_limits<double>::infinity()
-                            : outcome.time;
+    const bool whole = outcome.verdict == StopVerdict::Free;
+    const double time = whole ? std::numeric_limits<double>::infinity() : outcome.time;
     if (!(time > latest)) return;
+    if (!whole && check_stop(alone.pose, alone.current, way[0], stop, limits.dt, alone.around) !=
+                      StopVerdict::Free) {
+      return;
+    }
     latest = time;
     found = true;
     stop_.count = 1;

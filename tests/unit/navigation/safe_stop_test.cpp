@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/safe_stop.hpp"
+
+#include <array>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "fairway/map/free_space.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+using Eigen::Vector2d;
+
+// Found by safe_stop_soak: a way out that something moving would meet was taken without a look at
+// what stands behind that place. What moves may do otherwise; what stands will not.
+TEST(SafeStop, NeverEvadesIntoWhatStands) {
+  test::Random random(5);
+  const MpcSettings limits;
+  int evaded = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 120));
+    const GridFrame& frame = obstacles.frame();
+    const Pose2 pose{.position = frame.to_world(
+                         {random.uniform(0, frame.width), random.uniform(0, frame.height)}),
+                     .heading = random.uniform(-3, 3)};
+    const double radius = random.uniform(0.1, 0.3);
+    if (!is_free(obstacles, pose.position, pose.position, radius + 0.05)) continue;
+    const double bearing = random.uniform(-3, 3);
+    const std::array moving{
+        MovingObstacle{.position = pose.position + (radius + 0.9) * direction(bearing),
+                       .velocity = -random.uniform(0.5, 1.5) * direction(bearing),
+                       .radius = 0.3}};
+    const StopSituation now{.pose = pose,
+                            .current = {},
+                            .around = {.obstacles = &obstacles,
+                                       .body = Footprint::disc(radius),
+                                       .static_margin = 0.01,
+                                       .moving = moving},
+                            .hold = 2.0};
+    SafeStop stop;
+    stop.reset(now.current, limits);
+    if (!stop.evade(now, {}, stop.contact_time(now, limits), limits)) continue;
+    ++evaded;
+    StopSituation alone = now;
+    alone.around.moving = {};
+    StopSequence rest = stop.sequence();
+    const Twist2 first = stop.next();
+    for (int i = 1; i < rest.count; ++i)
+      rest.commands[static_cast<std::size_t>(i) - 1] = rest.commands[static_cast<std::size_t>(i)];
+    --rest.count;
+    EXPECT_EQ(check_stop(pose, now.current, first, rest, limits.dt, alone.around),
+              StopVerdict::Free)
+        << trial;
+  }
+  EXPECT_GT(evaded, 200);
+}
+
+}  // namespace
+}  // namespace fairway
