@@ -29,7 +29,7 @@ struct Query {
 // From the free place nearest to one corner to that nearest to the other.
 Query query(const benchmark::State& state) {
   Query q{.map = fairway::PreparedMap(
-              fairway::generate_map(static_cast<MapKind>(state.range(0)), 100003)),
+              fairway::generate_map(static_cast<MapKind>(state.range(0)), 1)),
           .settings = {},
           .start = {},
           .goal = {}};
@@ -50,7 +50,7 @@ Query query(const benchmark::State& state) {
 
 void prepare_map(benchmark::State& state) {
   const fairway::OccupancyGrid grid =
-      fairway::generate_map(static_cast<MapKind>(state.range(0)), 100003);
+      fairway::generate_map(static_cast<MapKind>(state.range(0)), 1);
   for (auto _ : state)
     benchmark::DoNotOptimize(fairway::PreparedMap(grid));
 }

@@ -19,7 +19,9 @@ constexpr double kCornerRadius = 1.0;  // kept free around them [m]
 // SplitMix64: small, and the same everywhere, unlike the standard distributions.
 class Draw {
  public:
-  explicit Draw(std::uint64_t seed) noexcept : state_(seed * 0x9e3779b97f4a7c15ULL + 1) {}
+  // The state advances by a constant, so seeds must not be multiples of it apart: then one stream
+  // would be another's, shifted. Mixed, neighbouring seeds start anywhere.
+  explicit Draw(std::uint64_t seed) noexcept : state_(mixed(seed)) {}
 
   double uniform(double low, double high) noexcept {
     return low + (high - low) * (static_cast<double>(next() >> 11U) * 0x1.0p-53);
@@ -30,12 +32,12 @@ class Draw {
   }
 
  private:
-  std::uint64_t next() noexcept {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
+  static constexpr std::uint64_t mixed(std::uint64_t z) noexcept {
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
     z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
     return z ^ (z >> 31U);
   }
+  std::uint64_t next() noexcept { return mixed(state_ += 0x9e3779b97f4a7c15ULL); }
 
   std::uint64_t state_;
 };
