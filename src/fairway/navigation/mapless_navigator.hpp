@@ -72,6 +72,7 @@ class MaplessNavigator {
   bool leads_to_goal_ = false;  // the present corridor
   bool has_goal_ = false;
   bool planned_ = false;
+  bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
   double plan_time_ = 0.0;
   double last_margin_ = std::numeric_limits<double>::infinity();  // of the last usable plan
   double way_length_ = std::numeric_limits<double>::infinity();   // likewise, of its path [m]
