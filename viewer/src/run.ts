@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+import type { Scan } from './belief';
+
 /** Lengths in metres, angles in radians, times in seconds, as everywhere in Fairway. */
 export interface Point {
   x: number;
@@ -21,7 +23,6 @@ export type Mark = { shape: 'side'; a: Point; b: Point } | { shape: 'disc'; a: P
 
 /** A robot in a control cycle. */
 export interface Cycle {
-  slot: number;
   linear: number;
   angular: number;
   commandLinear: number;
@@ -43,6 +44,13 @@ export interface RobotFrame extends Pose {
   collided: boolean;
   plan: Plan | null;
   cycle: Cycle | null;
+  /** Where its own frame lies, for a robot with a lidar: all that it believes is in it. */
+  belief: Pose | null;
+  scan: Scan | null;
+  /** The map it drives on, and for a robot with a lidar what of it was seen to be occupied. */
+  slots: { known: number; occupied: number };
+  /** Where it was sent, if its plans may lead to places before that. */
+  goal: Goal | null;
   /** Of its last cycle, also where it has none in this frame: it has arrived, say. */
   status: number | null;
 }
@@ -115,6 +123,9 @@ export interface Begin {
   name: string;
   robots: RobotTask[];
   bodies: string[];
+  /** What the robots know. */
+  sensing?: 'map' | 'lidar';
+  physics?: 'unicycle' | 'mujoco';
   statuses: string[];
   limits: string[];
   rows: string[];
@@ -125,12 +136,16 @@ export interface Begin {
 export class Run {
   frames: Frame[] = [];
   plans: Plan[][];
+  goals: (Goal | null)[];
+  scans: (Scan | null)[];
   /** By slot, in order of time: 0 is the true map, the others are what robots see. */
   grids: Grid[][] = [[]];
   settings: Setting[];
 
   constructor(readonly begin: Begin) {
     this.plans = begin.robots.map(() => []);
+    this.goals = begin.robots.map(() => null);
+    this.scans = begin.robots.map(() => null);
     this.settings = begin.settings;
   }
 
@@ -154,7 +169,13 @@ export class Run {
   forget(time: number): void {
     this.frames.splice(0, this.frameIndex(time));
     this.plans = this.plans.map((list) => list.slice(Math.max(list.findIndex((p) => p.time >= time) - 1, 0)));
-    this.grids = this.grids.map((list) => list.map((grid) => folded(grid, time)));
+    this.grids = this.grids.map((list) => list
+      .filter((_, i) => (list[i + 1]?.time ?? Infinity) > time) // not those that others replaced
+      .map((grid) => folded(grid, time)));
+  }
+
+  get lidar(): boolean {
+    return this.begin.sensing === 'lidar';
   }
 
   setting(group: string, name: string): number {

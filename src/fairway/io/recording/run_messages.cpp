@@ -19,7 +19,8 @@ using exact::Json;
 constexpr char kFreeCell = 0;
 constexpr char kOccupiedCell = 100;
 constexpr char kUnknownCell = static_cast<char>(255);
-constexpr double kMapPeriod = 1.0;  // a changing map is shown no more often [s]
+constexpr double kMapPeriod = 1.0;        // a changing map is shown no more often [s]
+constexpr std::size_t kShownTracks = 12;  // what moves, as a robot with a lidar believes
 
 std::uint64_t nanoseconds(double time) {
   return static_cast<std::uint64_t>(std::llround(std::max(0.0, time) * 1e9));
@@ -36,6 +37,24 @@ std::string topic_part(const std::string& name) {
 // Names come from people and may hold bytes that are not UTF-8.
 std::string dumped(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Where a frame lies in which a robot believes to be at `believed` while it truly is at `truth`.
+Pose2 frame_pose(const Pose2& truth, const Pose2& believed) {
+  const double turn = truth.heading - believed.heading;
+  const Pose2 turned{.position = Eigen::Vector2d::Zero(), .heading = turn};
+  return {.position = truth.position - transform(turned, believed.position), .heading = turn};
+}
+
+Json sensing_json(const SensingModel& model) {
+  if (model.sensing == Sensing::Map) return {{"robots_know", "map"}};
+  return {{"robots_know", "lidar"},
+          {"beams", model.lidar.beams},
+          {"range_sigma", exact::to_json(model.lidar.range_sigma)},
+          {"dropout", exact::to_json(model.lidar.dropout)},
+          {"latency", exact::to_json(model.lidar.latency)},
+          {"scale_error", exact::to_json(model.odometry.most_scale_error)},
+          {"drift", exact::to_json(model.odometry.most_drift)}};
 }
 
 std::string cell_bytes(const OccupancyGrid& grid) {
@@ -87,11 +106,20 @@ void RunMessages::add_robots(const Scenario& scenario) {
     robot.pose = own("/pose", "foxglove.PoseInFrame");
     robot.scene = own("/scene", "foxglove.SceneUpdate");
     robot.way = own("/way", "foxglove.SceneUpdate");
+    robot.frame = foxglove::kMapFrame;
+    if (scenario.sensing.sensing == Sensing::Lidar) {
+      robot.goal = own("/goal", "fairway.Goal");
+      robot.scan = own("/scan", "foxglove.LaserScan");
+      robot.lidar = own("/lidar", "fairway.Scan");
+      robot.map = own("/map", "foxglove.Grid");
+      robot.frame = robot.name + "_odom";
+    }
     robots_.push_back(robot);
   }
 }
 
 void RunMessages::on_start(const Scenario& scenario) {
+  lidar_ = scenario.sensing.sensing == Sensing::Lidar;
   add_robots(scenario);
   plans_.assign(scenario.robots.size(), Plan{});
   tracker_.clear();
@@ -125,20 +153,51 @@ void RunMessages::on_start(const Scenario& scenario) {
                 {"bodies", std::move(bodies)},
                 {"time_limit", exact::to_json(scenario.time_limit)},
                 {"seed", scenario.seed},
+                {"sensing", sensing_json(scenario.sensing)},
+                {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
                 {"settings", settings_yaml(scenario.settings)}}));
 }
 
 void RunMessages::on_navigators(double time,
                                 const Settings& settings,
-                                std::span<const Twist2> twists) {
+                                std::span<const NavigatorStart> starts) {
   body_ = settings.robot;
+  if (lidar_) tracker_.clear();  // they have new maps
   Json list = Json::array();
-  for (const Twist2& twist : twists)
-    list.push_back(exact::to_json(twist));
+  Json poses = Json::array();
+  for (const NavigatorStart& start : starts) {
+    list.push_back(exact::to_json(start.twist));
+    poses.push_back(exact::to_json(start.pose));
+  }
   write(navigators_, time,
         dumped({{"time", exact::to_json(time)},
                 {"settings", settings_yaml(settings)},
-                {"twists", std::move(list)}}));
+                {"twists", std::move(list)},
+                {"poses", std::move(poses)}}));
+}
+
+void RunMessages::on_goal(double time, std::size_t robot, const Goal& goal) {
+  if (!lidar_) return;  // the plan tells it
+  write(robots_.at(robot).goal, time,
+        dumped({{"time", exact::to_json(time)}, {"robot", robot}, {"goal", exact::to_json(goal)}}));
+}
+
+// Two messages: the ranges for every viewer, and what else the navigator was told.
+void RunMessages::on_scan(const ObservedScan& seen) {
+  const Robot& robot = robots_.at(seen.robot);
+  const LidarScan& scan = seen.scan;
+  write(robot.scan, scan.time,
+        dumped(foxglove::laser_scan(nanoseconds(scan.time), scan, robot.frame)));
+  write(robot.lidar, scan.time,
+        dumped({{"time", exact::to_json(scan.time)},
+                {"robot", seen.robot},
+                {"first_pose", exact::to_json(scan.first_pose)},
+                {"last_pose", exact::to_json(scan.last_pose)},
+                {"first_angle", exact::to_json(scan.first_angle)},
+                {"angle_step", exact::to_json(scan.angle_step)},
+                {"min_range", exact::to_json(scan.min_range)},
+                {"max_range", exact::to_json(scan.max_range)},
+                {"position", exact::to_json(seen.position)}}));
 }
 
 void RunMessages::on_plan(double time, std::size_t robot, const Plan& plan) {
@@ -164,7 +223,7 @@ int RunMessages::tell_cells(double time, const BitGrid& grid) {
 }
 
 void RunMessages::on_cycle(const NavigationCycle& cycle) {
-  const Robot& robot = robots_.at(cycle.robot);
+  Robot& robot = robots_.at(cycle.robot);
   const double time = cycle.input.time;
   const int slot = cycle.input.map == nullptr ? -1 : tell_cells(time, *cycle.input.map);
   Json obstacles = Json::array();
@@ -193,6 +252,7 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
             {"clearance", exact::to_json(cycle.clearance)},
             {"seconds", exact::to_json(cycle.seconds)},
             {"mark", exact::to_json(cycle.mark)}};
+  if (cycle.occupied != nullptr) json["occupied"] = tell_cells(time, *cycle.occupied);
   if (step.plan != nullptr) json["prediction"] = exact::to_json(*step.plan);
   write(robot.cycle, time, dumped(json));
   show_cycle(robot, cycle);
@@ -200,6 +260,9 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
 
 void RunMessages::on_world(const WorldView& world) {
   const int slot = tell_cells(world.time, *world.obstacles);
+  true_poses_.clear();
+  for (const UnicycleRobot& robot : world.robots)
+    true_poses_.push_back(robot.pose);
   Json bodies = Json::array();
   for (const MovingObstacle& body : world.bodies)
     bodies.push_back(exact::to_json(body));
@@ -260,7 +323,7 @@ void RunMessages::show_map(double time, const BitGrid& obstacles) {
 }
 
 void RunMessages::show_plan(double time, const Robot& robot, const Plan& plan) {
-  foxglove::Scene scene(nanoseconds(time));
+  foxglove::Scene scene(nanoseconds(time), robot.frame);
   scene.line("path", plan.path.waypoints, {.red = 0.0, .green = 0.62, .blue = 0.45});
   scene.outlines("corridor", plan.corridor.rectangles,
                  {.red = 0.34, .green = 0.71, .blue = 0.91, .opacity = 0.6});
@@ -268,16 +331,50 @@ void RunMessages::show_plan(double time, const Robot& robot, const Plan& plan) {
   write(robot.way, time, dumped(scene.json()));
 }
 
-void RunMessages::show_cycle(const Robot& robot, const NavigationCycle& cycle) {
+void RunMessages::show_seen_map(Robot& robot, const NavigationCycle& cycle) {
+  const double time = cycle.input.time;
+  if (time < robot.map_shown + kMapPeriod || !sink_.wants(robot.map)) return;
+  robot.map_shown = time;
+  const GridFrame& frame = cycle.input.map->frame();
+  std::string cells;
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      const CellIndex cell{.x = x, .y = y};
+      cells.push_back(!cycle.input.map->blocked(cell) ? kFreeCell
+                      : cycle.occupied->blocked(cell) ? kOccupiedCell
+                                                      : kUnknownCell);
+    }
+  }
+  write(robot.map, time, dumped(foxglove::grid(nanoseconds(time), frame, cells, robot.frame)));
+}
+
+void RunMessages::show_cycle(Robot& robot, const NavigationCycle& cycle) {
   const double time = cycle.input.time;
   const std::uint64_t stamp = nanoseconds(time);
+  const Pose2& pose = cycle.input.pose;
   if (sink_.wants(robot.pose))
-    write(robot.pose, time, dumped(foxglove::pose_in_frame(stamp, cycle.input.pose)));
-  if (sink_.wants(tf_))
-    write(tf_, time, dumped(foxglove::frame_transform(stamp, robot.name, cycle.input.pose)));
+    write(robot.pose, time, dumped(foxglove::pose_in_frame(stamp, pose, robot.frame)));
+  if (sink_.wants(tf_)) {
+    if (lidar_ && cycle.robot < true_poses_.size()) {
+      const Pose2 frame = frame_pose(true_poses_[cycle.robot], pose);
+      write(tf_, time, dumped(foxglove::frame_transform(stamp, robot.frame, frame)));
+    }
+    write(tf_, time, dumped(foxglove::frame_transform(stamp, robot.name, pose, robot.frame)));
+  }
+  if (cycle.occupied != nullptr && cycle.input.map != nullptr) show_seen_map(robot, cycle);
   if (!sink_.wants(robot.scene)) return;
 
-  foxglove::Scene scene(stamp);
+  foxglove::Scene scene(stamp, robot.frame);
+  for (std::size_t i = 0; lidar_ && i < kShownTracks; ++i) {
+    const std::string id = "track " + std::to_string(i);
+    if (i >= cycle.input.obstacles.size()) {
+      scene.remove(id);
+      continue;
+    }
+    const MovingObstacle& track = cycle.input.obstacles[i];
+    scene.disc(id, track.position, track.radius, 0.5,
+               {.red = 0.9, .green = 0.6, .blue = 0.0, .opacity = 0.5});
+  }
   std::vector<Eigen::Vector2d> points;
   if (const MpcSolution* plan = cycle.step.plan) {
     for (int k = 0; k <= plan->horizon; ++k)

@@ -76,6 +76,8 @@ std::string begin_text(const Scenario& scenario) {
                  {"name", scenario.name},
                  {"robots", std::move(robots)},
                  {"bodies", std::move(bodies)},
+                 {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
+                 {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
                  {"statuses", texts(NavigationStatus::GoalReached)},
                  {"limits", texts(Limit::NoPath)},
                  {"rows", texts(RowKind::Barrier)},
