@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/recording/recording.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -127,6 +128,42 @@ TEST(FoxgloveLaserScan, TellsOfABeamThatMetNothingByTheLargestRange) {
   const std::vector<float> ranges = {std::numeric_limits<float>::infinity(), 45.0F};
   const LidarScan scan{.max_range = 30.0, .ranges = ranges};
   EXPECT_EQ(foxglove::laser_scan(0, scan, "odom").at("ranges"), (exact::Json{30.0, 30.0}));
+}
+
+// Four robots that tell each other what they intend exchange places again and again.
+TEST(Recording, OfAMinuteOfFourRobotsThatTellEachOtherIsBelowTwoMegabytesAndReplays) {
+  Scenario scenario;
+  scenario.map =
+      OccupancyGrid(GridFrame{.width = 240, .height = 240, .resolution = 0.05, .origin = {}});
+  const std::array<Eigen::Vector2d, 4> corners{{{2, 2}, {10, 2}, {10, 10}, {2, 10}}};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    scenario.robots.push_back({.name = "robot " + std::to_string(i),
+                               .start = {.position = corners[i], .heading = 0.7},
+                               .goal = {.position = corners[(i + 2) % 4], .heading = {}}});
+  }
+  constexpr double kMinute = 60.0;
+  constexpr int kShift = 150;  // cycles until they turn round
+  int cycle = 0;
+  const auto play = [&](EpisodeControl& control) {
+    if (++cycle % kShift == 0) {
+      const std::size_t on = cycle / kShift % 2 == 0 ? 2 : 0;
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        control.set_goal(i, {.position = corners[(i + on) % 4], .heading = {}});
+    }
+    return control.world().time() < kMinute - 1e-6;
+  };
+  Recording recording;
+  RunMessages messages(recording);
+  static_cast<void>(run_episode(scenario, {.observer = &messages, .play = play}));
+  recording.finish();
+  const std::string bytes = recording.take();
+  EXPECT_LT(bytes.size(), 2'000'000U);  // so that five minutes are below ten megabytes
+  RecordProperty("bytes", static_cast<int>(bytes.size()));
+  ReplayCheck check;
+  ASSERT_TRUE(read_recording(bytes, "run.mcap", check));
+  EXPECT_GT(check.cycles(), 1000);
+  EXPECT_EQ(check.different(), 0);
+  RecordProperty("cycles", static_cast<int>(check.cycles()));
 }
 
 TEST(Recording, ShowsTheTrueBodiesOfTheRobots) {
