@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fairway/base/contract.hpp"
-#include "fairway/map/free_space.hpp"
+#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
 #include "fairway/simulation/robot_driver.hpp"
 #include "fairway/simulation/timed_solver.hpp"
@@ -185,10 +185,8 @@ class Episode final : public EpisodeControl {
     const NavigationStep& step = cycle.step;
     RobotResult& result = result_.robots[i];
     const UnicycleRobot& robot = world_.robots()[i];
-    const double radius = settings_.robot.radius;
-    const double clearance = distance_to_blocked(world_.obstacles(), robot.pose.position,
-                                                 radius + World::kClearanceLimit) -
-                             radius;
+    const double clearance = footprint_clearance(world_.obstacles(), footprint_of(settings_.robot),
+                                                 robot.pose, World::kClearanceLimit);
     if (hooks_.observer != nullptr) {
       hooks_.observer->on_cycle({.robot = i,
                                  .input = cycle.input,
