@@ -145,7 +145,10 @@ Expected<void> BarnCommand::keep_trace(const std::string& run,
                                        const BarnScore& score,
                                        const EpisodeResult& result) {
   if (!film_dir.empty()) {
-    const Expected<std::string> film = run_film(scenario, result);
+    Progress progress("film");
+    const Expected<std::string> film = run_film(scenario, result, [&](double share) {
+      progress.show(fmt::format("{}: {:.0f} % drawn", run, 100.0 * share));
+    });
     if (!film) return tl::unexpected(film.error());
     if (const auto done = write_output(film_dir + "/" + run + ".gif", *film); !done) return done;
   }
