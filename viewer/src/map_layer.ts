@@ -42,11 +42,12 @@ export class MapLayer {
   }
 
   private bring(grid: Grid, time: number, theme: Theme): void {
-    let until = this.applied;
+    const other = grid !== this.grid;
+    let until = other ? 0 : this.applied;
     const { changes } = grid;
     while (until < changes.length && changes[until]!.time <= time + 1e-9) ++until;
     while (until > 0 && changes[until - 1]!.time > time + 1e-9) --until;
-    const fresh = grid !== this.grid || until < this.applied;
+    const fresh = other || until < this.applied;
     if (fresh) {
       this.grid = grid;
       this.cells = grid.cells.slice();

@@ -259,8 +259,12 @@ export class Scene {
     const radius = Math.max(run.radius, LEAST_ROBOT / this.camera.scale);
     const color = robotColor(index, this.theme);
     const fill = robot.collided ? this.theme.limit : color;
-    const { length, width } = run.body;
-    if (length > 0 && radius === run.radius) {
+    const { length, width, discs } = run.body;
+    if (discs.length > 0 && radius === run.radius) {
+      this.disc(pose, radius);
+      this.stroke(fill, 1, 0.6);
+      this.discs(pose, discs);
+    } else if (length > 0 && radius === run.radius) {
       // The disc that corridors keep free, and the true body in it.
       this.disc(pose, radius);
       this.stroke(fill, 1, 0.6);
@@ -274,7 +278,8 @@ export class Scene {
       x: pose.x + distance * Math.cos(pose.heading + turn),
       y: pose.y + distance * Math.sin(pose.heading + turn),
     });
-    const size = length > 0 ? Math.min(length, width) / 2 : radius;
+    const size = discs.length > 0 ? Math.min(...discs.map((d) => d.radius))
+      : length > 0 ? Math.min(length, width) / 2 : radius;
     const arrow = Math.max(size, LEAST_ROBOT / this.camera.scale);
     this.trace([ahead(0.82 * arrow, 0), ahead(0.66 * arrow, 2.4), ahead(0.25 * arrow, Math.PI),
       ahead(0.66 * arrow, -2.4)], true);
@@ -282,6 +287,17 @@ export class Scene {
     if (selected && run.begin.robots.length > 1) {
       this.disc(pose, radius + 4 / this.camera.scale);
       this.stroke(color, 1.5, 0.9);
+    }
+  }
+
+  // One outline of several discs.
+  private discs(pose: Pose, discs: (Point & { radius: number })[]): void {
+    this.context.beginPath();
+    for (const disc of discs) {
+      const at = this.at(placed(pose, disc));
+      const radius = this.pixels(disc.radius);
+      this.context.moveTo(at.x + radius, at.y);
+      this.context.arc(at.x, at.y, radius, 0, TAU);
     }
   }
 

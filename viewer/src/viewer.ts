@@ -74,6 +74,8 @@ export class Viewer {
     this.selected = Math.min(this.selected, Math.max(run.begin.robots.length - 1, 0));
     if (!keepView) this.fit();
     this.legend();
+    // Only a robot with a lidar has something to show there.
+    element('layers').querySelector('[data-layer="scan"]')!.closest('label')!.hidden = !run.lidar;
     this.invalidate();
   }
 

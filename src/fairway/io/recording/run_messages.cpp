@@ -294,10 +294,12 @@ void RunMessages::show_robot(foxglove::Scene& scene,
                              const Pose2& pose) const {
   constexpr double kHeight = 0.3;  // [m]
   constexpr foxglove::Tint kBlue{.red = 0.0, .green = 0.45, .blue = 0.7};
-  if (footprint_of(body_).is_rectangle()) {
-    scene.box(name, pose, body_.length, body_.width, kHeight, kBlue);
-  } else {
-    scene.disc(name, pose.position, body_.radius, kHeight, kBlue);
+  const Footprint body = footprint_of(body_);
+  if (body.is_rectangle()) scene.box(name, pose, body_.length, body_.width, kHeight, kBlue);
+  for (int i = 0; i < body.num_discs(); ++i) {
+    const Footprint::Disc& disc = body.disc_at(i);
+    const std::string id = i == 0 ? name : name + " disc " + std::to_string(i + 1);
+    scene.disc(id, transform(pose, disc.center), disc.radius, kHeight, kBlue);
   }
   scene.arrow(name + " heading", pose, 1.4 * body_.radius, {.red = 0.1, .green = 0.1, .blue = 0.1});
 }

@@ -32,6 +32,9 @@ Json entry(const char* group, const Value& value, const SettingInfo& info) {
     json["kind"] = "choice";
     json["value"] = value_text(value);
     json["choices"] = setting_names(value);
+  } else if constexpr (std::is_same_v<Value, BodyDiscs>) {
+    json["kind"] = "discs";
+    json["value"] = to_text(value);
   } else {
     json["kind"] = std::is_same_v<Value, int> ? "integer" : "number";
     json["value"] = value;
