@@ -30,14 +30,15 @@ test('shows its scan where the true walls are', () => withPage(async (page) => {
     const [c, s] = [Math.cos(belief.heading), Math.sin(belief.heading)];
     const bodies = moment.frame.bodies;
     let onWall = 0;
-    for (const p of scan.points) {
+    for (let i = 0; i < scan.points.length; i += 2) {
+      const p = { x: scan.points[i], y: scan.points[i + 1] };
       const at = { x: belief.x + c * p.x - s * p.y, y: belief.y + s * p.x + c * p.y };
       const [u, v] = [(at.x - frame.origin.x) / frame.resolution, (at.y - frame.origin.y) / frame.resolution].map(Math.floor);
       let found = bodies.some((b) => Math.hypot(b.x - at.x, b.y - at.y) < b.radius + 0.2);
       for (let dy = -2; dy <= 2; ++dy) for (let dx = -2; dx <= 2; ++dx) found ||= blocked(u + dx, v + dy);
       if (found) ++onWall;
     }
-    return { points: scan.points.length, near: onWall };
+    return { points: scan.points.length / 2, near: onWall };
   });
   assert.ok(points > 500, `${points}`);
   assert.ok(near > 0.9 * points, `${near} of ${points}`);
@@ -135,7 +136,7 @@ test('the live page lets the robots know the map or what their lidar tells', asy
     await page.selectOption('#map-choice', { label: 'Empty hall' });
     await page.waitForFunction(() => window.fairway.run.begin.name === 'Empty hall');
     await page.selectOption('#senses', { label: 'their lidar, with errors' });
-    await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 300);
+    await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 600);
     // Whoever looks sees the same.
     await beside.waitForFunction(() => window.fairway?.run?.lidar
       && document.getElementById('senses').selectedOptions[0].textContent === 'their lidar, with errors');
@@ -156,7 +157,8 @@ test('the live page lets the robots know the map or what their lidar tells', asy
     await page.waitForFunction(() => {
       const { run } = window.fairway;
       const robot = run.frames.at(-1).robots[0];
-      return robot.scan.points.some((p) => Math.hypot(p.x - 10.5, p.y - 9) < 1.5);
+      const { points } = robot.scan;
+      return points.some((x, i) => i % 2 === 0 && Math.hypot(x - 10.5, points[i + 1] - 9) < 1.5);
     });
     const saved = await (await fetch(new URL('/scenario.zip', server.url))).arrayBuffer();
     assert.match(Buffer.from(saved).toString('latin1'), /sensing: lidar\nnoise: standard\nphysics: unicycle/);

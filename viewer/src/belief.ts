@@ -4,7 +4,7 @@ import type { GridFrame, Point, Pose } from './run';
 /** What a lidar saw, in the frame that its robot believes to be in. */
 export interface Scan {
   time: number;
-  points: Point[]; // where beams ended on something
+  points: Float32Array; // x, y of where beams ended on something; there are many of them
 }
 
 /** A point of the frame `frame`, in the world. */

@@ -24,7 +24,6 @@ export type Layers = Record<Layer, boolean>;
 
 const TAU = 2 * Math.PI;
 const LABEL = '600 12px system-ui, sans-serif';
-const FOG = '30'; // over what nobody has seen: opacity of 255, hexadecimal
 const LEAST_ROBOT = 5; // radius of a robot that is far away [pixels]
 
 function corners(pose: Pose, length: number, width: number): Point[] {
@@ -39,7 +38,7 @@ function corners(pose: Pose, length: number, width: number): Point[] {
 export class Scene {
   private readonly map = new MapLayer((theme) => [theme.free, theme.occupied, theme.unknown]);
   private readonly seen = new MapLayer((theme) => [`${theme.believed}00`, `${theme.believed}cc`, `${theme.ink}18`]);
-  private readonly fog = new MapLayer((theme) => [`${theme.fog}00`, `${theme.fog}${FOG}`, `${theme.fog}${FOG}`]);
+  private readonly fog = new MapLayer((theme) => ['#00000000', theme.fog, theme.fog]);
   private readonly trails = new Trails();
   private belief: Pose | null = null; // of the robot that is being drawn
   private context!: CanvasRenderingContext2D;
@@ -120,7 +119,7 @@ export class Scene {
       else context.lineTo(at.x, at.y);
     });
     context.closePath();
-    context.fillStyle = `${theme.fog}${FOG}`;
+    context.fillStyle = theme.fog;
     context.fill('evenodd');
     const origin = placedPose(robot.belief, known.frame.origin);
     this.fog.draw(context, camera, known, time, theme, origin);
@@ -131,8 +130,8 @@ export class Scene {
     const { context } = this;
     if (!scan) return;
     context.fillStyle = this.theme.scan;
-    for (const p of scan.points) {
-      const at = this.at(p);
+    for (let i = 0; i < scan.points.length; i += 2) {
+      const at = this.at({ x: scan.points[i]!, y: scan.points[i + 1]! });
       context.fillRect(at.x - 1.25, at.y - 1.25, 2.5, 2.5);
     }
   }

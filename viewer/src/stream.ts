@@ -62,14 +62,17 @@ function scanOf(fields: Fields): Scan {
   const from = point(fields);
   const first = fields.angle();
   const step = fields.real();
-  const points: Point[] = [];
-  for (let i = 0, n = fields.count(), range = 0; i < n; ++i) {
+  const beams = fields.count();
+  const points = new Float32Array(2 * beams);
+  let used = 0;
+  for (let i = 0, range = 0; i < beams; ++i) {
     range += fields.integer();
     if (range === 0) continue;
     const angle = first + i * step;
-    points.push({ x: from.x + range / 100 * Math.cos(angle), y: from.y + range / 100 * Math.sin(angle) });
+    points[used++] = from.x + range / 100 * Math.cos(angle);
+    points[used++] = from.y + range / 100 * Math.sin(angle);
   }
-  return { time, points };
+  return { time, points: points.slice(0, used) };
 }
 
 function plan(fields: Fields): Plan {
