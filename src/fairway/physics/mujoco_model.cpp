@@ -62,19 +62,9 @@ void add_world(std::ostream& xml, const Scenario& scenario) {
   }
 }
 
-void add_robot(std::ostream& xml,
-               const RobotSettings& body,
-               const MujocoRobot& robot,
-               const RobotTask& task,
-               std::size_t index) {
-  const double half_base = 0.5 * wheel_base_of(robot, body);
-  const double radius = robot.wheel_radius;
+// All of a robot that must not touch anything, and its mass.
+void add_chassis(std::ostream& xml, const RobotSettings& body, const MujocoRobot& robot) {
   const double half_height = 0.5 * robot.height;
-  const double caster = 0.5 * kGroundGap;
-  const double caster_at = 0.4 * robot_length(body);
-  const Vector2d& at = task.start.position;
-  xml << "<body name='robot" << index << "' pos='" << at.x() << ' ' << at.y() << ' ' << kLift
-      << "' quat='" << quaternion(task.start.heading) << "'>\n<freejoint/>\n";
   const Footprint outline = footprint_of(body);
   const auto chassis = [&](const Vector2d& center, double mass) -> std::ostream& {
     return xml << "<geom mass='" << mass << "' contype='2' conaffinity='2' material='chassis' pos='"
@@ -84,19 +74,33 @@ void add_robot(std::ostream& xml,
     chassis({0.0, 0.0}, robot.mass) << "type='box' size='" << 0.5 * body.length << ' '
                                     << 0.5 * body.width << ' ' << half_height << "'/>\n";
   }
-  const bool several = outline.num_discs() > 1;
   for (int i = 0; i < outline.num_discs(); ++i) {
     const Footprint::Disc& disc = outline.disc_at(i);
-    chassis(disc.center, several ? 0.0 : robot.mass)
+    chassis(disc.center, body.discs.count > 0 ? 0.0 : robot.mass)
         << "type='cylinder' size='" << disc.radius << ' ' << half_height << "'/>\n";
   }
-  if (several) {
-    // Between the wheels, so that it does not tip over where most discs are.
+  if (body.discs.count > 0) {
+    // The mass is between the wheels, so that it does not tip over where most discs are.
     xml << "<geom type='box' mass='" << robot.mass
         << "' contype='0' conaffinity='0' rgba='0 0 0 0' pos='0 0 " << kGroundGap + half_height
         << "' size='" << 0.5 * robot_length(body) << ' ' << 0.5 * robot_width(body) << ' '
         << half_height << "'/>\n";
   }
+}
+
+void add_robot(std::ostream& xml,
+               const RobotSettings& body,
+               const MujocoRobot& robot,
+               const RobotTask& task,
+               std::size_t index) {
+  const double half_base = 0.5 * wheel_base_of(robot, body);
+  const double radius = robot.wheel_radius;
+  const double caster = 0.5 * kGroundGap;
+  const double caster_at = 0.4 * robot_length(body);
+  const Vector2d& at = task.start.position;
+  xml << "<body name='robot" << index << "' pos='" << at.x() << ' ' << at.y() << ' ' << kLift
+      << "' quat='" << quaternion(task.start.heading) << "'>\n<freejoint/>\n";
+  add_chassis(xml, body, robot);
   // Dark on top where it is in front: only to be seen.
   xml << "<geom type='box' mass='0' contype='0' conaffinity='0' material='wheel' pos='"
       << 0.25 * robot_length(body) << " 0 " << kGroundGap + robot.height << "' size='"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "fairway/io/recording/message_text.hpp"
 #include "fairway/io/setting_text.hpp"
 #include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/navigation_status.hpp"
@@ -42,10 +43,6 @@ Json entry(const char* group, const Value& value, const SettingInfo& info) {
     if (std::isfinite(info.max)) json["max"] = info.max;
   }
   return json;
-}
-
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Json point(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); }
