@@ -135,11 +135,11 @@ test('the live page lets the robots know the map or what their lidar tells', asy
     await page.waitForFunction(() => window.fairway?.drawn > 0);
     await page.selectOption('#map-choice', { label: 'Empty hall' });
     await page.waitForFunction(() => window.fairway.run.begin.name === 'Empty hall');
-    await page.selectOption('#senses', { label: 'their lidar, with errors' });
+    await page.selectOption('#senses', { label: 'lidar with errors' });
     await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 600);
     // Whoever looks sees the same.
     await beside.waitForFunction(() => window.fairway?.run?.lidar
-      && document.getElementById('senses').selectedOptions[0].textContent === 'their lidar, with errors');
+      && document.getElementById('senses').selectedOptions[0].textContent === 'lidar with errors');
     // It drives on what it sees, and sees a wall that is drawn across its way.
     await page.waitForFunction(() => (window.fairway.run.frames.at(-1)?.robots[0].cycle?.linear ?? 0) > 0.5);
     await page.evaluate(() => document.getElementById('tool-wall').click());

@@ -15,7 +15,7 @@ const base64 = async (file: File): Promise<string> => {
 const senses = [
   { title: 'the map', sensing: 'map', noise: 'none' },
   { title: 'their lidar', sensing: 'lidar', noise: 'none' },
-  { title: 'their lidar, with errors', sensing: 'lidar', noise: 'standard' },
+  { title: 'lidar with errors', sensing: 'lidar', noise: 'standard' },
 ];
 
 const isYaml = (file: File): boolean => /\.ya?ml$/i.test(file.name);
