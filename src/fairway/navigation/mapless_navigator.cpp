@@ -88,19 +88,21 @@ void MaplessNavigator::observe(const LidarScan& scan, const Vector2d& position) 
 
 NavigationStep MaplessNavigator::update(double time, const Pose2& pose, double pose_time) {
   planned_ = false;
+  follows_new_plan_ = false;
   const bool pose_known = is_finite(pose) && std::isfinite(time);
   if (rolled_) {
     refresh_map();  // all of it, which is enough for one cycle: plans wait for the next one
   } else if (pose_known && std::isfinite(perception_.time()) && has_goal_ && wants_plan(time)) {
     plan(time, pose);
   }
-  NavigationStep step = navigator_.update({.time = time,
-                                           .pose = pose,
-                                           .pose_time = pose_time,
-                                           .obstacles = perception_.tracker().obstacles(),
-                                           .obstacles_time = perception_.time(),
-                                           .map = &perception_.grid().not_seen_free(),
-                                           .map_time = perception_.time()});
+  input_ = {.time = time,
+            .pose = pose,
+            .pose_time = pose_time,
+            .obstacles = perception_.tracker().obstacles(),
+            .obstacles_time = perception_.time(),
+            .map = &perception_.grid().not_seen_free(),
+            .map_time = perception_.time()};
+  NavigationStep step = navigator_.update(input_);
   if (step.status == NavigationStatus::GoalReached && !leads_to_goal_) {
     // As near as it gets for now, but not there.
     step.status = NavigationStatus::Blocked;
@@ -278,6 +280,7 @@ void MaplessNavigator::plan(double time, const Pose2& pose) {
   if (!found.usable() && navigator_.plan().usable()) return;
   way_length_ = found.path.length();
   leads_to_goal_ = found.whole && goal.position == goal_.position;
+  follows_new_plan_ = true;
   navigator_.follow(std::move(found));
 }
 
