@@ -64,7 +64,7 @@ void Navigator::follow(Plan plan) {
   corridor_ = plan_.usable()
                   ? CorridorString(plan_.corridor, plan_.goal.position, settings_.navigation)
                   : CorridorString();
-  fleet_way_.reset();
+  fleet_way_.change_way();
   at_goal_ = false;
   goal_distance_ = std::numeric_limits<double>::infinity();
   plan_time_ = -1.0;
@@ -184,6 +184,7 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
     }
     motion.to_narrow = fleet_way_.to_narrow();
     motion.can_step_aside = fleet_way_.can_step_aside();
+    motion.way_back = fleet_way_.way_back();
   }
   const bool driven = solution_.horizon > 0 && solution_.commands[0].linear == sent_.linear &&
                       solution_.commands[0].angular == sent_.angular;
@@ -259,9 +260,12 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
   if (solution_.horizon > 0) starts[count++] = shifted_start(problem_, solution_);
   if (count == 0 || settings_.navigation.step_regions) starts[count++] = pursuit_start(problem_);
 
+  const bool aside = fleet_way_.waits();
+  const StringBands bands =
+      aside ? bands_along(way_, settings_.robot.radius, *input.map) : StringBands{};
   for (std::size_t i = 0; i < count; ++i) {
-    if (fleet_way_.waits()) {
-      bind_to_nothing(problem_);
+    if (aside) {
+      bind_along(bands, starts[i].poses, problem_);
     } else if (settings_.navigation.step_regions) {
       bind_along(corridor_, starts[i].poses, problem_);
     } else {

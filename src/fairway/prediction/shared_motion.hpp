@@ -69,7 +69,9 @@ struct SharedMotion {
   double to_narrow =
       std::numeric_limits<double>::infinity();  ///< to where it meets others in a narrow place [m]
   bool can_step_aside = true;                   ///< and wait there until they have passed
-  Roundabout roundabout{};                      ///< that it goes round
+  double way_back =
+      0.0;  ///< to where it could wait when it cannot step aside; infinite: nowhere [m]
+  Roundabout roundabout{};  ///< that it goes round
 };
 
 /// Whether all that a robot tells is finite and makes sense.

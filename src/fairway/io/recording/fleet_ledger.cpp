@@ -49,6 +49,7 @@ json motion_json(const SharedMotion& motion) {
           {"way", std::move(way)},
           {"to_narrow", exact::to_json(motion.to_narrow)},
           {"can_step_aside", motion.can_step_aside},
+          {"way_back", exact::to_json(motion.way_back)},
           {"under_way", motion.under_way},
           {"roundabout",
            {{"center", exact::to_json(motion.roundabout.center)},
@@ -68,7 +69,8 @@ SharedMotion motion_of(const json& from) {
                       .stop = samples_of(from.at("stop")),
                       .under_way = from.at("under_way").get<bool>(),
                       .to_narrow = exact::to_number(from.at("to_narrow")),
-                      .can_step_aside = from.at("can_step_aside").get<bool>()};
+                      .can_step_aside = from.at("can_step_aside").get<bool>(),
+                      .way_back = exact::to_number(from.at("way_back"))};
   for (const json& point : from.at("way")) {
     if (motion.way.count == WayAhead::kMaxPoints) throw std::invalid_argument("way: too long");
     motion.way.points[static_cast<std::size_t>(motion.way.count++)] = exact::to_point(point);
