@@ -39,12 +39,14 @@ TEST(Fleet, ExchangesPlacesOnACircle) {
 
 TEST(Fleet, DoesNotTouchWhereMessagesAreLateOrLost) {
   for (const double loss : {0.0, 0.2}) {
-    Scenario scenario = swap_scenario(4, 4.0, {}, 1);
-    scenario.radio.delay = 0.1;
-    scenario.radio.loss = loss;
-    const Outcome outcome = run(scenario);
-    EXPECT_TRUE(outcome.arrived) << "loss " << loss;
-    EXPECT_FALSE(outcome.touched) << "loss " << loss;
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+      Scenario scenario = swap_scenario(8, 4.0, {}, seed);
+      scenario.radio.delay = 0.1;
+      scenario.radio.loss = loss;
+      const Outcome outcome = run(scenario);
+      EXPECT_TRUE(outcome.arrived) << "loss " << loss << ", seed " << seed;
+      EXPECT_FALSE(outcome.touched) << "loss " << loss << ", seed " << seed;
+    }
   }
 }
 

@@ -168,7 +168,7 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
   SharedMotion motion{.robot = robot,
                       .time = time,
                       .position = pose.position,
-                      .speed = std::abs(sent_before_.linear),
+                      .speed = std::max(std::abs(sent_before_.linear), std::abs(sent_.linear)),
                       .radius = std::max(settings_.robot.radius, body_.circumscribed_radius()),
                       .speed_max = std::max(mpc.linear_max, -mpc.linear_min),
                       .acceleration = mpc.linear_acceleration_max,
@@ -300,7 +300,11 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
 NavigationStep Navigator::stop_or_evade(const NavigationInput& input) noexcept {
   solution_.horizon = 0;  // what was planned is not what is done: start afresh
   const StopSituation now = situation(input);
-  const double contact = stop_.contact_time(now, settings_.mpc);
+  // Robots keep to what they told. Where it was told late it only seems to run into the stop, which
+  // was proven against all that they can have done since.
+  const bool only_late = input.obstacles.empty() && is_late(input.fleet);
+  const double contact =
+      only_late ? std::numeric_limits<double>::infinity() : stop_.contact_time(now, settings_.mpc);
   const std::span<const Twist2> best(answers_[0].commands.data(),
                                      static_cast<std::size_t>(answers_[0].horizon));
   if (std::isfinite(contact) && stop_.evade(now, best, contact, settings_.mpc)) {
@@ -352,6 +356,7 @@ StopSurroundings Navigator::surroundings(const NavigationInput& input) const noe
   around.moving_moves = settings_.navigation.predict_motion;
   around.fleet = input.fleet;
   around.time = input.time;
+  around.robot = input.robot;
   return around;
 }
 

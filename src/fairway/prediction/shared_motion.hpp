@@ -57,9 +57,9 @@ struct SharedMotion {
   std::uint32_t robot = 0;  ///< who tells; no two of a fleet are alike
   double time = 0.0;        ///< when it was told, on the clock of all [s]
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< then [m]
-  double speed = 0.0;                                  ///< then, without sign [m/s]
-  double radius = 0.0;                                 ///< of the disc that covers it [m]
-  double speed_max = 0.0;                              ///< [m/s]
+  double speed = 0.0;         ///< the greatest in the cycle then, without sign [m/s]
+  double radius = 0.0;        ///< of the disc that covers it [m]
+  double speed_max = 0.0;     ///< [m/s]
   double acceleration = 0.0;  ///< with which it gains and loses speed [m/s^2]
   double turn_max = 0.0;      ///< [rad/s]
   SampledMotion plan{};       ///< what it intends to do
@@ -80,9 +80,10 @@ struct SharedMotion {
 /// How far a robot can be from the stop that it told, when it was not heard for `unseen` seconds
 /// and may have told others since [m].
 ///
-/// With v its speed when it told, v' = min(speed_max, v + a unseen) the fastest that it can be now,
-/// it is at most v' unseen further on, needs (v'^2 - v^2) / 2a more to stop, and has turned its
-/// braking by at most 2 turn_max unseen.
+/// It is taken to brake at once in what it told and in what it has told since. With v its speed
+/// when it told, v' = min(speed_max, v + a unseen) the fastest that it can be now, it is at most v'
+/// unseen further on, needs (v'^2 - v^2) / 2a more to stop, and has turned its braking by at most 2
+/// turn_max unseen.
 [[nodiscard]] inline double reach_beyond_stop(const SharedMotion& motion, double unseen) noexcept {
   if (!(unseen > 0.0)) return 0.0;
   const double v = motion.speed;
