@@ -2,7 +2,7 @@
 // Robots on a circle exchange places, for many perturbed starts: who arrives, how near they come,
 // and how long it takes against the straight line.
 //
-//   fleet_swap [--seeds FIRST,LAST] [--delay S] [--loss SHARE] [--radio on|off] N...
+//   fleet_swap [--seeds FIRST,LAST] [--delay S] [--loss SHARE] [--radio on|off] [--predict on|off] N...
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +23,7 @@ struct Options {
   unsigned long first_seed = 1;
   unsigned long last_seed = 100;
   RadioModel radio;
+  bool predict = true;
   bool verbose = false;
   std::vector<int> robots;
 };
@@ -42,6 +43,8 @@ Options read_options(int argc, char** argv) {
       options.radio.loss = std::atof(value());
     } else if (name == "--radio") {
       options.radio.on = std::strcmp(value(), "off") != 0;
+    } else if (name == "--predict") {
+      options.predict = std::strcmp(value(), "off") != 0;
     } else if (name == "--verbose") {
       options.verbose = true;
     } else {
@@ -65,6 +68,7 @@ void run(int robots, const Options& options) {
   for (unsigned long seed = options.first_seed; seed <= options.last_seed; ++seed) {
     Scenario scenario = swap_scenario(robots, swap_radius(robots), {}, seed);
     scenario.radio = options.radio;
+    scenario.settings.navigation.predict_motion = options.predict;
     EpisodeHooks hooks;
     hooks.clock = [] { return 1e-6 * benchmark::thread_cpu_us(); };
     const EpisodeResult result = run_episode(scenario, hooks);

@@ -113,6 +113,34 @@ def doorways():
     m.save("doorways", origin=(-6.0, -4.0, 0.0))
 
 
+def long_passage():
+    """24 m x 6 m: two rooms joined by a passage of 0.8 m, 16 m long."""
+    m = Canvas(24, 6)
+    m.frame()
+    for y in (1.3, 4.7):
+        m.box(12, y, 16, 2.6)
+    m.save("long_passage")
+
+
+def dead_end():
+    """16 m x 6 m: a room, and a passage of 0.8 m that ends after 10 m."""
+    m = Canvas(16, 6)
+    m.frame()
+    for y in (1.3, 4.7):
+        m.box(10.5, y, 11, 2.6)
+    m.box(15.5, 3, 1, 6)
+    m.save("dead_end")
+
+
+def square():
+    """22 m x 22 m of open ground, where the people of ucy_zara01 walk."""
+    m = Canvas(22, 22)
+    m.save("square", origin=(-11.5, 2.0, 0.0))
+
+
 if __name__ == "__main__":
     workshop()
     doorways()
+    long_passage()
+    dead_end()
+    square()

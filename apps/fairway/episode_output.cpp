@@ -51,6 +51,7 @@ Json episode_json(const EpisodeResult& result) {
     robots.push_back(Json{{"name", robot.name},
                           {"reached", robot.reached},
                           {"collided", robot.collided},
+                          {"approach", robot.approach},
                           {"time", robot.time},
                           {"length", robot.length},
                           {"min_clearance", number_json(robot.min_clearance)},
@@ -111,8 +112,10 @@ Expected<std::string> world_picture(const Scenario& scenario,
   const double dt = scenario.settings.mpc.dt;
   for (const MovingBody& body : scenario.bodies) {
     io::BodyDrawing moving{.radius = body.radius, .track = {}};
-    for (int k = 0; k * dt <= result.time; ++k)
-      moving.track.push_back(body.at(k * dt).position);
+    for (int k = 0; k * dt <= result.time; ++k) {
+      if (body.is_there(k * dt)) moving.track.push_back(body.at(k * dt).position);
+    }
+    if (moving.track.empty()) continue;
     drawing.bodies.push_back(std::move(moving));
   }
   return io::draw_world(drawing, *io::picture_format(file));

@@ -161,6 +161,7 @@ SharedMotion to_motion(const fairway_msgs_msg_dds__SharedMotion_& message,
   motion.under_way = message.under_way;
   motion.to_narrow = message.to_narrow;
   motion.can_step_aside = message.can_step_aside;
+  motion.way_back = message.way_back;
   motion.roundabout = {.center = transform(frame, vector_of(message.roundabout_center)),
                        .radius = message.roundabout_radius};
   return motion;
@@ -189,6 +190,7 @@ MotionMessage::MotionMessage(const SharedMotion& motion,
   message_.under_way = motion.under_way;
   message_.to_narrow = motion.to_narrow;
   message_.can_step_aside = motion.can_step_aside;
+  message_.way_back = motion.way_back;
   message_.roundabout_center = point_of(motion.roundabout.center);
   message_.roundabout_radius = motion.roundabout.radius;
 }

@@ -9,6 +9,7 @@
 #include "fairway/io/map_file.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/settings_mapping.hpp"
+#include "fairway/io/tracks_file.hpp"
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml_document.hpp"
 
@@ -73,6 +74,7 @@ std::vector<MovingBody> read_bodies(YamlMapping& root) {
     body.name = read_name(mapping, fmt::format("obstacle {}", bodies.size() + 1), names);
     body.radius = mapping.number("radius", {.min = 0.01, .max = 100.0}, body.radius);
     body.loop = mapping.boolean("loop", body.loop);
+    body.passing = mapping.boolean("passing", body.passing);
     for (const std::vector<double>& row : mapping.rows("key_frames", 3)) {
       const MovingBody::KeyFrame frame{.time = row[0], .position = {row[1], row[2]}};
       if (frame.position.cwiseAbs().maxCoeff() > kFurthest || std::abs(frame.time) > kLongestTime) {
@@ -92,6 +94,28 @@ std::vector<MovingBody> read_bodies(YamlMapping& root) {
     bodies.push_back(std::move(body));
   }
   return bodies;
+}
+
+// People who were recorded walk through the scene, whatever the robots do.
+void add_pedestrians(YamlMapping& root, const std::filesystem::path& folder, Scenario& scenario) {
+  std::optional<YamlMapping> mapping = root.mapping("pedestrians");
+  if (!mapping) return;
+  TracksFormat format;
+  const std::filesystem::path path = mapping->text("tracks");
+  format.frame_rate =
+      mapping->number("frame_rate", {.min = 0.0, .max = 1e4, .min_allowed = false}, 25.0);
+  format.radius = mapping->number("radius", {.min = 0.01, .max = 100.0}, format.radius);
+  const double from = mapping->number("from", {.min = -kLongestTime, .max = kLongestTime}, 0.0);
+  mapping->finish();
+  if (path.empty()) return;
+  const Expected<std::vector<MovingBody>> tracks =
+      read_tracks((path.is_absolute() ? path : folder / path).string(), format);
+  if (!tracks) {
+    mapping->complain("tracks", tracks.error().message);
+    return;
+  }
+  for (MovingBody& person : replayed(*tracks, from, scenario.time_limit))
+    scenario.bodies.push_back(std::move(person));
 }
 
 // One of the names of an enumeration; the first when the key is missing.
@@ -144,6 +168,7 @@ Expected<Scenario> read_scenario(const std::string& path) {
   read_models(root, scenario);
   scenario.robots = read_robots(root, scenario.map);
   scenario.bodies = read_bodies(root);
+  if (!file.error) add_pedestrians(root, folder, scenario);
   root.finish();
   if (file.error) return tl::unexpected(*file.error);
   return scenario;

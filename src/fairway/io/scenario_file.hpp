@@ -19,6 +19,12 @@ namespace fairway::io {
 ///       - {name: amr, start: [0, 0, 1.57], goal: [5, 3]}     # a goal's heading may be left out
 ///     obstacles:                                             # what moves on its own
 ///       - {name: person, radius: 0.3, loop: true, key_frames: [[0, 1, 2], [5, 4, 2]]}  # t, x, y
+///       # `passing: true`: it is there only from its first key frame to its last
+///     pedestrians:                                           # people as they were recorded
+///       tracks: ../people.obsmat.txt   # relative to this file; io/tracks_file.hpp says the format
+///       frame_rate: 25                 # frames per second
+///       radius: 0.3                    # [m]
+///       from: 0                        # where in the recording the run begins [s]
 ///
 /// Only `map` and `robots` are required. Starts and goals must lie on the map; whether a robot fits
 /// there is for the run to find out.

@@ -27,6 +27,8 @@ constexpr double kWidest = 8.0;        // [m]
 constexpr std::size_t kMostMet = 8;    // robots in narrow places that are minded
 constexpr double kLongestWait = 20.0;  // [s]
 constexpr double kTrying = 4.0;        // [s] of going on after that
+constexpr double kComing = 0.1;        // [m/s] of somebody who need not be waited for in vain
+constexpr double kSearchPeriod = 0.5;  // [s] between searches for a way back in vain
 constexpr double kHeadOn = -0.5;       // cosine between two ways; below it they are head-on
 
 // An even motion along a straight way, to its end.
@@ -96,21 +98,73 @@ void FleetWay::give_way_to(const Roundabout& other) noexcept {
   if (other.radius > (1.0 + kNoticeable) * roundabout_.radius) roundabout_ = other;
 }
 
-// Whether to wait for somebody, at `place_`.
+// Keeps the way back while it leads aside, and else looks for one, but not too often in vain.
+void FleetWay::look_back(const Vector2d& here,
+                         const PassingSurroundings& around,
+                         double dt) noexcept {
+  shorten(back_, here, *around.obstacles, around.radius);
+  if (leads_aside(back_, here, around)) return;
+  const bool had_one = back_.exists();
+  back_ = {};
+  since_search_ += dt;
+  if (!had_one && since_search_ < kSearchPeriod) return;
+  since_search_ = 0.0;
+  back_ = find_way_back(here, around);
+}
+
+// What going back costs: the own way, or that of who follows and has to go back first.
+double FleetWay::cost_of_back(const Vector2d& here, const PassingSurroundings& around) noexcept {
+  double cost = back_.length(here);
+  Vector2d from = here;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(back_.count); ++i) {
+    const OrientedRectangle piece = segment_rectangle(from, back_.points[i]);
+    from = back_.points[i];
+    for (const FleetMember& member : around.fleet) {
+      const SharedMotion& other = *member.motion;
+      const bool passes =
+          std::find(around.passing.begin(), around.passing.end(), &other) != around.passing.end();
+      if (passes || !other.under_way) continue;
+      const double apart = (piece.nearest(other.position) - other.position).norm();
+      if (apart < around.radius + other.radius) cost = std::max(cost, other.way_back);
+    }
+  }
+  return cost;
+}
+
+// Whether this robot goes first where it meets `other` in a narrow place.
+bool FleetWay::goes_before(const SharedMotion& other, std::uint32_t robot) const noexcept {
+  if (other.can_step_aside != can_step_aside_) return !can_step_aside_;
+  if (!can_step_aside_) {
+    return std::pair(-way_back_, robot) < std::pair(-other.way_back, other.robot);
+  }
+  return is_nearer(other, robot);
+}
+
+bool FleetWay::is_nearer(const SharedMotion& other, std::uint32_t robot) const noexcept {
+  return std::pair(to_narrow_, robot) < std::pair(other.to_narrow, other.robot);
+}
+
+// Whether to wait for somebody, at the end of `back_`, or go there.
 bool FleetWay::steps_aside(const StringAhead& string, const FleetWayInput& input) noexcept {
   std::array<const SharedMotion*, kMostMet> met{};
+  std::array<bool, kMostMet> merges{};
   std::size_t count = 0;
+  bool shut_in = false;  // letting somebody pass would not help: its goal is in the way
   to_narrow_ = std::numeric_limits<double>::infinity();
+  way_back_ = 0.0;
   can_step_aside_ = true;
   if (input.fleet.empty()) return false;
   const NarrowPlaces narrow(string, input.radius, *input.obstacles);
   for (const FleetMember& member : input.fleet) {
     if (!member.motion->under_way || count == kMostMet) continue;
-    const double length = narrow.length_to_meeting(*member.motion, input.radius);
+    double length = narrow.length_to_meeting(*member.motion, input.radius);
+    merges[count] = !std::isfinite(length);
+    if (merges[count]) length = narrow.length_to_merging(*member.motion, input.radius);
     if (!std::isfinite(length)) continue;
     met[count] = member.motion;
     ++count;
     to_narrow_ = std::min(to_narrow_, length);
+    shut_in = shut_in || (!merges[count - 1] && narrow.hold_goal_of(*member.motion, input.radius));
   }
   if (count == 0) {
     waited_ = std::min(0.0, waited_ + input.dt);
@@ -121,42 +175,63 @@ bool FleetWay::steps_aside(const StringAhead& string, const FleetWayInput& input
                              .fleet = input.fleet,
                              .passing = {met.data(), count},
                              .radius = input.radius};
-  can_step_aside_ = passing_place(here, around).has_value();
-  for (std::size_t i = 0; i < count; ++i) {
-    const SharedMotion& other = *met[i];
-    const bool first =
-        other.can_step_aside != can_step_aside_
-            ? !can_step_aside_
-            : std::pair(to_narrow_, input.robot) < std::pair(other.to_narrow, other.robot);
-    if (first) met[i] = nullptr;
+  can_step_aside_ = !shut_in && passing_place(here, around).has_value();
+  if (shut_in) {
+    back_ = {};
+    way_back_ = std::numeric_limits<double>::infinity();
+  } else if (!can_step_aside_) {
+    look_back(here, around, input.dt);
+    way_back_ = cost_of_back(here, around);
   }
-  const std::span<const SharedMotion* const> ahead(met.data(), count);
-  if (std::all_of(ahead.begin(), ahead.end(), [](const auto* other) { return other == nullptr; })) {
+  bool first = true;
+  bool coming = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (merges[i] ? is_nearer(*met[i], input.robot) : goes_before(*met[i], input.robot)) {
+      met[i] = nullptr;
+    } else {
+      first = false;
+      coming = coming || met[i]->speed > kComing;
+    }
+  }
+  if (first) {
     waited_ = std::min(0.0, waited_ + input.dt);
     return false;
   }
-  waited_ += input.dt;
+  if (!coming || waited_ < 0.0) waited_ += input.dt;
   if (waited_ > kLongestWait) waited_ = -kTrying;
   if (waited_ < 0.0) return false;
-  const bool suits = place_ && std::all_of(ahead.begin(), ahead.end(), [&](const auto* other) {
-                       return other == nullptr || lets_pass(*place_, *other, input.radius);
-                     });
-  if (!suits) place_ = passing_place(here, around);
-  return place_.has_value();
+  if (!can_step_aside_) return back_.exists();
+  shorten(back_, here, *around.obstacles, around.radius);
+  if (!leads_aside(back_, here, around)) {
+    const std::optional<Vector2d> place = passing_place(here, around);
+    back_ = {};
+    if (place) back_ = {.count = 1, .points = {*place}};
+  }
+  return back_.exists();
+}
+
+void FleetWay::lead_back(const Vector2d& here) noexcept {
+  string_.count = 1;
+  string_.points[0] = here;
+  string_.arc[0] = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(back_.count); ++i) {
+    const auto at = static_cast<std::size_t>(string_.count++);
+    string_.points[at] = back_.points[i];
+    string_.arc[at] = string_.arc[at - 1] + (string_.points[at] - string_.points[at - 1]).norm();
+  }
+  string_.ends_at_goal = true;
 }
 
 const StringAhead& FleetWay::update(const StringAhead& string,
                                     const FleetWayInput& input) noexcept {
   if (steps_aside(string, input)) {
     roundabout_ = {};
-    string_.count = 2;
-    string_.points[0] = string.points[0];
-    string_.points[1] = *place_;
-    string_.arc = {0.0, (*place_ - string.points[0]).norm()};
-    string_.ends_at_goal = true;
+    waits_ = true;
+    lead_back(string.points[0]);
     return string_;
   }
-  place_.reset();
+  waits_ = false;
+  if (can_step_aside_) back_ = {};
   if (roundabout_.exists() && !lead_round(string, roundabout_, string_)) roundabout_ = {};
   if (const Roundabout met = meet(string, input); met.exists()) {
     if (roundabout_.exists()) {

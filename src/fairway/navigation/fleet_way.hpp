@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/navigation/passing_place.hpp"
+#include "fairway/navigation/way_back.hpp"
 #include "fairway/prediction/shared_motion.hpp"
 
 namespace fairway {
@@ -28,30 +28,51 @@ struct FleetWayInput {
 ///
 /// Where two ways meet head-on in a place too narrow to pass, one robot steps aside and waits: the
 /// one that can, of two that can the one that is further from that place, of two as near the one
-/// with the greater number. Who has waited for long tries to go on.
+/// with the greater number. Where none can, the one with the shorter way back to a place where it
+/// lets the other pass goes back there; of equal ones the one with the greater number. Who is
+/// followed by another one counts its way back, too, if that is longer. Where two enter a narrow
+/// place the same way at the same time, the nearer one goes first. Who has waited for long for
+/// somebody who does not come tries to go on.
 class FleetWay {
  public:
   void reset() noexcept { *this = FleetWay(); }
+
+  /// Tells that the way to the goal has changed. Who waits for others goes on doing so.
+  void change_way() noexcept { roundabout_ = {}; }
 
   /// @param string  The way of the robot alone, from where it is.
   /// @return The string to follow; lives until the next call.
   const StringAhead& update(const StringAhead& string, const FleetWayInput& input) noexcept;
 
   [[nodiscard]] const Roundabout& roundabout() const noexcept { return roundabout_; }
-  [[nodiscard]] bool waits() const noexcept { return place_.has_value(); }
+  /// Whether the robot waits aside for others, or is on its way there.
+  [[nodiscard]] bool waits() const noexcept { return waits_; }
   [[nodiscard]] double to_narrow() const noexcept { return to_narrow_; }
   [[nodiscard]] bool can_step_aside() const noexcept { return can_step_aside_; }
+  /// See SharedMotion::way_back.
+  [[nodiscard]] double way_back() const noexcept { return way_back_; }
 
  private:
   [[nodiscard]] static Roundabout meet(const StringAhead& string,
                                        const FleetWayInput& input) noexcept;
   void give_way_to(const Roundabout& other) noexcept;
   [[nodiscard]] bool steps_aside(const StringAhead& string, const FleetWayInput& input) noexcept;
+  [[nodiscard]] bool is_nearer(const SharedMotion& other, std::uint32_t robot) const noexcept;
+  [[nodiscard]] bool goes_before(const SharedMotion& other, std::uint32_t robot) const noexcept;
+  void look_back(const Eigen::Vector2d& here,
+                 const PassingSurroundings& around,
+                 double dt) noexcept;
+  [[nodiscard]] double cost_of_back(const Eigen::Vector2d& here,
+                                    const PassingSurroundings& around) noexcept;
+  void lead_back(const Eigen::Vector2d& here) noexcept;
 
   Roundabout roundabout_;
   StringAhead string_;
-  double standing_ = 0.0;                 // on the way round [s]
-  std::optional<Eigen::Vector2d> place_;  // to wait at
+  double standing_ = 0.0;      // on the way round [s]
+  WayBack back_;               // to where it waits, or would
+  bool waits_ = false;         // it is on it, or at its end
+  double since_search_ = 1e9;  // for a way back [s]
+  double way_back_ = 0.0;
   double to_narrow_ = std::numeric_limits<double>::infinity();
   bool can_step_aside_ = true;
   double waited_ = 0.0;  // [s]; negative: not again yet

@@ -79,6 +79,7 @@ class MaplessNavigator {
   bool leads_to_goal_ = false;  // the present corridor
   bool has_goal_ = false;
   bool planned_ = false;
+  bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
   bool follows_new_plan_ = false;
   NavigationInput input_;
   double plan_time_ = 0.0;

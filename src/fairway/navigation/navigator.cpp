@@ -64,7 +64,7 @@ void Navigator::follow(Plan plan) {
   corridor_ = plan_.usable()
                   ? CorridorString(plan_.corridor, plan_.goal.position, settings_.navigation)
                   : CorridorString();
-  fleet_way_.reset();
+  fleet_way_.change_way();
   at_goal_ = false;
   goal_distance_ = std::numeric_limits<double>::infinity();
   plan_time_ = -1.0;
@@ -168,7 +168,7 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
   SharedMotion motion{.robot = robot,
                       .time = time,
                       .position = pose.position,
-                      .speed = std::abs(sent_before_.linear),
+                      .speed = std::max(std::abs(sent_before_.linear), std::abs(sent_.linear)),
                       .radius = std::max(settings_.robot.radius, body_.circumscribed_radius()),
                       .speed_max = std::max(mpc.linear_max, -mpc.linear_min),
                       .acceleration = mpc.linear_acceleration_max,
@@ -184,6 +184,7 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
     }
     motion.to_narrow = fleet_way_.to_narrow();
     motion.can_step_aside = fleet_way_.can_step_aside();
+    motion.way_back = fleet_way_.way_back();
   }
   const bool driven = solution_.horizon > 0 && solution_.commands[0].linear == sent_.linear &&
                       solution_.commands[0].angular == sent_.angular;
@@ -261,9 +262,12 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
   if (solution_.horizon > 0) starts[count++] = shifted_start(problem_, solution_);
   if (count == 0 || settings_.navigation.step_regions) starts[count++] = pursuit_start(problem_);
 
+  const bool aside = fleet_way_.waits();
+  const StringBands bands =
+      aside ? bands_along(way_, settings_.robot.radius, *input.map) : StringBands{};
   for (std::size_t i = 0; i < count; ++i) {
-    if (fleet_way_.waits()) {
-      bind_to_nothing(problem_);
+    if (aside) {
+      bind_along(bands, starts[i].poses, problem_);
     } else if (settings_.navigation.step_regions) {
       bind_along(corridor_, starts[i].poses, problem_);
     } else {
@@ -298,7 +302,11 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
 NavigationStep Navigator::stop_or_evade(const NavigationInput& input) noexcept {
   solution_.horizon = 0;  // what was planned is not what is done: start afresh
   const StopSituation now = situation(input);
-  const double contact = stop_.contact_time(now, settings_.mpc);
+  // Robots keep to what they told. Where it was told late it only seems to run into the stop, which
+  // was proven against all that they can have done since.
+  const bool only_late = input.obstacles.empty() && is_late(input.fleet);
+  const double contact =
+      only_late ? std::numeric_limits<double>::infinity() : stop_.contact_time(now, settings_.mpc);
   const std::span<const Twist2> best(answers_[0].commands.data(),
                                      static_cast<std::size_t>(answers_[0].horizon));
   if (std::isfinite(contact) && stop_.evade(now, best, contact, settings_.mpc)) {
@@ -350,6 +358,7 @@ StopSurroundings Navigator::surroundings(const NavigationInput& input) const noe
   around.moving_moves = settings_.navigation.predict_motion;
   around.fleet = input.fleet;
   around.time = input.time;
+  around.robot = input.robot;
   return around;
 }
 

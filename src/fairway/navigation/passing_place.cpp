@@ -26,18 +26,32 @@ constexpr int kDirections = 16;
 struct NearWay {
   double distance = std::numeric_limits<double>::infinity();
   Vector2d direction = Vector2d::Zero();
+  double length = 0.0;  // along the way to there
 };
 
 NearWay nearest_on_way(const SharedMotion& other, const Vector2d& point) noexcept {
   NearWay nearest;
   Vector2d from = other.position;
+  double length = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(other.way.count); ++i) {
     const Vector2d& to = other.way.points[i];
-    const double distance = (segment_rectangle(from, to).nearest(point) - point).norm();
-    if (distance < nearest.distance) nearest = {.distance = distance, .direction = to - from};
+    const Vector2d on = segment_rectangle(from, to).nearest(point);
+    const double distance = (on - point).norm();
+    if (distance < nearest.distance) {
+      nearest = {
+          .distance = distance, .direction = to - from, .length = length + (on - from).norm()};
+    }
+    length += (to - from).norm();
     from = to;
   }
   return nearest;
+}
+
+// Far from everything where it is not known.
+Vector2d goal_of(const SharedMotion& other) noexcept {
+  const bool known = other.way.count > 0 && other.way.count < WayAhead::kMaxPoints;
+  return known ? other.way.points[static_cast<std::size_t>(other.way.count - 1)]
+               : Vector2d::Constant(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
@@ -71,8 +85,40 @@ double NarrowPlaces::length_to_meeting(const SharedMotion& other, double radius)
   return std::numeric_limits<double>::infinity();
 }
 
-bool lets_pass(const Vector2d& place, const SharedMotion& other, double radius) noexcept {
-  const double keep = radius + other.radius + kAside;
+bool NarrowPlaces::hold_goal_of(const SharedMotion& other, double radius) const noexcept {
+  return std::any_of(places.begin(), places.begin() + count, [&](const Place& place) {
+    return (place.position - goal_of(other)).norm() <= radius + other.radius + kRoom;
+  });
+}
+
+double NarrowPlaces::length_to_merging(const SharedMotion& other, double radius) const noexcept {
+  constexpr double kNear = 2.5;    // [m]
+  constexpr double kInside = 0.1;  // [m]
+  const double none = std::numeric_limits<double>::infinity();
+  const double gap = radius + other.radius + kAside;
+  if (count == 0 || places[0].length < kInside || places[0].length > kNear) return none;
+  const NearWay way = nearest_on_way(other, places[0].position);
+  const bool enters = way.distance <= radius + other.radius + kRoom && way.length > kInside &&
+                      way.length < kNear && places[0].along.dot(way.direction) > 0.0;
+  return enters && std::abs(way.length - places[0].length) < gap ? places[0].length : none;
+}
+
+bool passes_goal_of(const SharedMotion& other,
+                    const Vector2d& from,
+                    const Vector2d& to,
+                    double radius) noexcept {
+  const Vector2d goal = goal_of(other);
+  if (!goal.allFinite()) return false;
+  const double least = (segment_rectangle(from, to).nearest(goal) - goal).norm();
+  const double keep = radius + other.radius + kRoom;
+  return least < std::min(keep, (from - goal).norm() - 1e-6);
+}
+
+bool lets_pass(const Vector2d& place,
+               const SharedMotion& other,
+               double radius,
+               double more) noexcept {
+  const double keep = radius + other.radius + kAside + more;
   return (other.position - place).norm() >= keep && nearest_on_way(other, place).distance >= keep;
 }
 
@@ -85,6 +131,9 @@ std::optional<Vector2d> passing_place(const Vector2d& position,
                        });
   };
   const auto clear = [&](const Vector2d& place) {
+    for (const SharedMotion* other : around.passing) {
+      if (other != nullptr && passes_goal_of(*other, position, place, around.radius)) return false;
+    }
     const OrientedRectangle way = segment_rectangle(position, place);
     for (const FleetMember& member : around.fleet) {
       const Vector2d& other = member.motion->position;

@@ -49,8 +49,9 @@ bool SafeStop::take(const StopSituation& situation,
     return false;
   const std::size_t most = commands.size() - 1;
   std::size_t tried = commands.size();
+  const bool at_once = situation.around.moving.empty() && is_late(situation.around.fleet);
   for (const std::size_t follow : {std::size_t{0}, most / 4, most / 2, most}) {
-    if (follow == tried) continue;
+    if (follow == tried || (at_once && follow > 0)) continue;
     tried = follow;
     const StopSequence stop = follow_then_brake(commands, follow, limits);
     const StopOutcome outcome = follow_stop(situation.pose, situation.current, commands[0], stop,

@@ -20,6 +20,9 @@ struct StopSituation {
 /// A command is proven by braking at once, or by following the plan that it is from for a while and
 /// braking then: out of the way of something that comes, where standing still is no rescue. What
 /// was proven last is kept, and executed when nothing new can be proven.
+///
+/// Where messages are late others only know that a robot brakes at once or a few cycles later: then
+/// a command is proven by braking at once only, unless there is something that moves on its own.
 class SafeStop {
  public:
   /// Forgets what was proven; falls back on braking from `actual`.

@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/navigation/step_regions.hpp"
 
+#include "fairway/map/free_space.hpp"
+
 namespace fairway {
 
-void bind_to_nothing(ControlProblem& problem) noexcept {
-  for (int k = 1; k <= problem.horizon; ++k)
-    problem.regions[static_cast<std::size_t>(k)].count = 0;
+namespace {
+
+// Each step to the rectangle that the guess is in, from rectangle `index` of `size` on.
+template <typename RectangleAt>
+void bind_each(RectangleAt&& rectangle,
+               std::size_t index,
+               std::size_t size,
+               const std::array<Pose2, kMaxHorizon + 1>& poses,
+               ControlProblem& problem) noexcept {
+  for (int k = 1; k <= problem.horizon; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    StepRegion& region = problem.regions[at];
+    region.rectangles[0] = rectangle(index);
+    region.count = 1;
+    const std::size_t next = index + 1;
+    if (next < size && rectangle(next).contains(poses[at].position)) {
+      region.rectangles[1] = rectangle(next);
+      region.count = 2;
+      index = next;
+    }
+  }
 }
+
+}  // namespace
 
 void bind_to_current(const CorridorString& corridor, ControlProblem& problem) noexcept {
   for (int k = 1; k <= problem.horizon; ++k) {
@@ -19,19 +41,33 @@ void bind_to_current(const CorridorString& corridor, ControlProblem& problem) no
 void bind_along(const CorridorString& corridor,
                 const std::array<Pose2, kMaxHorizon + 1>& poses,
                 ControlProblem& problem) noexcept {
-  std::size_t index = corridor.current();
-  for (int k = 1; k <= problem.horizon; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    StepRegion& region = problem.regions[at];
-    region.rectangles[0] = corridor.admissible(index);
-    region.count = 1;
-    const std::size_t next = index + 1;
-    if (next < corridor.size() && corridor.admissible(next).contains(poses[at].position)) {
-      region.rectangles[1] = corridor.admissible(next);
-      region.count = 2;
-      index = next;
+  bind_each([&](std::size_t i) { return corridor.admissible(i); }, corridor.current(),
+            corridor.size(), poses, problem);
+}
+
+StringBands bands_along(const StringAhead& string,
+                        double radius,
+                        const BitGrid& obstacles) noexcept {
+  StringBands result;
+  for (std::size_t i = 1; i < static_cast<std::size_t>(string.count); ++i) {
+    if (result.count == StringBands::kMaxBands) break;
+    OrientedRectangle& band = result.bands[static_cast<std::size_t>(result.count++)];
+    band = segment_rectangle(string.points[i - 1], string.points[i]);
+    for (const double width : {0.5, 0.25, 0.1, 0.05}) {
+      const OrientedRectangle wide = band.shrunk(-width);
+      if (!is_free(obstacles, wide, radius)) continue;
+      band = wide;
+      break;
     }
   }
+  return result;
+}
+
+void bind_along(const StringBands& bands,
+                const std::array<Pose2, kMaxHorizon + 1>& poses,
+                ControlProblem& problem) noexcept {
+  bind_each([&](std::size_t i) { return bands.bands[i]; }, 0, static_cast<std::size_t>(bands.count),
+            poses, problem);
 }
 
 }  // namespace fairway

@@ -3,13 +3,11 @@
 
 #include <array>
 
+#include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/corridor_string.hpp"
 
 namespace fairway {
-
-/// No step is bound: on a straight way that was looked at, beside the corridor.
-void bind_to_nothing(ControlProblem& problem) noexcept;
 
 /// Holds the whole horizon in the current rectangle: the paper's reading of (15d-1).
 void bind_to_current(const CorridorString& corridor, ControlProblem& problem) noexcept;
@@ -19,6 +17,25 @@ void bind_to_current(const CorridorString& corridor, ControlProblem& problem) no
 /// the way to it lies in the one and the way from it in the other.
 /// @param poses  The guess, entry 0 at the start; `problem.horizon` + 1 entries are read.
 void bind_along(const CorridorString& corridor,
+                const std::array<Pose2, kMaxHorizon + 1>& poses,
+                ControlProblem& problem) noexcept;
+
+/// Rectangles about the pieces of a string, for a robot that leaves its corridor. Where the robot's
+/// centre is within one it touches nothing that stands; one ends beyond the next one's begin.
+struct StringBands {
+  static constexpr int kMaxBands = 4;
+  int count = 0;  ///< at least 1; further pieces have none
+  std::array<OrientedRectangle, kMaxBands> bands;
+};
+
+/// The bands about the first pieces of `string`, each as wide as 0.5, 0.25, 0.1 or 0.05 m to both
+/// sides allow for a robot of this radius [m]; of no width where none of these is free.
+[[nodiscard]] StringBands bands_along(const StringAhead& string,
+                                      double radius,
+                                      const BitGrid& obstacles) noexcept;
+
+/// As bind_along of a corridor.
+void bind_along(const StringBands& bands,
                 const std::array<Pose2, kMaxHorizon + 1>& poses,
                 ControlProblem& problem) noexcept;
 

@@ -169,7 +169,15 @@ class StopCheck {
       const double sagitta =
           (other.acceleration + other.speed_max * other.turn_max) * interval * interval / 8.0;
       const double keep = radius + other.radius + sagitta + reach_beyond_stop(other, member.unseen);
-      if (nearest_approach(before, after) < keep && after.norm() < before.norm()) return true;
+      if (nearest_approach(before, after) >= keep) continue;
+      // Already too near: what counts is not to come nearer.
+      if (after.norm() < before.norm()) return true;
+      // To what was told late, that is: if both went round each other, both would go by what is no
+      // longer so. One of two stands or goes straight away, within 60 degrees; then whatever the
+      // other one does in a few cycles without coming nearer to where it was, they part.
+      const Vector2d own = sweep.to.position - sweep.from.position;
+      const bool parts = own.dot(before) >= 0.5 * own.norm() * before.norm();
+      if (member.unseen > 0.0 && other.robot < surroundings_.robot && !parts) return true;
     }
     return false;
   }
@@ -246,6 +254,11 @@ SampledMotion stop_track(const Pose2& pose,
   for (int i = done; i < stop.count; ++i)
     ramp(stop.commands[static_cast<std::size_t>(i)]);
   return track;
+}
+
+bool is_late(Fleet fleet) noexcept {
+  return std::any_of(fleet.begin(), fleet.end(),
+                     [](const FleetMember& member) { return member.unseen > 0.0; });
 }
 
 StopOutcome follow_stop(const Pose2& pose,

@@ -41,6 +41,7 @@ struct StopSurroundings {
   double moving_margin = 0.0;  ///< room kept from them beyond both radii [m]
   Fleet fleet{};               ///< other robots; each is held to the stop that it told
   double time = 0.0;           ///< now, on the fleet's clock [s]
+  std::uint32_t robot = 0;     ///< the robot's own number in the fleet
 };
 
 /// Why a stop is not proven.
@@ -72,6 +73,9 @@ struct StopOutcome {
                                       double dt,
                                       double hold,
                                       const StopSurroundings& surroundings) noexcept;
+
+/// Whether something in the fleet was told late, so that it may be another commitment by now.
+[[nodiscard]] bool is_late(Fleet fleet) noexcept;
 
 /// Whether a robot at `pose` that moves with `current` now can execute `command` for one cycle and
 /// then `stop`, and keep free until it stands.

@@ -53,7 +53,7 @@ bool is_finite(const SharedMotion& motion) noexcept {
          std::isfinite(motion.radius) && std::isfinite(motion.speed_max) &&
          std::isfinite(motion.turn_max) && motion.acceleration > 0.0 &&
          std::isfinite(motion.acceleration) && is_finite(motion.plan) && is_finite(motion.stop) &&
-         is_finite(motion.way) && !std::isnan(motion.to_narrow) &&
+         is_finite(motion.way) && !std::isnan(motion.to_narrow) && !std::isnan(motion.way_back) &&
          motion.roundabout.center.allFinite() && std::isfinite(motion.roundabout.radius);
 }
 

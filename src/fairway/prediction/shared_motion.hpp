@@ -57,9 +57,9 @@ struct SharedMotion {
   std::uint32_t robot = 0;  ///< who tells; no two of a fleet are alike
   double time = 0.0;        ///< when it was told, on the clock of all [s]
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< then [m]
-  double speed = 0.0;                                  ///< then, without sign [m/s]
-  double radius = 0.0;                                 ///< of the disc that covers it [m]
-  double speed_max = 0.0;                              ///< [m/s]
+  double speed = 0.0;         ///< the greatest in the cycle then, without sign [m/s]
+  double radius = 0.0;        ///< of the disc that covers it [m]
+  double speed_max = 0.0;     ///< [m/s]
   double acceleration = 0.0;  ///< with which it gains and loses speed [m/s^2]
   double turn_max = 0.0;      ///< [rad/s]
   SampledMotion plan{};       ///< what it intends to do
@@ -69,7 +69,9 @@ struct SharedMotion {
   double to_narrow =
       std::numeric_limits<double>::infinity();  ///< to where it meets others in a narrow place [m]
   bool can_step_aside = true;                   ///< and wait there until they have passed
-  Roundabout roundabout{};                      ///< that it goes round
+  double way_back =
+      0.0;  ///< to where it could wait when it cannot step aside; infinite: nowhere [m]
+  Roundabout roundabout{};  ///< that it goes round
 };
 
 /// Whether all that a robot tells is finite and makes sense.
@@ -88,9 +90,10 @@ inline constexpr double kToldQuantum = 1e-3;
 /// How far a robot can be from the stop that it told, when it was not heard for `unseen` seconds
 /// and may have told others since [m].
 ///
-/// With v its speed when it told, v' = min(speed_max, v + a unseen) the fastest that it can be now,
-/// it is at most v' unseen further on, needs (v'^2 - v^2) / 2a more to stop, and has turned its
-/// braking by at most 2 turn_max unseen.
+/// It is taken to brake at once in what it told and in what it has told since. With v its speed
+/// when it told, v' = min(speed_max, v + a unseen) the fastest that it can be now, it is at most v'
+/// unseen further on, needs (v'^2 - v^2) / 2a more to stop, and has turned its braking by at most 2
+/// turn_max unseen.
 [[nodiscard]] inline double reach_beyond_stop(const SharedMotion& motion, double unseen) noexcept {
   if (!(unseen > 0.0)) return 0.0;
   const double v = motion.speed;

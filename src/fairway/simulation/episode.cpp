@@ -243,6 +243,7 @@ class Episode final : public EpisodeControl {
       RobotResult& robot = result_.robots[i];
       const Encounter& met = world_.encounters()[i];
       robot.collided = met.collided;
+      robot.approach = met.approach;
       robot.min_clearance = met.min_clearance;
       robot.min_separation = met.min_separation;
       robot.plan = drivers_[i]->navigator().plan();

@@ -19,6 +19,7 @@ struct RobotResult {
   std::string name;
   bool reached = false;         ///< stands at its goal
   bool collided = false;        ///< touched something, as the simulator judges
+  double approach = 0.0;        ///< of its own then; see Encounter::approach [m/s]
   double time = 0.0;            ///< until it stood at the goal, or until the end [s]
   double length = 0.0;          ///< of the way driven [m]
   double min_clearance = 0.0;   ///< from the body to static obstacles [m]

@@ -8,6 +8,11 @@
 
 namespace fairway {
 
+bool MovingBody::is_there(double time) const {
+  FAIRWAY_EXPECTS(!key_frames.empty());
+  return !passing || loop || (time >= key_frames.front().time && time <= key_frames.back().time);
+}
+
 MovingObstacle MovingBody::at(double time) const {
   FAIRWAY_EXPECTS(!key_frames.empty());
   const double first = key_frames.front().time;
@@ -16,7 +21,7 @@ MovingObstacle MovingBody::at(double time) const {
   const auto next =
       std::upper_bound(key_frames.begin(), key_frames.end(), time,
                        [](double t, const KeyFrame& frame) { return t < frame.time; });
-  MovingObstacle body{.position = {}, .velocity = {}, .radius = radius};
+  MovingObstacle body{.position = {}, .velocity = {}, .radius = is_there(time) ? radius : 0.0};
   body.velocity.setZero();
   if (next == key_frames.begin()) {
     body.position = next->position;
@@ -28,6 +33,22 @@ MovingObstacle MovingBody::at(double time) const {
     body.position = last.position + (time - last.time) * body.velocity;
   }
   return body;
+}
+
+std::vector<MovingBody> replayed(const std::vector<MovingBody>& recorded,
+                                 double begin,
+                                 double duration) {
+  std::vector<MovingBody> seen;
+  for (const MovingBody& body : recorded) {
+    if (body.passing &&
+        (body.key_frames.back().time < begin || body.key_frames.front().time > begin + duration)) {
+      continue;
+    }
+    seen.push_back(body);
+    for (MovingBody::KeyFrame& frame : seen.back().key_frames)
+      frame.time -= begin;
+  }
+  return seen;
 }
 
 }  // namespace fairway

@@ -12,6 +12,20 @@
 
 namespace fairway {
 
+namespace {
+
+constexpr double kFarAway = 1000.0;  // [m]
+
+double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d& other) noexcept {
+  if (standing) return std::abs(robot.twist.linear);
+  const Eigen::Vector2d towards = other - robot.pose.position;
+  const double distance = towards.norm();
+  return distance > 0.0 ? robot.twist.linear * direction(robot.pose.heading).dot(towards) / distance
+                        : std::abs(robot.twist.linear);
+}
+
+}  // namespace
+
 World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
     : obstacles_(scenario.map, unknown_cells(scenario.settings.map)),
       footprint_(footprint_of(scenario.settings.robot)),
@@ -42,8 +56,11 @@ void World::advance(const std::vector<Twist2>& commands, double dt) {
 void World::move(const std::vector<Twist2>& commands, double dt) {
   if (physics_) {
     bodies_now_.clear();
-    for (const MovingBody& body : bodies_)
+    for (const MovingBody& body : bodies_) {
       bodies_now_.push_back(body.at(time_));
+      // An engine has its bodies all the time: who is not there is far away.
+      if (!body.is_there(time_)) bodies_now_.back().position.x() += kFarAway;
+    }
     commands_now_ = commands;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       if (encounters_[i].collided) commands_now_[i] = {};
@@ -58,17 +75,20 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
 
 // From the robot's footprint to the nearest body or other robot; another robot counts as the disc
 // that covers it.
-double World::gap_to_moving(std::size_t robot) const {
+World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
-  double gap = std::numeric_limits<double>::infinity();
+  Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};
+  const auto look_at = [&](const Eigen::Vector2d& position, double radius) {
+    const double length = footprint_.distance(inverse_transform(pose, position)) - radius;
+    if (length < gap.length) gap = {.length = length, .position = position};
+  };
   for (const MovingBody& body : bodies_) {
+    if (!body.is_there(time_)) continue;
     const MovingObstacle now = body.at(time_);
-    gap = std::min(gap, footprint_.distance(inverse_transform(pose, now.position)) - now.radius);
+    look_at(now.position, now.radius);
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other == robot) continue;
-    gap = std::min(gap, footprint_.distance(inverse_transform(pose, robots_[other].pose.position)) -
-                            footprint_.circumscribed_radius());
+    if (other != robot) look_at(robots_[other].pose.position, footprint_.circumscribed_radius());
   }
   return gap;
 }
@@ -80,11 +100,13 @@ void World::judge(std::size_t robot) {
   if (!is_free(obstacles_, footprint_, pose, met.min_clearance)) {
     met.min_clearance = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
   }
-  met.min_separation = std::min(met.min_separation, gap_to_moving(robot));
+  const Gap gap = gap_to_moving(robot);
+  met.min_separation = std::min(met.min_separation, gap.length);
   const bool touches = met.min_clearance < 0.0 || met.min_separation < 0.0;
   if (physics_ ? touched_[robot] != 0 : touches) {
     met.collided = true;
     met.collision_time = time_;
+    met.approach = approach(robots_[robot], met.min_clearance < 0.0, gap.position);
     if (!physics_) robots_[robot].twist = {};
   }
 }
@@ -129,8 +151,9 @@ void World::set_robots(const Settings& settings) {
 
 void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
   seen.clear();
-  for (const MovingBody& body : bodies_)
-    seen.push_back(body.at(time_));
+  for (const MovingBody& body : bodies_) {
+    if (body.is_there(time_)) seen.push_back(body.at(time_));
+  }
 }
 
 void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {

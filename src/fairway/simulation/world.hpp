@@ -16,8 +16,11 @@ namespace fairway {
 struct Encounter {
   bool collided = false;
   double collision_time = 0.0;  ///< of the first contact [s]
-  double min_clearance;         ///< least distance from the body to a static obstacle [m]
-  double min_separation;        ///< least distance to another body, infinite without any [m]
+  /// How fast the robot then went by itself towards what moves and was touched, or at all where it
+  /// touched what stands [m/s]; not above 0: it was run over while standing or going away.
+  double approach = 0.0;
+  double min_clearance;   ///< least distance from the body to a static obstacle [m]
+  double min_separation;  ///< least distance to another body, infinite without any [m]
 };
 
 /// The true world: robots and bodies that move, obstacles that stand. It judges contact, with the
@@ -59,7 +62,7 @@ class World {
 
   [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
 
-  /// Every body as it moves now.
+  /// Every body that is there, as it moves now.
   void moving_bodies(std::vector<MovingObstacle>& seen) const;
 
   /// What robot `robot` sees moving: every body, and every other robot.
@@ -68,7 +71,11 @@ class World {
  private:
   void move(const std::vector<Twist2>& commands, double dt);
   void judge(std::size_t robot);
-  [[nodiscard]] double gap_to_moving(std::size_t robot) const;
+  struct Gap {
+    double length;             // infinite without anything that moves [m]
+    Eigen::Vector2d position;  // of the centre of what is behind it
+  };
+  [[nodiscard]] Gap gap_to_moving(std::size_t robot) const;
 
   BitGrid obstacles_;
   Footprint footprint_;

@@ -52,6 +52,23 @@ TEST(PassingPlace, OnlyWhoComesTheOtherWayIsMet) {
   EXPECT_TRUE(std::isinf(narrow.length_to_meeting(coming({8, 1}, {6, 1}), kRadius)));
 }
 
+TEST(PassingPlace, OnlyWhoEntersTheSameWayAtTheSameTimeMerges) {
+  const BitGrid grid = two_rooms();
+  const NarrowPlaces narrow(straight({3.5, 2.5}, {8, 2}), kRadius, grid);
+  EXPECT_TRUE(std::isfinite(narrow.length_to_merging(coming({3.5, 1.5}, {8, 2.6}), kRadius)));
+  EXPECT_TRUE(std::isinf(narrow.length_to_merging(coming({2, 1.5}, {8, 2.3}), kRadius))) << "later";
+  EXPECT_TRUE(std::isinf(narrow.length_to_merging(coming({5, 2}, {8, 2}), kRadius))) << "inside";
+  EXPECT_TRUE(std::isinf(narrow.length_to_merging(coming({6.5, 2}, {1, 2}), kRadius))) << "meets";
+}
+
+TEST(PassingPlace, AGoalInANarrowPlaceShutsIn) {
+  const BitGrid grid = two_rooms();
+  const NarrowPlaces narrow(straight({2, 2}, {8, 2}), kRadius, grid);
+  EXPECT_TRUE(narrow.hold_goal_of(coming({8, 2}, {5, 2}), kRadius));
+  EXPECT_FALSE(narrow.hold_goal_of(coming({8, 2}, {1, 2}), kRadius));
+  EXPECT_FALSE(narrow.hold_goal_of(SharedMotion{}, kRadius)) << "no goal";
+}
+
 TEST(PassingPlace, IsTheNearestThatLetsThePassingPass) {
   const BitGrid grid = two_rooms();
   const SharedMotion other = coming({7, 2}, {1, 2});

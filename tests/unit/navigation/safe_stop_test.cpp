@@ -14,6 +14,54 @@ namespace {
 
 using Eigen::Vector2d;
 
+// A robot that stands at (3, 0).
+SharedMotion standing_robot(std::uint32_t number) {
+  SharedMotion told{.robot = number,
+                    .position = {3, 0},
+                    .radius = 0.25,
+                    .speed_max = 1.0,
+                    .acceleration = 2.0,
+                    .turn_max = 1.5};
+  told.stop.add(told.position);
+  return told;
+}
+
+class AmongRobots : public testing::Test {
+ protected:
+  // Whether a robot at `at` may send commands of `linear` [m/s] for a second.
+  bool may(const Pose2& at, double linear, double unseen, std::uint32_t own, std::uint32_t other) {
+    const SharedMotion told = standing_robot(other);
+    const FleetMember member{.motion = &told, .unseen = unseen};
+    const StopSituation now{.pose = at,
+                            .current = {.linear = linear, .angular = 0.0},
+                            .around = {.obstacles = &open_,
+                                       .body = Footprint::disc(0.25),
+                                       .moving = {},
+                                       .fleet = {&member, 1},
+                                       .robot = own},
+                            .hold = 2.0};
+    std::array<Twist2, 10> commands;
+    commands.fill({.linear = linear, .angular = 0.0});
+    SafeStop stop;
+    stop.reset(now.current, limits_);
+    return stop.take(now, commands, limits_);
+  }
+
+  MpcSettings limits_;
+  BitGrid open_{{.width = 100, .height = 100, .resolution = 0.1, .origin = {{-5, -5}, 0}}, false};
+};
+
+// Round each other both could go by what is no longer so.
+TEST_F(AmongRobots, OnlyOneOfTwoGoesRoundWhoIsNearAndWasHeardLate) {
+  const Pose2 beside{.position = {3.0, 0.51}, .heading = 0.0};
+  EXPECT_TRUE(may(beside, 0.2, 0.0, 2, 1)) << "nothing is unseen";
+  EXPECT_TRUE(may(beside, 0.2, 0.1, 1, 2)) << "the one with the smaller number";
+  EXPECT_FALSE(may(beside, 0.2, 0.1, 2, 1)) << "the other one";
+  const Pose2 away{.position = {3.0, 0.51}, .heading = 1.57};
+  EXPECT_TRUE(may(away, 0.2, 0.1, 2, 1)) << "both may part";
+  EXPECT_TRUE(may(beside, 0.0, 0.1, 2, 1)) << "or stand";
+}
+
 // Found by safe_stop_soak: a way out that something moving would meet was taken without a look at
 // what stands behind that place. What moves may do otherwise; what stands will not.
 TEST(SafeStop, NeverEvadesIntoWhatStands) {

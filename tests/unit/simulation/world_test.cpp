@@ -38,6 +38,44 @@ TEST(World, TwoRobotsThatMeetHaveBothCollided) {
   EXPECT_TRUE(world.encounters()[1].collided);
 }
 
+TEST(World, TellsWhoRanIntoWhom) {
+  Scenario scenario = open_floor();
+  scenario.robots = {{.name = "a", .start = {{0, 0}, 0}, .goal = {}}};
+  MovingBody person;
+  person.key_frames = {{0.0, {-3, 0}}, {3.0, {3, 0}}};
+  scenario.bodies = {person};
+  World standing(scenario);
+  World leaving(scenario);
+  World meeting(scenario);
+  for (int i = 0; i < 30; ++i) {
+    standing.advance({{0.0, 0.0}}, 0.1);
+    leaving.advance({{0.5, 0.0}}, 0.1);
+    meeting.advance({{-0.5, 0.0}}, 0.1);
+  }
+  ASSERT_TRUE(standing.encounters()[0].collided);
+  EXPECT_EQ(standing.encounters()[0].approach, 0.0);
+  ASSERT_TRUE(leaving.encounters()[0].collided);
+  EXPECT_NEAR(leaving.encounters()[0].approach, -0.5, 1e-9);
+  ASSERT_TRUE(meeting.encounters()[0].collided);
+  EXPECT_NEAR(meeting.encounters()[0].approach, 0.5, 1e-9);
+}
+
+TEST(World, WhoIsNotThereIsNeitherSeenNorTouched) {
+  Scenario scenario = open_floor();
+  scenario.robots = {{.name = "a", .start = {{0, 0}, 0}, .goal = {}}};
+  MovingBody person{.name = "p", .key_frames = {{1.0, {0, 0}}, {2.0, {1, 0}}}};
+  person.passing = true;
+  scenario.bodies = {person};
+  World world(scenario);
+  std::vector<MovingObstacle> seen;
+  world.moving_bodies(seen);
+  EXPECT_TRUE(seen.empty());
+  world.advance({{0.0, 0.0}}, 0.5);
+  EXPECT_FALSE(world.encounters()[0].collided);
+  world.advance({{0.0, 0.0}}, 0.6);
+  EXPECT_TRUE(world.encounters()[0].collided);
+}
+
 TEST(World, EveryRobotSeesAllOthersAndAllBodies) {
   Scenario scenario = open_floor();
   scenario.robots = {{.name = "a", .start = {{-1, 0}, 0}, .goal = {}},

@@ -49,6 +49,7 @@ json motion_json(const SharedMotion& motion) {
           {"way", std::move(way)},
           {"to_narrow", exact::to_json(motion.to_narrow)},
           {"can_step_aside", motion.can_step_aside},
+          {"way_back", exact::to_json(motion.way_back)},
           {"under_way", motion.under_way},
           {"roundabout",
            {{"center", exact::to_json(motion.roundabout.center)},
@@ -56,19 +57,21 @@ json motion_json(const SharedMotion& motion) {
 }
 
 SharedMotion motion_of(const json& from) {
-  SharedMotion motion{.robot = from.at("robot").get<std::uint32_t>(),
-                      .time = exact::to_number(from.at("time")),
-                      .position = exact::to_point(from.at("position")),
-                      .speed = exact::to_number(from.at("speed")),
-                      .radius = exact::to_number(from.at("radius")),
-                      .speed_max = exact::to_number(from.at("speed_max")),
-                      .acceleration = exact::to_number(from.at("acceleration")),
-                      .turn_max = exact::to_number(from.at("turn_max")),
-                      .plan = samples_of(from.at("plan")),
-                      .stop = samples_of(from.at("stop")),
-                      .under_way = from.at("under_way").get<bool>(),
-                      .to_narrow = exact::to_number(from.at("to_narrow")),
-                      .can_step_aside = from.at("can_step_aside").get<bool>()};
+  SharedMotion motion{
+      .robot = from.at("robot").get<std::uint32_t>(),
+      .time = exact::to_number(from.at("time")),
+      .position = exact::to_point(from.at("position")),
+      .speed = exact::to_number(from.at("speed")),
+      .radius = exact::to_number(from.at("radius")),
+      .speed_max = exact::to_number(from.at("speed_max")),
+      .acceleration = exact::to_number(from.at("acceleration")),
+      .turn_max = exact::to_number(from.at("turn_max")),
+      .plan = samples_of(from.at("plan")),
+      .stop = samples_of(from.at("stop")),
+      .under_way = from.at("under_way").get<bool>(),
+      .to_narrow = exact::to_number(from.at("to_narrow")),
+      .can_step_aside = from.at("can_step_aside").get<bool>(),
+      .way_back = from.contains("way_back") ? exact::to_number(from.at("way_back")) : 0.0};
   for (const json& point : from.at("way")) {
     if (motion.way.count == WayAhead::kMaxPoints) throw std::invalid_argument("way: too long");
     motion.way.points[static_cast<std::size_t>(motion.way.count++)] = exact::to_point(point);

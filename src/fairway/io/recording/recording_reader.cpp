@@ -138,7 +138,8 @@ class Player {
       MovingBody body{.name = item.at("name").get<std::string>(),
                       .radius = exact::to_number(item.at("radius")),
                       .key_frames = {},
-                      .loop = item.at("loop").get<bool>()};
+                      .loop = item.at("loop").get<bool>(),
+                      .passing = item.value("passing", false)};
       for (const Json& frame : item.at("key_frames"))
         body.key_frames.push_back(
             {.time = exact::to_number(frame.at(0)), .position = exact::to_point(frame.at(1))});

@@ -122,6 +122,7 @@ void RunMessages::on_start(const Scenario& scenario) {
     bodies.push_back({{"name", body.name},
                       {"radius", exact::to_json(body.radius)},
                       {"loop", body.loop},
+                      {"passing", body.passing},
                       {"key_frames", std::move(frames)}});
   }
   write(scenario_, 0.0,

@@ -61,7 +61,8 @@ std::string scenario_text(const Scenario& scenario) {
   for (const MovingBody& body : scenario.bodies) {
     text += "  - name: " + quoted(body.name) + "\n";
     text += "    radius: " + number_text(body.radius) + "\n";
-    text += std::string("    loop: ") + (body.loop ? "true" : "false") + "\n    key_frames:\n";
+    text += std::string("    loop: ") + (body.loop ? "true" : "false") +
+            (body.passing ? "\n    passing: true" : "") + "\n    key_frames:\n";
     for (const MovingBody::KeyFrame& frame : body.key_frames)
       text += "      - " + list({frame.time, frame.position.x(), frame.position.y()}) + "\n";
   }

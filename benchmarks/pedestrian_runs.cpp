@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot drives through people who were recorded and do not see it, on many ways and from many
+// times of the recording: who arrives, who touches whom, and how long it takes against the same way
+// without people.
+//
+//   pedestrian_runs TRACKS [--runs N] [--seed S] [--radius M] [--speed M/S] [--verbose]
+//
+// TRACKS as fairway/io/tracks_file.hpp says, 25 frames per second. Every run leads through the
+// middle of the scene, from outside of it to outside of it, in a direction drawn anew. Each is made
+// twice, with the prediction and without.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "fairway/io/tracks_file.hpp"
+#include "fairway/simulation/episode.hpp"
+#include "fairway/simulation/metrics.hpp"
+#include "thread_clock.hpp"
+
+namespace {
+
+using namespace fairway;
+using Eigen::Vector2d;
+
+struct Options {
+  std::string tracks;
+  int runs = 200;
+  unsigned long seed = 1;
+  double speed = 0.0;  // 0: as the settings have it
+  io::TracksFormat format;
+  bool verbose = false;
+};
+
+Options read_options(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string name = argv[i];
+    const auto value = [&] { return ++i < argc ? argv[i] : ""; };
+    if (name == "--runs") {
+      options.runs = std::atoi(value());
+    } else if (name == "--seed") {
+      options.seed = std::strtoul(value(), nullptr, 10);
+    } else if (name == "--radius") {
+      options.format.radius = std::atof(value());
+    } else if (name == "--speed") {
+      options.speed = std::atof(value());
+    } else if (name == "--verbose") {
+      options.verbose = true;
+    } else {
+      options.tracks = name;
+    }
+  }
+  return options;
+}
+
+// The scene in which people were seen, and when.
+struct Recording {
+  std::vector<MovingBody> people;
+  Vector2d center;
+  double reach;  // from the centre to outside of it [m]
+  double end;    // [s]
+};
+
+Recording recording_of(std::vector<MovingBody> people) {
+  Vector2d low = people.front().key_frames.front().position;
+  Vector2d high = low;
+  double end = 0.0;
+  for (const MovingBody& person : people) {
+    for (const MovingBody::KeyFrame& frame : person.key_frames) {
+      low = low.cwiseMin(frame.position);
+      high = high.cwiseMax(frame.position);
+      end = std::max(end, frame.time);
+    }
+  }
+  constexpr double kOutside = 1.0;  // [m]
+  return {.people = std::move(people),
+          .center = 0.5 * (low + high),
+          .reach = 0.5 * (high - low).maxCoeff() + kOutside,
+          .end = end};
+}
+
+Scenario draw(const Recording& recording, const Options& options, Noise& noise) {
+  constexpr double kAround = 3.0;  // [m] of open ground around the ways
+  constexpr double kResolution = 0.1;
+  Scenario scenario;
+  scenario.name = "pedestrians";
+  scenario.time_limit = 60.0;
+  const double half = recording.reach + kAround;
+  const int cells = static_cast<int>(2.0 * half / kResolution);
+  scenario.map = OccupancyGrid(
+      {.width = cells,
+       .height = cells,
+       .resolution = kResolution,
+       .origin = {.position = recording.center - Vector2d(half, half), .heading = 0.0}});
+  if (options.speed > 0.0) scenario.settings.mpc.linear_max = options.speed;
+  const double heading = noise.uniform(-std::numbers::pi, std::numbers::pi);
+  const double aside = noise.uniform(-0.3, 0.3);
+  const double from = noise.uniform(0.0, recording.end - scenario.time_limit);
+  scenario.robots = {
+      {.name = "robot",
+       .start = {.position = recording.center - recording.reach * direction(heading),
+                 .heading = heading},
+       .goal = {.position = recording.center + recording.reach * direction(heading + aside),
+                .heading = {}}}};
+  scenario.bodies = replayed(recording.people, from, scenario.time_limit);
+  return scenario;
+}
+
+struct Tally {
+  int arrived = 0;
+  int ran_into = 0;   // contacts while the robot went towards the person
+  int run_over = 0;   // contacts while it stood or went away
+  int not_there = 0;  // without contact, but too late
+  double separation = 1e9;
+  std::vector<double> ratios;
+  std::vector<double> cycles;
+
+  void add(const RobotResult& robot, double lone) {
+    if (robot.collided) {
+      ++(robot.approach > 0.0 ? ran_into : run_over);
+    } else {
+      separation = std::min(separation, robot.min_separation);
+      ++(robot.reached ? arrived : not_there);
+      if (robot.reached) ratios.push_back(robot.time / lone);
+    }
+    cycles.insert(cycles.end(), robot.cycle_seconds.begin(), robot.cycle_seconds.end());
+  }
+
+  void print(const char* name, int runs) {
+    std::sort(ratios.begin(), ratios.end());
+    const auto at = [&](double share) {
+      return ratios.empty()
+                 ? 0.0
+                 : ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
+    };
+    const Quantiles cycle = quantiles(cycles);
+    std::printf(
+        "prediction %-3s: %d runs, arrived %d, ran into somebody %d, run over %d, not there %d, "
+        "least separation without contact %.3f m, time x %.2f median, x %.2f at 90 %%, x %.2f "
+        "worst, cycle %.0f/%.0f us\n",
+        name, runs, arrived, ran_into, run_over, not_there, separation, at(0.5), at(0.9), at(1.0),
+        1e6 * cycle.median, 1e6 * cycle.p99);
+  }
+};
+
+void run(const Recording& recording, const Options& options) {
+  Noise noise(options.seed);
+  EpisodeHooks hooks;
+  hooks.clock = [] { return 1e-6 * benchmark::thread_cpu_us(); };
+  Tally with;
+  Tally without;
+  for (int i = 0; i < options.runs; ++i) {
+    Scenario scenario = draw(recording, options, noise);
+    Scenario alone = scenario;
+    alone.bodies.clear();
+    const double lone = run_episode(alone).robots.front().time;
+    for (Tally* tally : {&with, &without}) {
+      scenario.settings.navigation.predict_motion = tally == &with;
+      const RobotResult robot = run_episode(scenario, hooks).robots.front();
+      tally->add(robot, lone);
+      if (options.verbose) {
+        std::printf("  run %d, prediction %s: %s after %.1f s, %.2f m/s towards\n", i,
+                    tally == &with ? "on" : "off",
+                    robot.collided ? "contact" : (robot.reached ? "arrived" : "not there"),
+                    robot.time, robot.approach);
+      }
+    }
+  }
+  with.print("on", options.runs);
+  without.print("off", options.runs);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = read_options(argc, argv);
+  const Expected<std::vector<MovingBody>> people = io::read_tracks(options.tracks, options.format);
+  if (!people) {
+    std::fprintf(stderr, "pedestrian_runs: %s\n", people.error().message.c_str());
+    return 2;
+  }
+  run(recording_of(*people), options);
+  return 0;
+}
