@@ -43,7 +43,6 @@ SharedMotion rounded(SharedMotion motion) noexcept {
   round_points(motion.plan.positions, motion.plan.count);
   round_points(motion.stop.positions, motion.stop.count);
   round_points(motion.way.points, motion.way.count);
-  motion.to_narrow = rounded(motion.to_narrow);
   motion.radius += kOff;
   return motion;
 }

@@ -80,7 +80,8 @@ struct SharedMotion {
 /// What robots tell of places is rounded to this, so that it is short to send and to keep [m].
 inline constexpr double kToldQuantum = 1e-3;
 
-/// The same with the places of plan, stop and way, and `to_narrow`, rounded to kToldQuantum.
+/// The same with the places of plan, stop and way rounded to kToldQuantum. (Lengths are not: robots
+/// compare theirs with those of others to agree on who goes first.)
 ///
 /// A place is off by at most kToldQuantum / sqrt(2) then, and so is everything straight between two
 /// places: `radius` grows by a little more than that. So who keeps clear of what was rounded keeps

@@ -126,6 +126,7 @@ void RunStream::on_start(const Scenario& scenario) {
   newest_.clear();
   plans_.assign(scenario.robots.size(), {});
   goals_.assign(scenario.robots.size(), {});
+  scans_.assign(scenario.robots.size(), {});
   lidar_ = scenario.sensing.sensing == Sensing::Lidar;
   shown_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
   states_.assign(scenario.map.cells().begin(), scenario.map.cells().end());
@@ -186,8 +187,16 @@ void RunStream::on_scan(const ObservedScan& seen) {
     out.integer(now - before);
     before = now;
   }
-  add(Kind::Scan, fields);
-  append_record(newest_, Kind::Scan, fields);
+  scans_.at(seen.robot) = std::move(fields);
+}
+
+// Of several scans between two cycles only the last can be seen.
+void RunStream::tell_scan(std::size_t robot) {
+  std::string& scan = scans_.at(robot);
+  if (scan.empty()) return;
+  add(Kind::Scan, scan);
+  append_record(newest_, Kind::Scan, scan);
+  scan.clear();
 }
 
 void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
@@ -240,6 +249,7 @@ bool RunStream::is_known(const MovingObstacle& obstacle) const {
 }
 
 void RunStream::on_cycle(const NavigationCycle& cycle) {
+  tell_scan(cycle.robot);
   const std::uint64_t slot = tell_cells(cycle.input.time, cycle.input.map);
   const std::uint64_t occupied =
       cycle.occupied == nullptr ? 0 : tell_cells(cycle.input.time, cycle.occupied);
@@ -292,6 +302,8 @@ void RunStream::tell_true_map(double time, const BitGrid& obstacles) {
 }
 
 void RunStream::on_world(const WorldView& world) {
+  for (std::size_t i = 0; i < scans_.size(); ++i)
+    tell_scan(i);  // of those that had no cycle: they stand at their goals
   tell_true_map(world.time, *world.obstacles);
   true_map_ = world.obstacles;
   true_positions_.clear();

@@ -53,6 +53,7 @@ class RunStream final : public EpisodeObserver {
   void add(Kind kind, const std::string& fields);
   [[nodiscard]] std::string true_map_fields(double time) const;
   [[nodiscard]] std::uint64_t tell_cells(double time, const BitGrid* grid);
+  void tell_scan(std::size_t robot);
   [[nodiscard]] bool is_known(const MovingObstacle& obstacle) const;
 
   std::string ready_;
@@ -65,6 +66,7 @@ class RunStream final : public EpisodeObserver {
   std::string tuning_;
   std::vector<std::string> plans_;  // by robot
   std::vector<std::string> goals_;  // likewise, of those with a lidar
+  std::vector<std::string> scans_;  // by robot: the newest, until it is told
   bool lidar_ = false;
   std::string newest_;  // records of the newest time step
 };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/io/recording/report.hpp"
+#include "fairway/simulation/episode.hpp"
 #include "synthetic_run.hpp"
 
 namespace fairway::io {
@@ -26,7 +27,7 @@ std::uint64_t take_count(std::string_view& bytes) {
 
 // How many records of each kind there are.
 std::vector<int> kinds(std::string_view records) {
-  std::vector<int> counts(7);
+  std::vector<int> counts(9);
   while (!records.empty()) {
     const auto kind = take_count(records);
     const std::uint64_t size = take_count(records);
@@ -44,14 +45,34 @@ TEST(RunStream, IsACompleteListOfRecords) {
   const SyntheticRun run{.robots = 3, .bodies = 1, .seconds = 2.0};
   RunStream stream;
   run.play(stream);
-  EXPECT_EQ(kinds(stream.take()), (std::vector<int>{0, 1, 3, 3, 63, 21, 1}));
+  EXPECT_EQ(kinds(stream.take()), (std::vector<int>{0, 1, 3, 3, 63, 21, 1, 0, 0}));
 }
 
 TEST(RunStream, BeginsAnewWithMapsPlansAndTheNewestTimeStep) {
   const SyntheticRun run{.robots = 3, .bodies = 1, .seconds = 2.0};
   RunStream stream;
   run.play(stream);
-  EXPECT_EQ(kinds(stream.beginning(2.0)), (std::vector<int>{0, 1, 2, 3, 3, 1, 1}));
+  EXPECT_EQ(kinds(stream.beginning(2.0)), (std::vector<int>{0, 1, 2, 3, 3, 1, 1, 0, 0}));
+}
+
+// The lidar looks twice in a cycle: only the last look can be seen.
+TEST(RunStream, TellsOneScanForACycleAndOneGoal) {
+  Scenario scenario;
+  scenario.map =
+      OccupancyGrid(GridFrame{.width = 80, .height = 40, .resolution = 0.1, .origin = {}});
+  scenario.robots = {{.name = "one",
+                      .start = {.position = {1.0, 1.0}, .heading = 0.3},
+                      .goal = {.position = {7.0, 2.0}, .heading = {}}}};
+  scenario.sensing.sensing = Sensing::Lidar;
+  scenario.sensing.lidar.beams = 90;
+  scenario.time_limit = 2.0;
+  RunStream stream;
+  const EpisodeResult result = run_episode(scenario, {.observer = &stream});
+  const std::vector<int> counts = kinds(stream.take());
+  EXPECT_EQ(counts[4], result.robots[0].cycles);
+  EXPECT_EQ(counts[7], result.robots[0].cycles);
+  EXPECT_EQ(counts[8], 1);
+  EXPECT_EQ(kinds(stream.beginning(2.0))[7], 1);
 }
 
 TEST(RunStream, IsTheSameInPieces) {
