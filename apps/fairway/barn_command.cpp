@@ -18,6 +18,7 @@
 #include "physics_choice.hpp"
 #include "point_argument.hpp"
 #include "progress.hpp"
+#include "run_outputs.hpp"
 #include "settings_options.hpp"
 #include "thread_clock.hpp"
 
@@ -91,13 +92,21 @@ struct BarnCommand {
   std::string film_dir;
   std::string json;
   SettingsOptions settings;
+  RunOutputs outputs;
 
-  [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<int> run();
   [[nodiscard]] Expected<std::vector<int>> numbers() const;
   [[nodiscard]] Expected<BarnOptions> options() const;
-  [[nodiscard]] Expected<void> keep_trace(const Scenario& scenario,
+  [[nodiscard]] Expected<BarnScore> drive(const BarnWorld& world,
+                                          int trial,
+                                          const Scenario& scenario,
+                                          const PhysicsMaker& engine,
+                                          bool only_run,
+                                          Summary& summary);
+  [[nodiscard]] Expected<void> keep_trace(const std::string& run,
+                                          const Scenario& scenario,
                                           const BarnScore& score,
-                                          const EpisodeResult& result) const;
+                                          const EpisodeResult& result);
   [[nodiscard]] Expected<void> make_folders() const;
   [[nodiscard]] Json summary_json(const Summary& summary) const;
 };
@@ -130,23 +139,52 @@ Expected<BarnOptions> BarnCommand::options() const {
   return options;
 }
 
-// The trace of every trial, and a picture of those that failed; and a film, if asked for.
-Expected<void> BarnCommand::keep_trace(const Scenario& scenario,
+// The trace of every trial, and a picture and a page of those that failed; a film, if asked for.
+Expected<void> BarnCommand::keep_trace(const std::string& run,
+                                       const Scenario& scenario,
                                        const BarnScore& score,
-                                       const EpisodeResult& result) const {
-  const std::string run = fmt::format("/world_{:03}_trial_{}", score.world, score.trial);
+                                       const EpisodeResult& result) {
   if (!film_dir.empty()) {
-    const Expected<std::string> film = run_film(scenario, result);
+    Progress progress("film");
+    const Expected<std::string> film = run_film(scenario, result, [&](double share) {
+      progress.show(fmt::format("{}: {:.0f} % drawn", run, 100.0 * share));
+    });
     if (!film) return tl::unexpected(film.error());
-    if (const auto done = write_output(film_dir + run + ".gif", *film); !done) return done;
+    if (const auto done = write_output(film_dir + "/" + run + ".gif", *film); !done) return done;
   }
   if (trace_dir.empty()) return {};
-  const std::string name = trace_dir + run;
+  const std::string name = trace_dir + "/" + run;
   if (const auto done = write_output(name + ".csv", io::trace_csv(result)); !done) return done;
   if (score.success) return {};
   const Expected<std::string> bytes = world_picture(scenario, result, name + ".svg");
   if (!bytes) return tl::unexpected(bytes.error());
-  return write_output(name + ".svg", *bytes);
+  if (const auto done = write_output(name + ".svg", *bytes); !done) return done;
+  return write_output(name + ".html", outputs.page());
+}
+
+Expected<BarnScore> BarnCommand::drive(const BarnWorld& world,
+                                       int trial,
+                                       const Scenario& scenario,
+                                       const PhysicsMaker& engine,
+                                       bool only_run,
+                                       Summary& summary) {
+  const std::string run = fmt::format("world_{:03}_trial_{}", world.number, trial);
+  if (!trace_dir.empty()) outputs.keep_page();
+  if (const auto opened = outputs.open(only_run ? "" : run); !opened)
+    return tl::unexpected(opened.error());
+  const EpisodeResult result =
+      run_episode(scenario, {.clock = [] { return 1e-6 * thread_cpu_us(); },
+                             .on_cycle = {},
+                             .physics = engine,
+                             .solver = nullptr,
+                             .observer = outputs.observer(),
+                             .play = {}});
+  const BarnScore score = barn_score(world, trial, result);
+  summary.add(score, result);
+  if (const auto kept = keep_trace(run, scenario, score, result); !kept)
+    return tl::unexpected(kept.error());
+  if (const auto closed = outputs.close(); !closed) return tl::unexpected(closed.error());
+  return score;
 }
 
 Expected<void> BarnCommand::make_folders() const {
@@ -194,7 +232,7 @@ Json BarnCommand::summary_json(const Summary& summary) const {
               {"note", kBarnNote}};
 }
 
-Expected<int> BarnCommand::run() const {
+Expected<int> BarnCommand::run() {
   if (const auto checked = check_output(json); !checked) return tl::unexpected(checked.error());
   const Expected<std::vector<int>> wanted = numbers();
   if (!wanted) return tl::unexpected(wanted.error());
@@ -215,16 +253,12 @@ Expected<int> BarnCommand::run() const {
                                 summary.trials.size(),
                                 all->size() * static_cast<std::size_t>(trials)));
       const Scenario scenario = barn_scenario(world, *shared, trial);
-      const EpisodeResult result = run_episode(
-          scenario, {.clock = [] { return 1e-6 * thread_cpu_us(); }, .physics = *engine});
-      const BarnScore score = barn_score(world, trial, result);
-      summary.add(score, result);
-      if (!score.success) {
-        failures += fmt::format("world {}, trial {}: {} after {:.1f} s\n", score.world, score.trial,
-                                score.collided ? "contact" : "not there", score.time);
-      }
-      if (const auto kept = keep_trace(scenario, score, result); !kept) {
-        return tl::unexpected(kept.error());
+      const bool only_run = all->size() == 1 && trials == 1;
+      const Expected<BarnScore> score = drive(world, trial, scenario, *engine, only_run, summary);
+      if (!score) return tl::unexpected(score.error());
+      if (!score->success) {
+        failures += fmt::format("world {}, trial {}: {} after {:.1f} s\n", world.number, trial,
+                                score->collided ? "contact" : "not there", score->time);
       }
     }
   }
@@ -265,12 +299,14 @@ CLI::App* add_options(CLI::App& tool,
   sub->add_option("--seed", command->seed, "Seed of everything random")
       ->check(CLI::NonNegativeNumber);
   sub->add_option("--trials", command->trials, "Runs per world")->check(CLI::Range(1, 1000));
-  sub->add_option("--trace-dir", command->trace_dir,
-                  "Write the cycles of every run here, and a picture of every failed one");
+  sub->add_option(
+      "--trace-dir", command->trace_dir,
+      "Write the cycles of every run here, and a picture and a page of every failed one");
   sub->add_option("--film-dir", command->film_dir,
                   "Write a short film (GIF) of every run here, drawn by MuJoCo");
   sub->add_option("--json", command->json, "Write the result as JSON; - is standard output")
       ->type_name("FILE");
+  add_run_options(*sub, command->outputs);
   add_settings_options(*sub, command->settings);
   sub->footer(std::string("These are ") + kBarnNote + ".");
   return sub;

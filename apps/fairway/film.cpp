@@ -2,6 +2,7 @@
 #include "film.hpp"
 
 #ifdef FAIRWAY_HAS_CAMERA
+#include <algorithm>
 #include <stdexcept>
 
 #include "fairway/io/film_file.hpp"
@@ -14,9 +15,16 @@ namespace fairway::app {
 
 Expected<void> check_film() { return {}; }
 
-Expected<std::string> run_film(const Scenario& scenario, const EpisodeResult& result) {
-  constexpr std::size_t kMostFrames = 300;
-  io::Film film{.width = 480, .height = 270, .interval = 0.1, .frames = {}};
+Expected<std::string> run_film(const Scenario& scenario,
+                               const EpisodeResult& result,
+                               const FilmProgress& progress) {
+  // Every picture costs some hundredths of a second: of a long run fewer are taken per second.
+  constexpr double kMostFrames = 100.0;
+  constexpr double kInterval = 0.2;  // [s]
+  io::Film film{.width = 400,
+                .height = 225,
+                .interval = std::max(kInterval, result.time / kMostFrames),
+                .frames = {}};
   const std::size_t robots = scenario.robots.size();
   std::vector<Pose2> poses(robots);
   for (std::size_t i = 0; i < robots; ++i)
@@ -26,8 +34,10 @@ Expected<std::string> run_film(const Scenario& scenario, const EpisodeResult& re
     double next = 0.0;
     for (const TraceRow& row : result.trace.rows) {
       poses[row.robot] = row.pose;
-      if (row.robot != 0 || row.time < next || film.frames.size() >= kMostFrames) continue;
-      next = row.time + film.interval - 1e-9;
+      const bool last = &row == &result.trace.rows.back();
+      if (!last && (row.robot != 0 || row.time < next)) continue;
+      next += film.interval;
+      progress(row.time / std::max(result.time, kInterval));
       const CameraView view{.look_at = row.pose.position, .distance = 4.0};
       film.frames.push_back(camera.shot(poses, row.time, view).rgb);
     }
@@ -45,7 +55,9 @@ Expected<void> check_film() {
       "without libmujoco-dev, libqhull-dev or libosmesa6-dev)");
 }
 
-Expected<std::string> run_film(const Scenario& /*scenario*/, const EpisodeResult& /*result*/) {
+Expected<std::string> run_film(const Scenario& /*scenario*/,
+                               const EpisodeResult& /*result*/,
+                               const FilmProgress& /*progress*/) {
   return tl::unexpected(check_film().error());
 }
 

@@ -1,32 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run_outputs.hpp"
 
+#include <filesystem>
 #include <utility>
 
 #include "output.hpp"
 
 namespace fairway::app {
 
-Expected<void> RunOutputs::open() {
-  if (const auto possible = check_output(report); !possible) return possible;
-  if (!report.empty()) observers_.add(page_.observer());
+namespace {
+
+// "films/run.html" of the run "world_000": "films/run_world_000.html".
+std::string name_of_run(const std::string& file, const std::string& run) {
+  if (file.empty() || run.empty()) return file;
+  std::filesystem::path path(file);
+  path.replace_filename(path.stem().string() + "_" + run + path.extension().string());
+  return path.string();
+}
+
+}  // namespace
+
+Expected<void> RunOutputs::open(const std::string& run) {
+  run_ = run;
+  observers_.emplace();
+  page_.emplace();
+  recording_.reset();
+  made_page_.reset();
+  if (const auto possible = check_output(name_of_run(report, run)); !possible) return possible;
+  if (has_page()) observers_->add(page_->observer());
   if (log.empty()) return {};
-  auto file = io::RecordingFile::create(log);
+  auto file = io::RecordingFile::create(name_of_run(log, run));
   if (!file) return tl::unexpected(file.error());
   recording_ = *std::move(file);
-  observers_.add(recording_->observer());
+  observers_->add(recording_->observer());
   return {};
 }
 
+const std::string& RunOutputs::page() {
+  if (!made_page_) made_page_ = page_->page();
+  return *made_page_;
+}
+
 EpisodeObserver* RunOutputs::observer() noexcept {
-  return log.empty() && report.empty() ? nullptr : &observers_;
+  return log.empty() && !has_page() ? nullptr : &*observers_;
 }
 
 Expected<void> RunOutputs::close() {
   if (recording_) {
     if (const auto closed = recording_->close(); !closed) return closed;
   }
-  return report.empty() ? Expected<void>{} : write_output(report, page_.page());
+  return report.empty() ? Expected<void>{} : write_output(name_of_run(report, run_), page());
 }
 
 void add_run_options(CLI::App& command, RunOutputs& outputs) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -24,8 +25,10 @@ class RunOutputs {
   std::string log;     ///< FILE.mcap; empty: none
   std::string report;  ///< FILE.html; empty: none
 
-  /// Begins the files that are asked for, so that one that cannot be written is told at once.
-  [[nodiscard]] Expected<void> open();
+  /// Begins the files that are asked for, so that one that cannot be written is told at once. After
+  /// `close` it can be called again, for the next run.
+  /// @param run  Of several: what tells it from the others, put before the files' endings.
+  [[nodiscard]] Expected<void> open(const std::string& run = {});
 
   /// Who has to watch the run; null when nothing was asked for.
   [[nodiscard]] EpisodeObserver* observer() noexcept;
@@ -33,10 +36,22 @@ class RunOutputs {
   /// Finishes the files.
   [[nodiscard]] Expected<void> close();
 
+  /// Collects the page of a run even if it is not asked for, to be taken where the run turns out to
+  /// be worth it. To be called before `open`.
+  void keep_page() noexcept { keep_page_ = true; }
+
+  /// The page that plays the run. @pre keep_page was called, and since then open, not close.
+  [[nodiscard]] const std::string& page();
+
  private:
+  [[nodiscard]] bool has_page() const noexcept { return keep_page_ || !report.empty(); }
+
+  std::string run_;
+  std::optional<std::string> made_page_;
+  bool keep_page_ = false;
   std::unique_ptr<io::RecordingFile> recording_;
-  io::Report page_;
-  ObserverList observers_;
+  std::optional<io::Report> page_;
+  std::optional<ObserverList> observers_;
 };
 
 /// Adds --log and --report to a command.

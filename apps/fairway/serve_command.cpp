@@ -24,8 +24,9 @@ struct ServeCommand {
 Expected<int> ServeCommand::run() const {
   std::vector<MapChoice> maps;
   for (const std::string& file : scenarios) {
-    const Expected<Scenario> scenario = io::read_scenario(file);
+    Expected<Scenario> scenario = io::read_scenario(file);
     if (!scenario) return tl::unexpected(scenario.error());
+    scenario->engine = Engine::Unicycle;  // MuJoCo's worlds cannot be changed while they run
     maps.push_back({.name = scenario->name,
                     .make = [scenario = *scenario] { return scenario; },
                     .own_settings = true});

@@ -30,6 +30,9 @@ struct SimulateCommand {
   std::string start;
   std::string goal;
   std::string swap;
+  std::string sensing;
+  std::string noise;
+  std::string physics;
   std::optional<int> seed;
   std::optional<double> time_limit;
   std::string json;
@@ -105,6 +108,12 @@ Expected<Scenario> SimulateCommand::load() const {
   if (!own) return tl::unexpected(own.error());
   if (const auto valid = validate(*own); !valid) return tl::unexpected(valid.error());
   loaded->settings = *own;
+  if (!sensing.empty())
+    loaded->sensing.sensing = sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
+  if (!noise.empty()) {
+    use_noise(loaded->sensing, noise == "standard" ? SensorNoise::Standard : SensorNoise::None);
+  }
+  if (!physics.empty()) loaded->engine = physics == "mujoco" ? Engine::Mujoco : Engine::Unicycle;
   if (seed) loaded->seed = static_cast<std::uint64_t>(*seed);
   if (time_limit) loaded->time_limit = *time_limit;
   return loaded;
@@ -179,6 +188,12 @@ void add_simulate_command(CLI::App& tool, Command& chosen) {
                   "Robots on a circle in the open exchange places with their opposites [-, m]; "
                   "--seed moves their starts a little, 0 not at all")
       ->type_name("N[,RADIUS]");
+  sub->add_option("--sensing", command->sensing, "What the robots know, whatever the scenario says")
+      ->check(CLI::IsMember({"map", "lidar"}));
+  sub->add_option("--noise", command->noise, "Errors of lidar and odometry, likewise")
+      ->check(CLI::IsMember({"none", "standard"}));
+  sub->add_option("--physics", command->physics, "What moves the robots, likewise")
+      ->check(CLI::IsMember({"unicycle", "mujoco"}));
   sub->add_option("--seed", command->seed, "Seed of everything random")
       ->check(CLI::NonNegativeNumber);
   sub->add_option("--time-limit", command->time_limit, "Longest run [s]")

@@ -25,14 +25,19 @@ std::string text_of(const XmlRpcValue& value) {
       return io::number_text(static_cast<double>(copy));
     case XmlRpcValue::TypeString:
       return static_cast<std::string>(copy);
+    case XmlRpcValue::TypeArray: {
+      std::string list = "[";
+      for (int i = 0; i < copy.size(); ++i)
+        list.append(i == 0 ? "" : ", ").append(text_of(copy[i]));
+      return list.append("]");
+    }
     case XmlRpcValue::TypeInvalid:
     case XmlRpcValue::TypeDateTime:
     case XmlRpcValue::TypeBase64:
-    case XmlRpcValue::TypeArray:
     case XmlRpcValue::TypeStruct:
       break;
   }
-  return "a list or mapping";
+  return "a mapping";
 }
 
 Expected<void> assign_group(XmlRpcValue& group, const std::string& name, Settings& settings) {
@@ -243,10 +248,10 @@ void SettingParameters::store() const {
   visit_settings(settings_, [&](const char* group, auto&& visit_fields) {
     visit_fields([&](const auto& value, const SettingInfo& info) {
       using Value = std::remove_cvref_t<decltype(value)>;
-      if constexpr (io::NamedEnumeration<Value>) {
-        all[group][info.name] = io::value_text(value);
-      } else {
+      if constexpr (std::is_arithmetic_v<Value>) {
         all[group][info.name] = value;
+      } else {
+        all[group][info.name] = io::value_text(value);
       }
     });
   });

@@ -18,6 +18,8 @@ template <typename Value>
 rclcpp::ParameterValue stored(const Value& value) {
   if constexpr (kIsPlain<Value>) {
     return rclcpp::ParameterValue(value);
+  } else if constexpr (std::is_same_v<Value, BodyDiscs>) {
+    return rclcpp::ParameterValue(to_text(value));
   } else {
     return rclcpp::ParameterValue(
         std::string(setting_names(value)[static_cast<std::size_t>(value)]));
@@ -55,6 +57,10 @@ std::string assign(const rclcpp::Parameter& parameter, const SettingInfo& info, 
              std::to_string(info.max);
     }
     value = static_cast<Value>(number);
+  } else if constexpr (std::is_same_v<Value, BodyDiscs>) {
+    const auto parsed = parse_body_discs(parameter.as_string());
+    if (!parsed) return std::string("expected ") + kBodyDiscsExpected;
+    value = *parsed;
   } else {
     const auto names = setting_names(value);
     const auto found = std::find(names.begin(), names.end(), parameter.as_string());

@@ -42,6 +42,37 @@ TEST(Simulate, DrivesThroughTheGapAndReports) {
   EXPECT_GT(content_of(folder.path("v.svg")).size(), 1000U);
 }
 
+// All that a robot with a lidar drives on is in its recording, and the page has something to show.
+TEST(Simulate, RecordsWhatARobotWithALidarSees) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  const ToolRun run = run_tool(folder,
+                               "simulate --map room.yaml --start 1,1 --goal 7,3 --sensing lidar "
+                               "--noise standard --log r.mcap --report r.html --trace t.csv");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto cycles = count_lines(content_of(folder.path("t.csv"))) - 1;
+  const ToolRun replay = run_tool(folder, "replay r.mcap --report again.html");
+  EXPECT_EQ(replay.code, 0) << replay.err;
+  EXPECT_EQ(replay.out,
+            std::to_string(cycles) + " control cycles, every command the same to the bit\n");
+  // The page without a run has 70 kB.
+  EXPECT_GT(content_of(folder.path("r.html")).size(), 100'000U);
+  EXPECT_GT(content_of(folder.path("again.html")).size(), 100'000U);
+}
+
+TEST(Simulate, DrivesABodyOfSeveralDiscs) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write("body.yaml",
+               "robot:\n  radius: 0.4\n  discs:\n    - [0.2, 0, 0.2]\n    - [-0.2, 0, 0.2]\n");
+  const std::string drive = "simulate --map room.yaml --start 1,1 --goal 7,3 ";
+  const ToolRun run = run_tool(folder, drive + "--settings body.yaml");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const ToolRun bad = run_tool(folder, drive + "--set 'robot.discs=[[0, 0]]'");
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_EQ(count_lines(bad.err), 1) << bad.err;
+}
+
 TEST(Simulate, ReadsAScenario) {
   const TemporaryFolder folder;
   write_room(folder);

@@ -12,6 +12,12 @@ const base64 = async (file: File): Promise<string> => {
   return btoa(text);
 };
 
+const senses = [
+  { title: 'the map', sensing: 'map', noise: 'none' },
+  { title: 'their lidar', sensing: 'lidar', noise: 'none' },
+  { title: 'lidar with errors', sensing: 'lidar', noise: 'standard' },
+];
+
 const isYaml = (file: File): boolean => /\.ya?ml$/i.test(file.name);
 
 /** Choosing and uploading maps, restarting, and saving. */
@@ -20,6 +26,8 @@ export class Files {
   private readonly picker = make('input', { type: 'file', id: 'map-files', accept: '.pgm,.png,.yaml,.yml', multiple: '', hidden: '' });
   private readonly dialog = make('dialog', { id: 'resolution-dialog' });
   private readonly resolution = make('input', { type: 'number', id: 'resolution', min: '0.001', max: '10', step: 'any', value: '0.05' });
+  private readonly senses = make('select', { id: 'senses', 'aria-label': 'What the robots know' },
+    ...senses.map(({ title }) => make('option', {}, title)));
   private names: string[] = [];
 
   constructor(send: Send, private readonly tell: Tell) {
@@ -31,10 +39,14 @@ export class Files {
     const row = (href: string, text: string, what: string): HTMLElement =>
       make('tr', {}, make('td', {}, make('a', { class: 'button', href, download: '' }, text)), make('td', {}, what));
     this.maps.addEventListener('change', () => send({ do: 'map', index: this.maps.selectedIndex }));
+    this.senses.addEventListener('change', () => {
+      const { sensing, noise } = senses[this.senses.selectedIndex]!;
+      send({ do: 'sense', sensing, noise });
+    });
     this.picker.addEventListener('change', () => void this.upload([...this.picker.files ?? []]));
     this.askResolution();
     const root = element('files');
-    root.append(this.maps,
+    root.append(this.maps, make('label', { class: 'senses', title: 'What the robots know; a choice begins a new run' }, 'Robots know ', this.senses),
       button('upload', 'A map of your own: PGM or PNG, with or without its YAML file', 'Upload', () => this.picker.click()),
       button('restart', 'Begin again', 'Restart', () => send({ do: 'restart' })),
       make('button', { type: 'button', id: 'save', 'aria-expanded': 'false', 'aria-controls': 'saves' }, 'Save'),
@@ -53,6 +65,11 @@ export class Files {
       this.maps.replaceChildren(...maps.map((name) => make('option', {}, name)));
     }
     this.maps.selectedIndex = index;
+  }
+
+  showSenses(sensing: string, noise: string): void {
+    const index = senses.findIndex((s) => s.sensing === sensing && (sensing === 'map' || s.noise === noise));
+    if (document.activeElement !== this.senses || index !== this.senses.selectedIndex) this.senses.selectedIndex = index;
   }
 
   private askResolution(): void {

@@ -15,6 +15,8 @@ interface State {
   speed: number;
   map: number;
   maps: string[];
+  sensing: 'map' | 'lidar';
+  noise: 'none' | 'standard';
 }
 
 const WINDOW = 60; // of the past beside the present [s]
@@ -152,6 +154,7 @@ class Live implements Transport {
     const speed = element<HTMLSelectElement>('speed');
     if (document.activeElement !== speed) speed.value = `${state.speed}`;
     this.files.show(state.maps, state.map);
+    this.files.showSenses(state.sensing, state.noise);
   }
 
   private begin(run: Run): void {

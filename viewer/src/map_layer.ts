@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Camera } from './camera';
-import type { Grid } from './run';
+import type { Grid, Pose } from './run';
 import type { Theme } from './theme';
 
 /** '#rrggbb' or '#rrggbbaa' as it stands in a picture's memory. */
@@ -22,15 +22,19 @@ export class MapLayer {
 
   constructor(private readonly colors: CellColors) {}
 
-  draw(context: CanvasRenderingContext2D, camera: Camera, grid: Grid, time: number, theme: Theme): void {
+  /** @param origin where the map's origin is shown. */
+  draw(
+    context: CanvasRenderingContext2D, camera: Camera, grid: Grid, time: number, theme: Theme,
+    origin: Pose = grid.frame.origin,
+  ): void {
     this.bring(grid, time, theme);
     const { frame } = grid;
     context.save();
     // Cell (0, 0) is at the lower left; the picture's first row is the lowest one.
-    const at = camera.toScreen(frame.origin);
+    const at = camera.toScreen(origin);
     const pixels = frame.resolution * camera.scale;
     context.translate(at.x, at.y);
-    context.rotate(-frame.origin.heading);
+    context.rotate(-origin.heading);
     context.scale(pixels, -pixels);
     context.imageSmoothingEnabled = pixels * devicePixelRatio < 1;
     context.drawImage(this.canvas, 0, 0);
@@ -38,11 +42,12 @@ export class MapLayer {
   }
 
   private bring(grid: Grid, time: number, theme: Theme): void {
-    let until = this.applied;
+    const other = grid !== this.grid;
+    let until = other ? 0 : this.applied;
     const { changes } = grid;
     while (until < changes.length && changes[until]!.time <= time + 1e-9) ++until;
     while (until > 0 && changes[until - 1]!.time > time + 1e-9) --until;
-    const fresh = grid !== this.grid || until < this.applied;
+    const fresh = other || until < this.applied;
     if (fresh) {
       this.grid = grid;
       this.cells = grid.cells.slice();

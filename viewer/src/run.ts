@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+import type { Scan } from './belief';
+
 /** Lengths in metres, angles in radians, times in seconds, as everywhere in Fairway. */
 export interface Point {
   x: number;
@@ -21,7 +23,6 @@ export type Mark = { shape: 'side'; a: Point; b: Point } | { shape: 'disc'; a: P
 
 /** A robot in a control cycle. */
 export interface Cycle {
-  slot: number;
   linear: number;
   angular: number;
   commandLinear: number;
@@ -43,6 +44,13 @@ export interface RobotFrame extends Pose {
   collided: boolean;
   plan: Plan | null;
   cycle: Cycle | null;
+  /** Where its own frame lies, for a robot with a lidar: all that it believes is in it. */
+  belief: Pose | null;
+  scan: Scan | null;
+  /** The map it drives on, and for a robot with a lidar what of it was seen to be occupied. */
+  slots: { known: number; occupied: number };
+  /** Where it was sent, if its plans may lead to places before that. */
+  goal: Goal | null;
   /** Of its last cycle, also where it has none in this frame: it has arrived, say. */
   status: number | null;
 }
@@ -96,7 +104,7 @@ export interface Setting {
   name: string;
   unit: string;
   meaning: string;
-  kind: 'number' | 'integer' | 'switch' | 'choice';
+  kind: 'number' | 'integer' | 'switch' | 'choice' | 'discs';
   value: number | boolean | string;
   min?: number;
   max?: number;
@@ -115,6 +123,9 @@ export interface Begin {
   name: string;
   robots: RobotTask[];
   bodies: string[];
+  /** What the robots know. */
+  sensing?: 'map' | 'lidar';
+  physics?: 'unicycle' | 'mujoco';
   statuses: string[];
   limits: string[];
   rows: string[];
@@ -125,12 +136,16 @@ export interface Begin {
 export class Run {
   frames: Frame[] = [];
   plans: Plan[][];
+  goals: (Goal | null)[];
+  scans: (Scan | null)[];
   /** By slot, in order of time: 0 is the true map, the others are what robots see. */
   grids: Grid[][] = [[]];
   settings: Setting[];
 
   constructor(readonly begin: Begin) {
     this.plans = begin.robots.map(() => []);
+    this.goals = begin.robots.map(() => null);
+    this.scans = begin.robots.map(() => null);
     this.settings = begin.settings;
   }
 
@@ -154,7 +169,13 @@ export class Run {
   forget(time: number): void {
     this.frames.splice(0, this.frameIndex(time));
     this.plans = this.plans.map((list) => list.slice(Math.max(list.findIndex((p) => p.time >= time) - 1, 0)));
-    this.grids = this.grids.map((list) => list.map((grid) => folded(grid, time)));
+    this.grids = this.grids.map((list) => list
+      .filter((_, i) => (list[i + 1]?.time ?? Infinity) > time) // not those that others replaced
+      .map((grid) => folded(grid, time)));
+  }
+
+  get lidar(): boolean {
+    return this.begin.sensing === 'lidar';
   }
 
   setting(group: string, name: string): number {
@@ -168,21 +189,38 @@ export class Run {
 
   get body(): Footprint {
     const [length, width] = [this.setting('robot', 'length'), this.setting('robot', 'width')];
+    const written = this.settings.find((s) => s.group === 'robot' && s.name === 'discs')?.value;
+    const discs = typeof written === 'string' ? JSON.parse(written) as [number, number, number][] : [];
     // One side alone is none: see footprint_of in C++.
-    return { radius: this.radius, ...(length > 0 && width > 0 ? { length, width } : { length: 0, width: 0 }) };
+    const rectangle = discs.length === 0 && length > 0 && width > 0;
+    return {
+      radius: this.radius, length: rectangle ? length : 0, width: rectangle ? width : 0,
+      discs: discs.map(([x, y, radius]) => ({ x, y, radius })),
+    };
   }
 }
 
-/** The outline of a robot: a rectangle with its centre, or a disc where that has no sides. */
+/** The outline of a robot: discs, else a rectangle about its centre, else, without sides, a disc. */
 export interface Footprint {
   radius: number; // of the disc that covers it
   length: number; // along the heading
   width: number;
+  discs: (Point & { radius: number })[]; // in the robot's frame
+}
+
+/** The smallest disc about the centre of a robot that covers its body. */
+export function coveringRadius({ radius, length, width, discs }: Footprint): number {
+  if (discs.length > 0) return Math.max(...discs.map((d) => Math.hypot(d.x, d.y) + d.radius));
+  return length > 0 ? Math.hypot(length, width) / 2 : radius;
 }
 
 /** How far `p` is from a robot that stands at `pose`; not above 0 inside. */
-function distance({ radius, length, width }: Footprint, pose: Pose, p: Point): number {
+function distance({ radius, length, width, discs }: Footprint, pose: Pose, p: Point): number {
   const [dx, dy] = [p.x - pose.x, p.y - pose.y];
+  if (discs.length > 0) {
+    const [c, s] = [Math.cos(pose.heading), Math.sin(pose.heading)];
+    return Math.min(...discs.map((d) => Math.hypot(c * dx + s * dy - d.x, c * dy - s * dx - d.y) - d.radius));
+  }
   if (length === 0) return Math.hypot(dx, dy) - radius;
   const [c, s] = [Math.cos(pose.heading), Math.sin(pose.heading)];
   const u = Math.abs(c * dx + s * dy) - length / 2;
@@ -197,7 +235,7 @@ function distance({ radius, length, width }: Footprint, pose: Pose, p: Point): n
 export function separation(frame: Frame, robot: number, body: Footprint): number {
   const me = frame.robots[robot];
   if (!me) return Infinity;
-  const around = body.length > 0 ? Math.hypot(body.length, body.width) / 2 : body.radius;
+  const around = coveringRadius(body);
   let gap = Infinity;
   for (const other of frame.bodies) gap = Math.min(gap, distance(body, me, other) - other.radius);
   frame.robots.forEach((other, i) => {

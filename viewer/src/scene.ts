@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import { placed, placedPose, windowCorners } from './belief';
 import type { Camera } from './camera';
 import { MapLayer } from './map_layer';
 import { type Moment, gridAt } from './moment';
@@ -14,7 +15,8 @@ export const layerNames = {
   trail: 'Way driven',
   limit: 'What limits',
   velocity: 'Velocities',
-  seen: 'What it sees',
+  seen: 'Map it has seen',
+  scan: 'Lidar',
   names: 'Names',
 } as const;
 export type Layer = keyof typeof layerNames;
@@ -36,7 +38,9 @@ function corners(pose: Pose, length: number, width: number): Point[] {
 export class Scene {
   private readonly map = new MapLayer((theme) => [theme.free, theme.occupied, theme.unknown]);
   private readonly seen = new MapLayer((theme) => [`${theme.believed}00`, `${theme.believed}cc`, `${theme.ink}18`]);
+  private readonly fog = new MapLayer((theme) => ['#00000000', theme.fog, theme.fog]);
   private readonly trails = new Trails();
+  private belief: Pose | null = null; // of the robot that is being drawn
   private context!: CanvasRenderingContext2D;
   private camera!: Camera;
   private theme!: Theme;
@@ -53,11 +57,9 @@ export class Scene {
     const grid = gridAt(run, 0, moment.time);
     if (grid) this.map.draw(context, camera, grid, moment.time, theme);
     const { robots } = moment.frame;
-    const slot = robots[selected]?.cycle?.slot ?? 0;
-    const seen = slot > 0 && layers.seen ? gridAt(run, slot, moment.time) : null;
-    if (seen) this.seen.draw(context, camera, seen, moment.time, theme);
+    if (layers.seen) this.seenMap(run, moment, robots[selected] ?? null);
     robots.forEach((robot, i) => {
-      if (i === selected) this.corridor(robot);
+      if (i === selected) this.asBelieved(robot, () => this.corridor(robot));
     });
     if (layers.trail) {
       const colors = robots.map((_, i) => robotColor(i, theme));
@@ -68,17 +70,18 @@ export class Scene {
         this.stroke(colors[i]!, 2.25, 0.9);
       });
     }
-    robots.forEach((robot, i) => this.way(robot, i, i === selected));
+    robots.forEach((robot, i) => this.asBelieved(robot, () => this.way(robot, i, i === selected)));
     for (const body of moment.bodies) this.body(body, theme.body);
-    robots.forEach((robot, i) => {
+    robots.forEach((robot, i) => this.asBelieved(robot, () => {
+      if (i === selected && layers.scan) this.scan(robot);
       if (i === selected) robot.cycle?.believed.forEach((body) => this.believed(body));
       if (layers.prediction) this.prediction(robot, i, run.radius);
-    });
+    }));
     moment.poses.forEach((pose, i) => this.robot(pose, robots[i]!, i, run, i === selected));
     if (layers.names && robots.length > 1) this.names(moment.poses, run, selected);
     if (layers.limit) {
       robots.forEach((robot, i) => {
-        if (i === selected) this.limit(robot);
+        if (i === selected) this.asBelieved(robot, () => this.limit(robot));
       });
     }
     this.scaleBar();
@@ -88,10 +91,55 @@ export class Scene {
     return metres * this.camera.scale;
   }
 
+  // What a robot with a lidar believes is drawn around where it truly is.
+  private asBelieved(robot: RobotFrame, draw: () => void): void {
+    this.belief = robot.belief;
+    draw();
+    this.belief = null;
+  }
+
+  private at(p: Point): Point {
+    return this.camera.toScreen(this.belief ? placed(this.belief, p) : p);
+  }
+
+  // What a robot drives on: the map as it knows it, or what its lidar has seen.
+  private seenMap(run: Run, { time }: Moment, robot: RobotFrame | null): void {
+    const { context, camera, theme } = this;
+    if (!robot || robot.slots.known === 0) return;
+    const known = gridAt(run, robot.slots.known, time);
+    if (!known) return;
+    if (robot.slots.occupied === 0 || !robot.belief) return this.seen.draw(context, camera, known, time, theme);
+    const occupied = gridAt(run, robot.slots.occupied, time);
+    // Outside the window it has seen nothing, or forgotten it.
+    context.beginPath();
+    context.rect(0, 0, camera.width, camera.height);
+    windowCorners(known.frame, robot.belief).forEach((p, i) => {
+      const at = camera.toScreen(p);
+      if (i === 0) context.moveTo(at.x, at.y);
+      else context.lineTo(at.x, at.y);
+    });
+    context.closePath();
+    context.fillStyle = theme.fog;
+    context.fill('evenodd');
+    const origin = placedPose(robot.belief, known.frame.origin);
+    this.fog.draw(context, camera, known, time, theme, origin);
+    if (occupied) this.seen.draw(context, camera, occupied, time, theme, placedPose(robot.belief, occupied.frame.origin));
+  }
+
+  private scan({ scan }: RobotFrame): void {
+    const { context } = this;
+    if (!scan) return;
+    context.fillStyle = this.theme.scan;
+    for (let i = 0; i < scan.points.length; i += 2) {
+      const at = this.at({ x: scan.points[i]!, y: scan.points[i + 1]! });
+      context.fillRect(at.x - 1.25, at.y - 1.25, 2.5, 2.5);
+    }
+  }
+
   private trace(points: readonly Point[], close = false): void {
     this.context.beginPath();
     points.forEach((p, i) => {
-      const at = this.camera.toScreen(p);
+      const at = this.at(p);
       if (i === 0) this.context.moveTo(at.x, at.y);
       else this.context.lineTo(at.x, at.y);
     });
@@ -121,7 +169,7 @@ export class Scene {
   }
 
   private disc(center: Point, radius: number): void {
-    const at = this.camera.toScreen(center);
+    const at = this.at(center);
     this.context.beginPath();
     this.context.arc(at.x, at.y, Math.max(this.pixels(radius), 0.5), 0, TAU);
   }
@@ -145,7 +193,7 @@ export class Scene {
       this.trace(plan.path);
       this.stroke(this.theme.path, selected ? 1.75 : 1, selected ? 0.95 : 0.4, [7, 5]);
     }
-    this.goal(plan.goal, robotColor(index, this.theme), plan.usable);
+    this.goal(robot.goal ?? plan.goal, robotColor(index, this.theme), plan.usable);
   }
 
   private goal(goal: Goal, color: string, usable: boolean): void {
@@ -210,8 +258,12 @@ export class Scene {
     const radius = Math.max(run.radius, LEAST_ROBOT / this.camera.scale);
     const color = robotColor(index, this.theme);
     const fill = robot.collided ? this.theme.limit : color;
-    const { length, width } = run.body;
-    if (length > 0 && radius === run.radius) {
+    const { length, width, discs } = run.body;
+    if (discs.length > 0 && radius === run.radius) {
+      this.disc(pose, radius);
+      this.stroke(fill, 1, 0.6);
+      this.discs(pose, discs);
+    } else if (length > 0 && radius === run.radius) {
       // The disc that corridors keep free, and the true body in it.
       this.disc(pose, radius);
       this.stroke(fill, 1, 0.6);
@@ -225,7 +277,8 @@ export class Scene {
       x: pose.x + distance * Math.cos(pose.heading + turn),
       y: pose.y + distance * Math.sin(pose.heading + turn),
     });
-    const size = length > 0 ? Math.min(length, width) / 2 : radius;
+    const size = discs.length > 0 ? Math.min(...discs.map((d) => d.radius))
+      : length > 0 ? Math.min(length, width) / 2 : radius;
     const arrow = Math.max(size, LEAST_ROBOT / this.camera.scale);
     this.trace([ahead(0.82 * arrow, 0), ahead(0.66 * arrow, 2.4), ahead(0.25 * arrow, Math.PI),
       ahead(0.66 * arrow, -2.4)], true);
@@ -233,6 +286,17 @@ export class Scene {
     if (selected && run.begin.robots.length > 1) {
       this.disc(pose, radius + 4 / this.camera.scale);
       this.stroke(color, 1.5, 0.9);
+    }
+  }
+
+  // One outline of several discs.
+  private discs(pose: Pose, discs: (Point & { radius: number })[]): void {
+    this.context.beginPath();
+    for (const disc of discs) {
+      const at = this.at(placed(pose, disc));
+      const radius = this.pixels(disc.radius);
+      this.context.moveTo(at.x + radius, at.y);
+      this.context.arc(at.x, at.y, radius, 0, TAU);
     }
   }
 

@@ -96,6 +96,11 @@ export class SettingsPanel {
       box.addEventListener('change', () => send(box.value));
       head.append(box);
       this.setters.set(key, (value) => { box.value = `${value}`; changed(value); });
+    } else if (setting.kind === 'discs') {
+      const box = make('input', { type: 'text', class: 'wide', 'aria-label': key, placeholder: '[[x, y, radius], ...]', spellcheck: 'false' });
+      box.addEventListener('change', () => send(box.value));
+      row.append(box);
+      this.setters.set(key, (value) => { if (document.activeElement !== box) box.value = `${value}`; changed(value); });
     } else {
       this.number(setting, key, row, head, unit, send, changed);
     }

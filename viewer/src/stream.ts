@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+import { type Scan, beliefFrame } from './belief';
 import { Fields } from './bytes';
 import {
-  type Begin, type Body, type Cycle, type GridFrame, type Mark, type Plan, type Point, Run,
+  type Begin, type Body, type Cycle, type Goal, type GridFrame, type Mark, type Plan, type Point, Run,
   type Setting,
 } from './run';
 
 // The kinds of records, as RunStream in C++ numbers them.
-const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6 }
+const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6, Scan = 7, Goal = 8 }
 
 const point = (fields: Fields): Point => ({ x: fields.millis(), y: fields.millis() });
 
@@ -50,11 +51,34 @@ function cells(fields: Fields, frame: GridFrame): Uint8Array {
   return grid;
 }
 
+function goalOf(fields: Fields): { flags: number; goal: Goal } {
+  const flags = fields.count();
+  return { flags, goal: { ...point(fields), heading: flags & 2 ? fields.angle() : null } };
+}
+
+// Where beams ended on something; the others are 0.
+function scanOf(fields: Fields): Scan {
+  const time = fields.millis();
+  const from = point(fields);
+  const first = fields.angle();
+  const step = fields.real();
+  const beams = fields.count();
+  const points = new Float32Array(2 * beams);
+  let used = 0;
+  for (let i = 0, range = 0; i < beams; ++i) {
+    range += fields.integer();
+    if (range === 0) continue;
+    const angle = first + i * step;
+    points[used++] = from.x + range / 100 * Math.cos(angle);
+    points[used++] = from.y + range / 100 * Math.sin(angle);
+  }
+  return { time, points: points.slice(0, used) };
+}
+
 function plan(fields: Fields): Plan {
   const robot = fields.count();
   const time = fields.millis();
-  const flags = fields.count();
-  const goal = { ...point(fields), heading: flags & 2 ? fields.angle() : null };
+  const { flags, goal } = goalOf(fields);
   const reason = fields.text();
   const path = steps(fields, fields.count());
   const rectangles: Point[][] = [];
@@ -129,6 +153,8 @@ export class StreamReader {
     else if (kind === Kind.Plan) this.plan(run, fields);
     else if (kind === Kind.Cycle) this.cycle(run, fields);
     else if (kind === Kind.World) this.world(run, fields);
+    else if (kind === Kind.Scan) this.scan(run, fields);
+    else if (kind === Kind.Goal) this.goal(run, fields);
     else if (kind === Kind.Tuning) {
       const { settings } = JSON.parse(new TextDecoder().decode(content)) as { settings: Setting[] };
       run.settings = settings;
@@ -153,6 +179,23 @@ export class StreamReader {
   private plan(run: Run, fields: Fields): void {
     const made = plan(fields);
     run.plans[made.robot]?.push(made);
+    // One without a map plans in its cycle, the others after it.
+    const robot = run.frames.at(-1)?.robots[made.robot];
+    if (run.lidar && robot) robot.plan = made;
+  }
+
+  private scan(run: Run, fields: Fields): void {
+    const index = fields.count();
+    const scan = scanOf(fields);
+    run.scans[index] = scan;
+    const robot = run.frames.at(-1)?.robots[index];
+    if (robot) robot.scan = scan;
+  }
+
+  private goal(run: Run, fields: Fields): void {
+    const index = fields.count();
+    fields.millis(); // when
+    run.goals[index] = goalOf(fields).goal;
   }
 
   private world(run: Run, fields: Fields): void {
@@ -165,7 +208,11 @@ export class StreamReader {
       const heading = fields.angle();
       const collided = fields.count() !== 0;
       const plan = run.plans[i]?.at(-1) ?? null;
-      robots.push({ x, y, heading, collided, plan, cycle: null, status: before?.[i]?.status ?? null });
+      robots.push({
+        x, y, heading, collided, plan, cycle: null, status: before?.[i]?.status ?? null,
+        belief: before?.[i]?.belief ?? null, scan: run.scans[i] ?? null, goal: run.goals[i] ?? null,
+        slots: before?.[i]?.slots ?? { known: 0, occupied: 0 },
+      });
     }
     run.frames.push({ time, bodies: list, robots });
   }
@@ -175,9 +222,10 @@ export class StreamReader {
     if (!robot) return;
     const slot = fields.count();
     const at = point(fields);
-    fields.angle(); // as measured; what is shown is the true pose
+    const heading = fields.angle();
+    // As measured; what is shown is the true pose.
+    if (run.lidar) robot.belief = beliefFrame(robot, { ...at, heading });
     const cycle: Cycle = {
-      slot,
       linear: fields.millis(),
       angular: fields.millis(),
       commandLinear: fields.millis(),
@@ -201,6 +249,7 @@ export class StreamReader {
       cycle.prediction = [at, ...steps(fields, horizon, at)];
     }
     cycle.believed = bodies(fields);
+    robot.slots = { known: slot, occupied: fields.count() };
     robot.cycle = cycle;
     robot.status = cycle.status;
   }

@@ -16,6 +16,8 @@ export interface Theme {
   prediction: string;
   body: string;
   believed: string;
+  scan: string;
+  fog: string; // over what nobody has seen, with its opacity
   limit: string;
   halo: string;
 }
@@ -26,7 +28,8 @@ const light: Theme = {
   outside: '#e9ecef', free: '#ffffff', occupied: '#39424c', unknown: '#d3d8dd',
   ink: '#1b232b', faint: '#6a7682', grid: '#e3e7eb',
   path: '#596673', corridor: '#56b4e9', current: '#0072b2', prediction: '#b0478a',
-  body: '#d55e00', believed: '#a8741a', limit: '#d11f2f', halo: '#ffffff',
+  body: '#d55e00', believed: '#a8741a', scan: '#8a2be2', fog: '#39424c30',
+  limit: '#d11f2f', halo: '#ffffff',
 };
 
 const dark: Theme = {
@@ -34,7 +37,8 @@ const dark: Theme = {
   outside: '#12161a', free: '#1f262d', occupied: '#93a1ae', unknown: '#171c21',
   ink: '#e6ebf0', faint: '#93a0ac', grid: '#2b343c',
   path: '#aab6c1', corridor: '#56b4e9', current: '#6cc3f5', prediction: '#e291c3',
-  body: '#ff8a3d', believed: '#d9a648', limit: '#ff5c68', halo: '#12161a',
+  body: '#ff8a3d', believed: '#d9a648', scan: '#c79bff', fog: '#00000088',
+  limit: '#ff5c68', halo: '#12161a',
 };
 
 const robots = {

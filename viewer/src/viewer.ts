@@ -24,7 +24,7 @@ export class Viewer {
   readonly slider = element<HTMLInputElement>('time');
   readonly layers: Layers = {
     path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, seen: true,
-    names: true,
+    scan: true, names: true,
   };
   run: Run | null = null;
   time = 0;
@@ -73,6 +73,9 @@ export class Viewer {
     this.run = run;
     this.selected = Math.min(this.selected, Math.max(run.begin.robots.length - 1, 0));
     if (!keepView) this.fit();
+    this.legend();
+    // Only a robot with a lidar has something to show there.
+    element('layers').querySelector('[data-layer="scan"]')!.closest('label')!.hidden = !run.lidar;
     this.invalidate();
   }
 
@@ -177,6 +180,7 @@ export class Viewer {
     const entries: [string, string][] = [
       ['path', theme.path], ['rectangle it is in', theme.current], ['prediction', theme.prediction],
       ['moving, and room to it', theme.body], ['what limits', theme.limit]];
+    if (this.run?.lidar) entries.push(['lidar', theme.scan], ['seen as occupied, or moving', theme.believed]);
     element('legend').replaceChildren(...entries.map(([text, color]) => {
       const mark = make('i');
       mark.style.borderTopColor = color;

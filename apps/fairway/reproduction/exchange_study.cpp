@@ -36,7 +36,7 @@ class MomentRecorder final : public EpisodeObserver {
   void on_start(const Scenario& /*scenario*/) override {}
   void on_navigators(double /*time*/,
                      const Settings& /*settings*/,
-                     std::span<const Twist2> /*twists*/) override {}
+                     std::span<const NavigatorStart> /*starts*/) override {}
   void on_plan(double /*time*/, std::size_t /*robot*/, const Plan& /*plan*/) override {}
 
   void on_world(const WorldView& world) override {

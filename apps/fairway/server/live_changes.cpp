@@ -170,12 +170,22 @@ void LiveWorld::apply(EpisodeControl& control, const SettingCommand& command) {
   control.set_settings(changed);
 }
 
+void LiveWorld::apply(EpisodeControl& /*control*/, const SenseCommand& command) {
+  scenario_.sensing.sensing = command.sensing;
+  use_noise(scenario_.sensing, command.noise);
+  again_ = true;
+}
+
 void LiveWorld::apply(EpisodeControl& /*control*/, const ChooseMapCommand& command) {
   if (command.index >= choices_.size()) return;
   const Settings settings = scenario_.settings;
+  const SensingModel sensing = scenario_.sensing;
   scenario_ = choices_[command.index].make();
   // A scenario of somebody's brings its own settings; the built-in maps keep those in force.
-  if (!choices_[command.index].own_settings) scenario_.settings = settings;
+  if (!choices_[command.index].own_settings) {
+    scenario_.settings = settings;
+    scenario_.sensing = sensing;
+  }
   state_.map = command.index;
   again_ = true;
 }

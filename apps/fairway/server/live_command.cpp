@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 constexpr double kFurthest = 1e6;          // [m]
 constexpr double kWidestBrush = 5.0;       // [m]
 constexpr double kLongestStroke = 100.0;   // [m]
-constexpr std::size_t kLongestText = 200;  // of a setting [bytes]
+constexpr std::size_t kLongestText = 400;  // of a setting [bytes]
 constexpr std::size_t kMostIndex = 100'000;
 
 // Numbers of a message; what is wrong is thrown and becomes an Error in parse_command.
@@ -67,6 +67,16 @@ ClientCommand setting(const Json& json) {
   return command;
 }
 
+template <typename Enumeration>
+Enumeration choice(const Json& json, const char* key) {
+  const auto names = setting_names(Enumeration{});
+  const auto& text = json.at(key).get_ref<const std::string&>();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (text == names[i]) return static_cast<Enumeration>(i);
+  }
+  throw std::invalid_argument(std::string(key) + " is unknown");
+}
+
 ClientCommand walk(const Json& json) {
   WalkCommand command{.body = {}, .target = point(json)};
   if (json.contains("body")) command.body = index(json, "body");
@@ -107,6 +117,11 @@ const std::map<std::string, Reader, std::less<>>& readers() {
          return RemoveBodyCommand{.body = index(json, "body")};
        }},
       {"set", setting},
+      {"sense",
+       [](const Json& json) -> ClientCommand {
+         return SenseCommand{.sensing = choice<Sensing>(json, "sensing"),
+                             .noise = choice<SensorNoise>(json, "noise")};
+       }},
       {"map",
        [](const Json& json) -> ClientCommand {
          return ChooseMapCommand{.index = index(json, "index")};

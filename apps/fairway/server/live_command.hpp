@@ -59,6 +59,12 @@ struct ChooseMapCommand {
   std::size_t index = 0;
 };
 
+/// What the robots know from now on: begins a new run.
+struct SenseCommand {
+  Sensing sensing = Sensing::Map;
+  SensorNoise noise = SensorNoise::None;
+};
+
 /// What a client may send.
 using ClientCommand = std::variant<PauseCommand,
                                    StepCommand,
@@ -72,6 +78,7 @@ using ClientCommand = std::variant<PauseCommand,
                                    WalkCommand,
                                    RemoveBodyCommand,
                                    SettingCommand,
+                                   SenseCommand,
                                    ChooseMapCommand>;
 
 /// Reads a client's message: a JSON object with `do` and what belongs to it. Everything that comes

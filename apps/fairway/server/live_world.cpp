@@ -157,7 +157,11 @@ void LiveWorld::publish() {
   listener_.on_messages(messages_->take());
 }
 
-void LiveWorld::tell_state() { listener_.on_state(state_); }
+void LiveWorld::tell_state() {
+  state_.sensing = scenario_.sensing.sensing;
+  state_.noise = noise_of(scenario_.sensing);
+  listener_.on_state(state_);
+}
 
 void LiveWorld::carry_out(EpisodeControl& control, Request& request) {
   if (auto* command = std::get_if<ClientCommand>(&request)) {

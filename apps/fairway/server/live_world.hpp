@@ -27,6 +27,8 @@ struct LiveState {
   double speed = 1.0;
   std::size_t map = 0;  ///< among the names
   std::vector<std::string> maps;
+  Sensing sensing = Sensing::Map;
+  SensorNoise noise = SensorNoise::None;
 };
 
 /// Told from the world's own thread. Records are those of RunStream.
@@ -94,6 +96,7 @@ class LiveWorld {
   void apply(EpisodeControl& control, const WalkCommand& command);
   void apply(EpisodeControl& control, const RemoveBodyCommand& command);
   void apply(EpisodeControl& control, const SettingCommand& command);
+  void apply(EpisodeControl& control, const SenseCommand& command);
   void apply(EpisodeControl& control, const ChooseMapCommand& command);
   void save(const Save& request) const;
   [[nodiscard]] bool has_robot(std::size_t robot) const;

@@ -62,11 +62,14 @@ void PageDialogue::beginning(std::string records) {
 }
 
 void PageDialogue::state(const LiveState& state) {
-  state_ = dumped({{"state",
-                    {{"paused", state.paused},
-                     {"speed", state.speed},
-                     {"map", state.map},
-                     {"maps", state.maps}}}});
+  state_ =
+      dumped({{"state",
+               {{"paused", state.paused},
+                {"speed", state.speed},
+                {"map", state.map},
+                {"maps", state.maps},
+                {"sensing", setting_names(state.sensing)[static_cast<std::size_t>(state.sensing)]},
+                {"noise", setting_names(state.noise)[static_cast<std::size_t>(state.noise)]}}}});
   send_all(state_, false);
 }
 

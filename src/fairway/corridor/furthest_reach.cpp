@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "fairway/corridor/box_repair.hpp"
@@ -13,6 +14,8 @@ namespace fairway {
 namespace {
 
 using Eigen::Vector2d;
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 // Whether some obstacle point lies in the box. Branch-free, so that compilers do several at once.
 bool holds_point(const ObstaclePoints& points, const TurnedFrame& frame, const Box& box) noexcept {
@@ -69,18 +72,25 @@ bool ReachSearch::fits(const TurnedFrame& frame, const PathPiece& piece) noexcep
   return false;
 }
 
-void ReachSearch::try_angle(double angle) noexcept {
-  const TurnedFrame frame{.origin = origin_, .along = direction(angle)};
+// Finds how far the path fits, to the precision asked for. @return false when that is less than
+// `least`.
+bool ReachSearch::find_plain_reach(Direction& direction,
+                                   const TurnedFrame& frame,
+                                   double least) noexcept {
   const double length = track_->length();
-  const double least = best_.found ? best_.end.to + settings_.precision : begin_.to;
-  if (least > length || (best_.found && best_.end.to >= length)) return;
-  if (!fits(frame, piece_to(least))) return;
+  double& good = direction.good;
+  double& bad = direction.bad;
+  if (good >= 0.0 || bad <= least) return good >= least;
+  if (!fits(frame, piece_to(least))) {
+    bad = least;
+    return false;
+  }
+  good = least;
   // Ever longer steps while it fits, then halving.
-  double good = least;
-  double bad = length;
   if (fits(frame, piece_to(length))) {
     good = length;
   } else {
+    bad = std::min(bad, length);
     for (double step = 4.0; good + step < bad; step *= 2.0) {
       if (!fits(frame, piece_to(good + step))) {
         bad = good + step;
@@ -97,47 +107,66 @@ void ReachSearch::try_angle(double angle) noexcept {
   const std::size_t next = track_->segment(good) + 1;
   const double corner = next < track_->arc().size() ? track_->arc()[next] : length;
   if (corner < bad && corner > good && fits(frame, piece_to(corner))) good = corner;
+  return true;
+}
+
+void ReachSearch::try_direction(Direction& direction) noexcept {
+  const TurnedFrame frame{.origin = origin_, .along = fairway::direction(direction.angle)};
+  const double length = track_->length();
+  const double least = best_.found ? best_.end.to + settings_.precision : begin_.to;
+  if (least > length || (best_.found && best_.end.to >= length)) return;
+  if (!find_plain_reach(direction, frame, least)) return;
   // Back to where the joint has room.
   double step = settings_.precision;
-  for (double end = good; end >= least; end -= step, step *= 1.2) {
+  for (double end = direction.good; end >= least; end -= step, step *= 1.2) {
     const PathPiece piece = joined_piece_to(end);
     if (!fits(frame, piece)) continue;
-    best_ = {.end = piece.end, .angle = angle, .found = true};
+    best_ = {.end = piece.end, .angle = direction.angle, .found = true};
     return;
   }
 }
 
-Reach ReachSearch::find(const BitGrid& obstacles,
+void ReachSearch::start(const BitGrid& obstacles,
                         const PathTrack& track,
                         const Joint& begin,
-                        const Joint& shape,
                         const Settings& settings) noexcept {
   constexpr double kQuarterTurn = std::numbers::pi / 2.0;
   obstacles_ = &obstacles;
   track_ = &track;
   settings_ = settings;
   begin_ = begin;
-  shape_ = shape;
   origin_ = track.at(begin.from);
-  best_ = {};
-  if (!is_free(obstacles, TurnedBox{.origin = origin_}, settings.radius)) return best_;
+  num_directions_ = 0;
+  if (!is_free(obstacles, TurnedBox{.origin = origin_}, settings.radius)) return;
   points_.look_around(obstacles, origin_, settings.radius, settings.longest_side);
 
+  const auto add = [&](double angle) {
+    directions_[num_directions_++] = {.angle = angle, .bad = kNowhere};
+  };
   // The directions of the next few straight lines: along a line that is free there is always a
   // free rectangle.
   const std::size_t first = track.segment(begin.from);
-  for (std::size_t i = first; i + 1 < track.points().size() && i < first + 3; ++i) {
+  for (std::size_t i = first; i + 1 < track.points().size() && i < first + kPathDirections; ++i) {
     const Vector2d way = track.points()[i + 1] - track.points()[i];
-    try_angle(std::atan2(way.y(), way.x()));
+    add(std::atan2(way.y(), way.x()));
   }
-  double spacing = kQuarterTurn / settings.num_orientations;
   for (int k = 0; k < settings.num_orientations; ++k)
-    try_angle(k * spacing);
-  for (int i = 0; i < settings.refinements && best_.found; ++i) {
+    add(k * kQuarterTurn / settings.num_orientations);
+}
+
+Reach ReachSearch::find(const Joint& shape) noexcept {
+  shape_ = shape;
+  best_ = {};
+  for (std::size_t i = 0; i < num_directions_; ++i)
+    try_direction(directions_[i]);
+  double spacing = std::numbers::pi / 2.0 / settings_.num_orientations;
+  for (int i = 0; i < settings_.refinements && best_.found; ++i) {
     spacing *= 0.5;
     const double center = best_.angle;
-    try_angle(center - spacing);
-    try_angle(center + spacing);
+    for (const double angle : {center - spacing, center + spacing}) {
+      Direction between{.angle = angle, .bad = kNowhere};
+      try_direction(between);
+    }
   }
   return best_;
 }

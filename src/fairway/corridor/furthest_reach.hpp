@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "fairway/corridor/obstacle_points.hpp"
 #include "fairway/corridor/path_piece.hpp"
 
@@ -23,24 +25,41 @@ class ReachSearch {
     double radius = 0.0;        ///< of the disc that the rectangle is free for [cells]
     double longest_side = 0.0;  ///< [cells]
     double margin = 0.0;        ///< between the path and every side [cells]
-    int num_orientations = 32;  ///< turns tried at first, evenly over a quarter turn
+    int num_orientations = 32;  ///< turns tried at first, evenly over a quarter turn; at most 64
     int refinements = 3;        ///< times the spacing is halved around the best
     double precision = 0.25;    ///< to which the reach is found [cells]
   };
 
-  /// Starts from the joint `begin`. The far joint has the margin, offset and length (from `from` to
-  /// `to`) of `shape`, unless it is the path's goal, which needs only the plain margin.
-  [[nodiscard]] Reach find(const BitGrid& obstacles,
-                           const PathTrack& track,
-                           const Joint& begin,
-                           const Joint& shape,
-                           const Settings& settings) noexcept;
+  /// The searches to come start from the joint `begin`. The references must stay valid, the map and
+  /// the path unchanged, until the last of them.
+  void start(const BitGrid& obstacles,
+             const PathTrack& track,
+             const Joint& begin,
+             const Settings& settings) noexcept;
+
+  /// The far joint has the margin, offset and length (from `from` to `to`) of `shape`, unless it is
+  /// the path's goal, which needs only the plain margin. What is learnt serves the next shapes too.
+  [[nodiscard]] Reach find(const Joint& shape) noexcept;
 
  private:
+  static constexpr std::size_t kPathDirections = 3;
+  static constexpr std::size_t kMostDirections = kPathDirections + 64;
+
+  // What is known of an orientation, whatever the joint: the path fits at least up to `good`, and
+  // not up to `bad` [cells].
+  struct Direction {
+    double angle = 0.0;
+    double good = -1.0;
+    double bad = 0.0;
+  };
+
   [[nodiscard]] bool fits(const TurnedFrame& frame, const PathPiece& piece) noexcept;
+  [[nodiscard]] bool find_plain_reach(Direction& direction,
+                                      const TurnedFrame& frame,
+                                      double least) noexcept;
   [[nodiscard]] PathPiece piece_to(double end) const noexcept;
   [[nodiscard]] PathPiece joined_piece_to(double end) const noexcept;
-  void try_angle(double angle) noexcept;
+  void try_direction(Direction& direction) noexcept;
 
   const BitGrid* obstacles_ = nullptr;
   const PathTrack* track_ = nullptr;
@@ -49,6 +68,8 @@ class ReachSearch {
   Joint shape_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   ObstaclePoints points_;
+  std::array<Direction, kMostDirections> directions_;
+  std::size_t num_directions_ = 0;
   Reach best_;
 };
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "fairway/base/contract.hpp"
-#include "fairway/corridor/largest_box.hpp"
 
 namespace fairway {
 
@@ -31,30 +30,35 @@ Box inset(const Box& box, const Box& core) noexcept {
 }  // namespace
 
 void RectangleSearch::evaluate(Candidate& candidate) noexcept {
-  candidate.known = points_.added();
-  const std::optional<Box> box = largest_box(points_, candidate.along, candidate.core, longest_);
+  const std::optional<Box> box = candidate.staircases.largest_box(worthwhile());
   candidate.box = box ? inset(*box, candidate.core) : Box{};
   candidate.bound = box ? box->area() : kDone;
 }
 
-// Whether points were added since, inside the candidate's box; otherwise its bound still stands.
-bool RectangleSearch::newly_hit(Candidate& candidate) noexcept {
+// Takes in the points added since. @return false when its bound still stands, as none of them lies
+// in its box.
+bool RectangleSearch::bring_up_to_date(Candidate& candidate) noexcept {
   const auto c = static_cast<float>(candidate.along.x());
   const auto s = static_cast<float>(candidate.along.y());
-  for (std::size_t i = candidate.known; i < points_.added(); ++i) {
-    const auto [px, py] = points_.in_order_added(i);
-    const Vector2d p(c * px + s * py, c * py - s * px);
-    if (candidate.box.contains(p)) return true;
+  bool hit = false;
+  for (; candidate.known < points_.added(); ++candidate.known) {
+    const auto [px, py] = points_.in_order_added(candidate.known);
+    const float x = c * px + s * py;
+    const float y = c * py - s * px;
+    candidate.staircases.add(x, y);
+    hit = hit || candidate.box.contains(Vector2d(x, y));
   }
-  candidate.known = points_.added();
-  return false;
+  if (hit) evaluate(candidate);
+  return hit;
 }
 
 void RectangleSearch::try_angle(double angle) noexcept {
   if (num_candidates_ == kMaxCandidates) return;
-  Candidate candidate;
+  Candidate& candidate = candidates_[num_candidates_];
   candidate.angle = angle;
   candidate.along = direction(angle);
+  candidate.core = {};
+  candidate.tests = 0;
   const TurnedFrame frame{.origin = origin_, .along = candidate.along};
   for (const Anchor& anchor : anchors_) {
     const Vector2d p = frame.turned(anchor.point - origin_);
@@ -63,8 +67,10 @@ void RectangleSearch::try_angle(double angle) noexcept {
     candidate.core.max = candidate.core.max.cwiseMax(p + margin);
   }
   if ((candidate.core.max - candidate.core.min).maxCoeff() > longest_) return;
+  candidate.staircases.assign(points_, candidate.along, candidate.core, longest_);
+  candidate.known = points_.added();
   evaluate(candidate);
-  if (candidate.bound >= 0.0) candidates_[num_candidates_++] = candidate;
+  if (candidate.bound >= 0.0) ++num_candidates_;
 }
 
 bool RectangleSearch::accept_if_free(const BitGrid& obstacles,
@@ -133,12 +139,8 @@ void RectangleSearch::exhaust(const BitGrid& obstacles) noexcept {
     for (std::size_t i = 0; i < num_candidates_; ++i) {
       if (best == nullptr || candidates_[i].bound > best->bound) best = &candidates_[i];
     }
-    if (best == nullptr || best->bound <= best_area_ * (1.0 + tolerance_)) return;
-    if (newly_hit(*best)) {
-      evaluate(*best);
-    } else {
-      test(obstacles, *best);
-    }
+    if (best == nullptr || best->bound <= worthwhile()) return;
+    if (!bring_up_to_date(*best)) test(obstacles, *best);
   }
 }
 

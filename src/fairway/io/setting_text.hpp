@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "fairway/base/setting.hpp"
+#include "fairway/geometry/body_discs.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/yaml_mapping.hpp"
 
@@ -26,6 +27,8 @@ template <typename Value>
     return "true or false";
   } else if constexpr (NamedEnumeration<Value>) {
     return alternatives(setting_names(Value{}));
+  } else if constexpr (std::same_as<Value, BodyDiscs>) {
+    return kBodyDiscsExpected;
   } else {
     return describe(std::same_as<Value, int> ? "an integer" : "a number",
                     {.min = info.min, .max = info.max});
@@ -41,6 +44,8 @@ template <typename Value>
     return setting_names(value)[static_cast<std::size_t>(value)];
   } else if constexpr (std::same_as<Value, int>) {
     return std::to_string(value);
+  } else if constexpr (std::same_as<Value, BodyDiscs>) {
+    return to_text(value);
   } else {
     return number_text(value);
   }
@@ -59,6 +64,8 @@ template <typename Value>
       if (text == names[i]) return static_cast<Value>(i);
     }
     return std::nullopt;
+  } else if constexpr (std::same_as<Value, BodyDiscs>) {
+    return parse_body_discs(text);
   } else {
     static_assert(std::same_as<Value, int> || std::same_as<Value, double>);
     std::optional<Value> value;

@@ -17,6 +17,17 @@ namespace {
 constexpr std::size_t kLongestFile = 1U << 20;  // [bytes]
 constexpr std::array<const char*, 2> kPresets{"default", "paper"};
 
+// A list as people write it in YAML, in one line or one disc per line.
+void read_discs(YamlMapping& mapping, const char* key, BodyDiscs& discs) {
+  BodyDiscs read;
+  for (const std::vector<double>& row : mapping.rows(key, 3)) {
+    if (read.add({row[0], row[1]}, row[2])) continue;
+    mapping.complain(key, fmt::format("expected {}, found [{}, {}, {}]", kBodyDiscsExpected, row[0],
+                                      row[1], row[2]));
+  }
+  discs = read;
+}
+
 template <typename Info>
 void read_group(YamlMapping& root, Info&& visit_fields, const char* group) {
   std::optional<YamlMapping> mapping = root.mapping(group);
@@ -27,13 +38,17 @@ void read_group(YamlMapping& root, Info&& visit_fields, const char* group) {
       mapping->expect(info.name);
       return;
     }
-    const std::optional<std::string> text = mapping->scalar(info.name);
-    if (!text) return;
-    if (const auto parsed = parse_value<Value>(*text, info)) {
-      value = *parsed;
+    if constexpr (std::same_as<Value, BodyDiscs>) {
+      read_discs(*mapping, info.name, value);
     } else {
-      mapping->complain(info.name, fmt::format("expected {}, found {}", expected_text<Value>(info),
-                                               excerpt(*text)));
+      const std::optional<std::string> text = mapping->scalar(info.name);
+      if (!text) return;
+      if (const auto parsed = parse_value<Value>(*text, info)) {
+        value = *parsed;
+      } else {
+        mapping->complain(info.name, fmt::format("expected {}, found {}",
+                                                 expected_text<Value>(info), excerpt(*text)));
+      }
     }
   });
   mapping->finish();

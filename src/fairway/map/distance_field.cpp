@@ -60,6 +60,15 @@ void shorten(std::vector<std::uint16_t>& steps, int most) {
     step = std::min(step, limit);
 }
 
+// std::max_element looks for where it is, and so at one value at a time.
+template <std::size_t kCount>
+std::int16_t greatest(const std::array<std::int16_t, kCount>& values) {
+  std::int16_t most = values[0];
+  for (const std::int16_t value : values)
+    most = std::max(most, value);
+  return most;
+}
+
 // Steps to the nearest blocked cell of the column or the outside, for the columns of some words.
 // `steps` points to row 0; the row before it and the row after the last are all 0: the outside.
 void measure_columns(const BitGrid& obstacles,
@@ -225,8 +234,10 @@ void DistanceField::update_near(int y, int first, int last) {
     }
     const std::int16_t* const middle = near_squares_.data() + near_;
     std::copy_n(middle, kPart, best.begin());
+    constexpr int kOften = 4;  // columns between looks at what is still to be gained
     for (int k = 1; k <= near_; ++k) {
       const auto across = static_cast<std::int16_t>((2 * k - 1) * (2 * k - 1));
+      if (k % kOften == 0 && least + across >= greatest(best)) break;
       const std::int16_t* const left = middle - k;
       const std::int16_t* const right = middle + k;
       for (int i = 0; i < kPart; ++i) {

@@ -65,6 +65,7 @@ void MaplessNavigator::set_goal(const Goal& goal) {
   goal_ = goal;
   has_goal_ = true;
   asked_for_plan_ = true;
+  look_for_narrow_ = false;
   way_length_ = std::numeric_limits<double>::infinity();
   plan_time_ = -std::numeric_limits<double>::infinity();
 }
@@ -87,16 +88,21 @@ void MaplessNavigator::observe(const LidarScan& scan, const Vector2d& position) 
 
 NavigationStep MaplessNavigator::update(double time, const Pose2& pose, double pose_time) {
   planned_ = false;
+  follows_new_plan_ = false;
   const bool pose_known = is_finite(pose) && std::isfinite(time);
-  if (pose_known && std::isfinite(perception_.time()) && has_goal_ && wants_plan(time))
+  if (rolled_) {
+    refresh_map();  // all of it, which is enough for one cycle: plans wait for the next one
+  } else if (pose_known && std::isfinite(perception_.time()) && has_goal_ && wants_plan(time)) {
     plan(time, pose);
-  NavigationStep step = navigator_.update({.time = time,
-                                           .pose = pose,
-                                           .pose_time = pose_time,
-                                           .obstacles = perception_.tracker().obstacles(),
-                                           .obstacles_time = perception_.time(),
-                                           .map = &perception_.grid().not_seen_free(),
-                                           .map_time = perception_.time()});
+  }
+  input_ = {.time = time,
+            .pose = pose,
+            .pose_time = pose_time,
+            .obstacles = perception_.tracker().obstacles(),
+            .obstacles_time = perception_.time(),
+            .map = &perception_.grid().not_seen_free(),
+            .map_time = perception_.time()};
+  NavigationStep step = navigator_.update(input_);
   if (step.status == NavigationStatus::GoalReached && !leads_to_goal_) {
     // As near as it gets for now, but not there.
     step.status = NavigationStatus::Blocked;
@@ -115,7 +121,7 @@ bool MaplessNavigator::wants_plan(double time) const noexcept {
   constexpr double kSoon = 1.0;  // [m], beyond the braking distance
   const MpcSettings& mpc = settings_.mpc;
   const double braking = 0.5 * mpc.linear_max * mpc.linear_max / mpc.linear_acceleration_max;
-  if (driven_on && !corridor_is_free(braking + kSoon)) return true;
+  if (look_for_narrow_ || (driven_on && !corridor_is_free(braking + kSoon))) return true;
   if (time - plan_time_ < kRetryAfter) return false;
   if (!driven_on || asked_for_plan_) return true;
   if (!leads_to_goal_ && corridor.remaining() < reach_of_horizon(mpc)) return true;
@@ -258,12 +264,15 @@ void MaplessNavigator::plan(double time, const Pose2& pose) {
   refresh_map();
   const double wished = settings_.path.margin;
   const Goal goal = reachable_goal(pose.position);
-  Plan found = find_way(pose.position, goal, std::min(wished, 2.0 * last_margin_));
-  if (found.path.length() > way_length_ + kDetour) {
-    // Before a long way round: is there none through a narrower place?
-    Plan narrow = find_way(pose.position, goal, kNarrow * wished);
-    if (narrow.usable() && narrow.path.length() < kWorthNarrow * found.path.length())
-      found = std::move(narrow);
+  const bool narrow = std::exchange(look_for_narrow_, false);
+  const double margin = narrow ? kNarrow * wished : std::min(wished, 2.0 * last_margin_);
+  Plan found = find_way(pose.position, goal, margin);
+  if (narrow) {
+    if (!found.usable() || found.path.length() >= kWorthNarrow * way_length_) return;
+  } else {
+    // Before a long way round: is there none through a narrower place? That is the next cycle's
+    // work; by then the robot will not have gone far.
+    look_for_narrow_ = found.usable() && found.path.length() > way_length_ + kDetour;
   }
   last_margin_ = found.usable() ? found.margin : wished;
   // An old way is better than none while the map may be wrong about a narrow place: what is done on
@@ -271,6 +280,7 @@ void MaplessNavigator::plan(double time, const Pose2& pose) {
   if (!found.usable() && navigator_.plan().usable()) return;
   way_length_ = found.path.length();
   leads_to_goal_ = found.whole && goal.position == goal_.position;
+  follows_new_plan_ = true;
   navigator_.follow(std::move(found));
 }
 

@@ -50,6 +50,13 @@ class MaplessNavigator {
   [[nodiscard]] const Navigator& navigator() const noexcept { return navigator_; }
   [[nodiscard]] bool planned() const noexcept { return planned_; }  ///< in the last cycle
 
+  /// Whether the last cycle has begun to follow another plan.
+  [[nodiscard]] bool follows_new_plan() const noexcept { return follows_new_plan_; }
+
+  /// What the navigator was told in the last cycle; valid until the next call of a function that is
+  /// not const.
+  [[nodiscard]] const NavigationInput& input() const noexcept { return input_; }
+
  private:
   [[nodiscard]] bool wants_plan(double time) const noexcept;
   void refresh_map() noexcept;
@@ -72,6 +79,9 @@ class MaplessNavigator {
   bool leads_to_goal_ = false;  // the present corridor
   bool has_goal_ = false;
   bool planned_ = false;
+  bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
+  bool follows_new_plan_ = false;
+  NavigationInput input_;
   double plan_time_ = 0.0;
   double last_margin_ = std::numeric_limits<double>::infinity();  // of the last usable plan
   double way_length_ = std::numeric_limits<double>::infinity();   // likewise, of its path [m]

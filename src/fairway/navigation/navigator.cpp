@@ -189,12 +189,14 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
   const bool driven = solution_.horizon > 0 && solution_.commands[0].linear == sent_.linear &&
                       solution_.commands[0].angular == sent_.angular;
   if (driven) {
-    motion.plan = {.start = time + settings_.navigation.actuation_lag * mpc.dt, .interval = mpc.dt};
+    motion.plan.start = time + settings_.navigation.actuation_lag * mpc.dt;
+    motion.plan.interval = mpc.dt;
+    motion.plan.count = 0;
     for (int k = 0; k <= solution_.horizon; ++k)
       motion.plan.add(solution_.poses[static_cast<std::size_t>(k)].position);
   }
   motion.roundabout = fleet_way_.roundabout();
-  return motion;
+  return rounded(motion);
 }
 
 // At the goal once it is near and either slow or past the nearest point; then until pushed away.

@@ -66,6 +66,12 @@ Expected<void> validate(const Settings& settings) {
   if ((settings.robot.length > 0.0) != (settings.robot.width > 0.0)) {
     return fail("robot.width: expected both robot.length and robot.width, or neither");
   }
+  if (!is_valid(settings.robot.discs)) {
+    return fail(std::string("robot.discs: expected ") + kBodyDiscsExpected);
+  }
+  if (settings.robot.discs.count > 0 && settings.robot.length > 0.0) {
+    return fail("robot.discs: expected no robot.length and robot.width beside them");
+  }
   if (settings.mpc.linear_min > settings.mpc.linear_max) {
     return fail("mpc.linear_min: expected at most mpc.linear_max");
   }

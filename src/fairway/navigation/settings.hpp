@@ -7,6 +7,7 @@
 #include "fairway/base/error.hpp"
 #include "fairway/base/setting.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/geometry/body_discs.hpp"
 #include "fairway/geometry/footprint.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
@@ -15,18 +16,20 @@
 
 namespace fairway {
 
-/// The body of the robot: a disc, or a rectangle along its heading.
+/// The body of the robot: a disc, a rectangle along its heading, or several discs.
 ///
-/// Paths, corridors and plans keep the disc free, whatever the heading. The check before a command
-/// leaves tests the true body.
+/// Paths, corridors and plans keep the disc of `radius` free, whatever the heading. The check
+/// before a command leaves tests the true body.
 struct RobotSettings {
   double radius = 0.25;  ///< of the disc that covers it [m]
   double length = 0.0;   ///< of the rectangle [m]; 0: the body is the disc
   double width = 0.0;    ///< of the rectangle [m]; 0: the body is the disc
+  BodyDiscs discs{};     ///< that make up the body; none: it is the rectangle or the disc
 };
 
 /// The outline that must never touch anything.
 [[nodiscard]] inline Footprint footprint_of(const RobotSettings& robot) noexcept {
+  if (robot.discs.count > 0) return Footprint::discs(robot.discs.discs.data(), robot.discs.count);
   return robot.length > 0.0 && robot.width > 0.0 ? Footprint::rectangle(robot.length, robot.width)
                                                  : Footprint::disc(robot.radius);
 }
@@ -99,6 +102,9 @@ void visit_robot(S& s, Visitor&& field) {
         SettingInfo{"length", "m", "length of a rectangular body; 0: the body is the disc", 0, 20});
   field(s.width,
         SettingInfo{"width", "m", "width of a rectangular body; 0: the body is the disc", 0, 20});
+  field(s.discs, SettingInfo{"discs", "m",
+                             "discs that make up the body, in the robot's frame; none: it is the "
+                             "rectangle or the disc"});
 }
 
 template <typename S, typename Visitor>
@@ -131,10 +137,10 @@ void visit_navigation(S& s, Visitor&& field) {
                     "how long the base takes to follow a command; a half is a linear ramp", 0, 5});
   field(s.stop_margin,
         SettingInfo{"stop_margin", "m", "room beyond the body in the check of the stop", 0, 1});
-  field(
-      s.turning_play,
-      SettingInfo{"turning_play", "m",
-                  "how far a rectangular body may go where the disc about it does not fit", 0, 10});
+  field(s.turning_play,
+        SettingInfo{"turning_play", "m",
+                    "how far a body that is no disc may go where the disc about it does not fit", 0,
+                    10});
   field(s.obstacle_margin, SettingInfo{"obstacle_margin", "m",
                                        "room kept from moving obstacles beyond both radii", 0, 10});
   field(s.predict_motion,

@@ -15,7 +15,7 @@ StopSurroundings static_surroundings(const BitGrid& obstacles,
                                      const Settings& settings) noexcept {
   constexpr double kLeastMargin = 5e-4;  // [m]
   const NavigationSettings& nav = settings.navigation;
-  const bool disc = !body.is_rectangle();
+  const bool disc = body.inscribed_radius() >= body.circumscribed_radius();
   const double margin =
       disc ? std::min(nav.stop_margin, std::max(kLeastMargin, 0.5 * plan_margin)) : nav.stop_margin;
   const double room = footprint_clearance(obstacles, body, pose, margin + 4.0 * kFreeSpaceSkin) -

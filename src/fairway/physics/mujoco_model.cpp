@@ -17,13 +17,26 @@ constexpr double kWallHeight = 0.6;  // [m]
 constexpr double kGroundGap = 0.04;  // between chassis and floor [m]
 constexpr double kLift = 0.001;      // what rolls starts this much above the floor [m]
 
-double robot_width(const RobotSettings& body) {
-  return body.width > 0.0 ? body.width : 2.0 * body.radius;
+// Half of how far a body of several discs reaches along one axis, seen from the robot's centre on
+// the side where it reaches less; of another body half its side.
+double half_side(const RobotSettings& body, int axis) {
+  if (body.discs.count == 0) {
+    const double side = axis == 0 ? body.length : body.width;
+    return side > 0.0 ? 0.5 * side : body.radius;
+  }
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(body.discs.count); ++i) {
+    const Footprint::Disc& disc = body.discs.discs[i];
+    low = std::max(low, disc.radius - disc.center[axis]);
+    high = std::max(high, disc.radius + disc.center[axis]);
+  }
+  return std::max(std::min(low, high), BodyDiscs::kLeastRadius);
 }
 
-double robot_length(const RobotSettings& body) {
-  return body.length > 0.0 ? body.length : 2.0 * body.radius;
-}
+double robot_width(const RobotSettings& body) { return 2.0 * half_side(body, 1); }
+
+double robot_length(const RobotSettings& body) { return 2.0 * half_side(body, 0); }
 
 std::string quaternion(double heading) {
   std::ostringstream text;
@@ -49,6 +62,32 @@ void add_world(std::ostream& xml, const Scenario& scenario) {
   }
 }
 
+// All of a robot that must not touch anything, and its mass.
+void add_chassis(std::ostream& xml, const RobotSettings& body, const MujocoRobot& robot) {
+  const double half_height = 0.5 * robot.height;
+  const Footprint outline = footprint_of(body);
+  const auto chassis = [&](const Vector2d& center, double mass) -> std::ostream& {
+    return xml << "<geom mass='" << mass << "' contype='2' conaffinity='2' material='chassis' pos='"
+               << center.x() << ' ' << center.y() << ' ' << kGroundGap + half_height << "' ";
+  };
+  if (outline.is_rectangle()) {
+    chassis({0.0, 0.0}, robot.mass) << "type='box' size='" << 0.5 * body.length << ' '
+                                    << 0.5 * body.width << ' ' << half_height << "'/>\n";
+  }
+  for (int i = 0; i < outline.num_discs(); ++i) {
+    const Footprint::Disc& disc = outline.disc_at(i);
+    chassis(disc.center, body.discs.count > 0 ? 0.0 : robot.mass)
+        << "type='cylinder' size='" << disc.radius << ' ' << half_height << "'/>\n";
+  }
+  if (body.discs.count > 0) {
+    // The mass is between the wheels, so that it does not tip over where most discs are.
+    xml << "<geom type='box' mass='" << robot.mass
+        << "' contype='0' conaffinity='0' rgba='0 0 0 0' pos='0 0 " << kGroundGap + half_height
+        << "' size='" << 0.5 * robot_length(body) << ' ' << 0.5 * robot_width(body) << ' '
+        << half_height << "'/>\n";
+  }
+}
+
 void add_robot(std::ostream& xml,
                const RobotSettings& body,
                const MujocoRobot& robot,
@@ -56,21 +95,16 @@ void add_robot(std::ostream& xml,
                std::size_t index) {
   const double half_base = 0.5 * wheel_base_of(robot, body);
   const double radius = robot.wheel_radius;
-  const double half_height = 0.5 * robot.height;
   const double caster = 0.5 * kGroundGap;
   const double caster_at = 0.4 * robot_length(body);
   const Vector2d& at = task.start.position;
   xml << "<body name='robot" << index << "' pos='" << at.x() << ' ' << at.y() << ' ' << kLift
       << "' quat='" << quaternion(task.start.heading) << "'>\n<freejoint/>\n";
-  xml << "<geom name='chassis" << index << "' mass='" << robot.mass
-      << "' contype='2' conaffinity='2' material='chassis' pos='0 0 " << kGroundGap + half_height
-      << "' ";
-  if (body.length > 0.0 && body.width > 0.0) {
-    xml << "type='box' size='" << 0.5 * body.length << ' ' << 0.5 * body.width << ' ' << half_height
-        << "'/>\n";
-  } else {
-    xml << "type='cylinder' size='" << body.radius << ' ' << half_height << "'/>\n";
-  }
+  add_chassis(xml, body, robot);
+  // Dark on top where it is in front: only to be seen.
+  xml << "<geom type='box' mass='0' contype='0' conaffinity='0' material='wheel' pos='"
+      << 0.25 * robot_length(body) << " 0 " << kGroundGap + robot.height << "' size='"
+      << 0.08 * robot_length(body) << ' ' << 0.3 * robot_width(body) << " 0.01'/>\n";
   for (const double side : {1.0, -1.0}) {
     xml << "<geom type='sphere' size='" << caster << "' mass='0.05' pos='" << side * caster_at
         << " 0 " << caster << "' condim='1' priority='1' contype='1' conaffinity='1'/>\n";
@@ -98,7 +132,7 @@ std::string mujoco_model(const Scenario& scenario, const MujocoRobot& robot) {
          "<option timestep='0.0025' integrator='implicit' noslip_iterations='4'/>\n"
          "<visual><global offwidth='1280' offheight='720'/>\n"
          "<headlight ambient='0.4 0.4 0.4'/></visual>\n"
-         "<asset><material name='floor' rgba='0.92 0.92 0.9 1'/>\n"
+         "<asset><material name='floor' rgba='0.5 0.52 0.54 1' specular='0'/>\n"
          "<material name='wall' rgba='0.35 0.4 0.48 1'/>\n"
          "<material name='chassis' rgba='0.95 0.65 0.1 1'/>\n"
          "<material name='wheel' rgba='0.1 0.1 0.1 1'/>\n"

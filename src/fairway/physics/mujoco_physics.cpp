@@ -16,6 +16,7 @@ namespace fairway {
 
 namespace {
 
+constexpr int kMustNotTouch = 2;         // contype in the model
 constexpr double kLongestStep = 0.0025;  // [s]
 
 }  // namespace
@@ -36,8 +37,12 @@ MujocoPhysics::MujocoPhysics(const Scenario& scenario, const MujocoRobot& robot)
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const std::string number = std::to_string(i);
     robot_body_.push_back(mj_name2id(model_.get(), mjOBJ_BODY, ("robot" + number).c_str()));
-    const int chassis = mj_name2id(model_.get(), mjOBJ_GEOM, ("chassis" + number).c_str());
-    geom_robot_[static_cast<std::size_t>(chassis)] = static_cast<int>(i);
+    // Its chassis is all of it that must not touch; the wheels are bodies of their own.
+    for (int geom = 0; geom < model_->ngeom; ++geom) {
+      const bool chassis = model_->geom_contype[geom] == kMustNotTouch;
+      if (chassis && model_->geom_bodyid[geom] == robot_body_.back())
+        geom_robot_[static_cast<std::size_t>(geom)] = static_cast<int>(i);
+    }
   }
   mj_forward(model_.get(), data_.get());
 }

@@ -24,7 +24,29 @@ bool is_finite(const WayAhead& way) noexcept {
   return true;
 }
 
+// Divided last, so that the result is the number nearest to a short decimal one.
+double rounded(double value) noexcept {
+  constexpr double kPerMetre = 1.0 / kToldQuantum;
+  return std::round(value * kPerMetre) / kPerMetre;
+}
+
+template <typename Points>
+void round_points(Points& points, int count) noexcept {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    points[i] = {rounded(points[i].x()), rounded(points[i].y())};
+}
+
 }  // namespace
+
+SharedMotion rounded(SharedMotion motion) noexcept {
+  constexpr double kOff = 0.72 * kToldQuantum;  // a little more than 1 / sqrt(2)
+  round_points(motion.plan.positions, motion.plan.count);
+  round_points(motion.stop.positions, motion.stop.count);
+  round_points(motion.way.points, motion.way.count);
+  motion.to_narrow = rounded(motion.to_narrow);
+  motion.radius += kOff;
+  return motion;
+}
 
 bool is_finite(const SharedMotion& motion) noexcept {
   return std::isfinite(motion.time) && motion.position.allFinite() && std::isfinite(motion.speed) &&

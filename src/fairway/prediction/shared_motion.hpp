@@ -77,6 +77,16 @@ struct SharedMotion {
 /// Whether all that a robot tells is finite and makes sense.
 [[nodiscard]] bool is_finite(const SharedMotion& motion) noexcept;
 
+/// What robots tell of places is rounded to this, so that it is short to send and to keep [m].
+inline constexpr double kToldQuantum = 1e-3;
+
+/// The same with the places of plan, stop and way, and `to_narrow`, rounded to kToldQuantum.
+///
+/// A place is off by at most kToldQuantum / sqrt(2) then, and so is everything straight between two
+/// places: `radius` grows by a little more than that. So who keeps clear of what was rounded keeps
+/// clear of the robot.
+[[nodiscard]] SharedMotion rounded(SharedMotion motion) noexcept;
+
 /// How far a robot can be from the stop that it told, when it was not heard for `unseen` seconds
 /// and may have told others since [m].
 ///

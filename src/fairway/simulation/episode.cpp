@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fairway/base/contract.hpp"
-#include "fairway/map/free_space.hpp"
+#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
 #include "fairway/simulation/robot_driver.hpp"
 #include "fairway/simulation/timed_solver.hpp"
@@ -79,7 +79,11 @@ class Episode final : public EpisodeControl {
     }
     if (changed.last.x < 0) return;
     map_.distances.update(map_.obstacles, changed);
-    replan_all();
+    for (std::size_t i = 0; i < drivers_.size(); ++i) {
+      if (done_[i] || !drivers_[i]->knows_map()) continue;
+      drivers_[i]->plan_again(world_);
+      show_plan(i);
+    }
   }
 
   void set_body(std::size_t index, const MovingBody& body) override {
@@ -92,7 +96,9 @@ class Episode final : public EpisodeControl {
     settings_ = settings;
     world_.set_robots(settings);
     make_drivers();
-    replan_all();
+    for (std::size_t i = 0; i < drivers_.size(); ++i) {
+      if (!done_[i]) head_for_goal(i);
+    }
   }
 
  private:
@@ -107,27 +113,23 @@ class Episode final : public EpisodeControl {
                                 .planner = planner_,
                                 .solver = *solver,
                                 .radio = radio_,
+                                .observer = hooks_.observer,
                                 .clock = hooks_.clock};
     drivers_.clear();
-    std::vector<Twist2> twists;
+    std::vector<NavigatorStart> starts;
     for (std::size_t i = 0; i < goals_.size(); ++i) {
       drivers_.push_back(make_driver(context, world_, i, result_.robots[i]));
-      twists.push_back(world_.robots()[i].twist);
+      starts.push_back({.pose = world_.robots()[i].pose, .twist = world_.robots()[i].twist});
     }
     if (hooks_.observer != nullptr) {
-      hooks_.observer->on_navigators(world_.time(), settings_, twists);
+      hooks_.observer->on_navigators(world_.time(), settings_, starts);
     }
   }
 
   void head_for_goal(std::size_t i) {
+    if (hooks_.observer != nullptr) hooks_.observer->on_goal(world_.time(), i, goals_[i]);
     drivers_[i]->head_for(goals_[i], world_);
-    show_plan(i);
-  }
-
-  void replan_all() {
-    for (std::size_t i = 0; i < drivers_.size(); ++i) {
-      if (!done_[i]) head_for_goal(i);
-    }
+    if (drivers_[i]->knows_map()) show_plan(i);
   }
 
   void measure() {
@@ -167,12 +169,13 @@ class Episode final : public EpisodeControl {
       result.solve_seconds.push_back(timed_solver_->take_seconds());
     }
     commands_[i] = step.command;
+    if (cycle.new_plan) show_plan(i);
     record(i, cycle);
     if (step.status == NavigationStatus::GoalReached) {
       result.reached = true;
       result.time = world_.time();
       done_[i] = true;
-    } else if (step.wants_plan) {
+    } else if (step.wants_plan && drivers_[i]->knows_map()) {
       drivers_[i]->plan_again(world_);
       show_plan(i);
     }
@@ -182,18 +185,17 @@ class Episode final : public EpisodeControl {
     const NavigationStep& step = cycle.step;
     RobotResult& result = result_.robots[i];
     const UnicycleRobot& robot = world_.robots()[i];
-    const double radius = settings_.robot.radius;
-    const double clearance = distance_to_blocked(world_.obstacles(), robot.pose.position,
-                                                 radius + World::kClearanceLimit) -
-                             radius;
-    if (is_observed(i)) {
+    const double clearance = footprint_clearance(world_.obstacles(), footprint_of(settings_.robot),
+                                                 robot.pose, World::kClearanceLimit);
+    if (hooks_.observer != nullptr) {
       hooks_.observer->on_cycle({.robot = i,
                                  .input = cycle.input,
                                  .step = step,
                                  .twist = robot.twist,
                                  .clearance = clearance,
                                  .seconds = cycle.seconds,
-                                 .mark = limit_mark(drivers_[i]->navigator(), step)});
+                                 .mark = limit_mark(drivers_[i]->navigator(), step),
+                                 .occupied = cycle.occupied});
     }
     ++result.cycles;
     ++result.status_counts[static_cast<std::size_t>(step.status)];
@@ -209,12 +211,8 @@ class Episode final : public EpisodeControl {
                                   .clearance = clearance});
   }
 
-  [[nodiscard]] bool is_observed(std::size_t i) const {
-    return hooks_.observer != nullptr && drivers_[i]->is_observable();
-  }
-
   void show_plan(std::size_t i) {
-    if (is_observed(i)) {
+    if (hooks_.observer != nullptr) {
       hooks_.observer->on_plan(world_.time(), i, drivers_[i]->navigator().plan());
     }
   }

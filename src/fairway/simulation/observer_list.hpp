@@ -18,9 +18,17 @@ class ObserverList final : public EpisodeObserver {
   }
   void on_navigators(double time,
                      const Settings& settings,
-                     std::span<const Twist2> twists) override {
+                     std::span<const NavigatorStart> starts) override {
     for (EpisodeObserver* observer : observers_)
-      observer->on_navigators(time, settings, twists);
+      observer->on_navigators(time, settings, starts);
+  }
+  void on_goal(double time, std::size_t robot, const Goal& goal) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_goal(time, robot, goal);
+  }
+  void on_scan(const ObservedScan& scan) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_scan(scan);
   }
   void on_plan(double time, std::size_t robot, const Plan& plan) override {
     for (EpisodeObserver* observer : observers_)

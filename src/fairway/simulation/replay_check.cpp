@@ -27,24 +27,45 @@ NavigationStep without_plan(NavigationStep step) noexcept {
 
 }  // namespace
 
-void ReplayCheck::on_start(const Scenario& /*scenario*/) {}
+void ReplayCheck::on_start(const Scenario& scenario) { sensing_ = scenario.sensing; }
 
 void ReplayCheck::on_navigators(double /*time*/,
                                 const Settings& settings,
-                                std::span<const Twist2> twists) {
+                                std::span<const NavigatorStart> starts) {
   navigators_.clear();
+  without_map_.clear();
   if (solver_ == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings.mpc);
   ControlSolver& solver = solver_ != nullptr ? *solver_ : *own_solver_;
-  for (const Twist2& twist : twists)
-    navigators_.emplace_back(settings, solver).reset(twist);
+  for (const NavigatorStart& start : starts) {
+    if (sensing_.sensing == Sensing::Map) {
+      navigators_.emplace_back(settings, solver).reset(start.twist);
+      continue;
+    }
+    const auto beams = static_cast<std::size_t>(sensing_.lidar.beams);
+    without_map_.push_back(
+        std::make_unique<MaplessNavigator>(settings, solver, beams, start.pose.position));
+    without_map_.back()->reset(start.twist);
+  }
+}
+
+void ReplayCheck::on_goal(double /*time*/, std::size_t robot, const Goal& goal) {
+  if (!without_map_.empty()) without_map_.at(robot)->set_goal(goal);
+}
+
+void ReplayCheck::on_scan(const ObservedScan& scan) {
+  without_map_.at(scan.robot)->observe(scan.scan, scan.position);
 }
 
 void ReplayCheck::on_plan(double /*time*/, std::size_t robot, const Plan& plan) {
-  navigators_.at(robot).follow(plan);
+  if (without_map_.empty()) navigators_.at(robot).follow(plan);
 }
 
 void ReplayCheck::on_cycle(const NavigationCycle& cycle) {
-  const NavigationStep replayed = navigators_.at(cycle.robot).update(cycle.input);
+  const NavigationInput& input = cycle.input;
+  const NavigationStep replayed =
+      without_map_.empty()
+          ? navigators_.at(cycle.robot).update(input)
+          : without_map_.at(cycle.robot)->update(input.time, input.pose, input.pose_time);
   ++cycles_;
   if (same(cycle.step, replayed)) return;
   ++different_;

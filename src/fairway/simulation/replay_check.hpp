@@ -5,12 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "fairway/navigation/mapless_navigator.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
 namespace fairway {
 
 /// Runs the navigators of a recorded run over its inputs again and compares what they give, bit by
-/// bit. It is an observer, so that a recording is replayed by reading it to this.
+/// bit: what a robot with a lidar drives on, its map and its plans too, is made anew from its scans
+/// and poses. It is an observer, so that a recording is replayed by reading it to this.
 class ReplayCheck final : public EpisodeObserver {
  public:
   /// The first cycle that came out differently.
@@ -28,7 +30,9 @@ class ReplayCheck final : public EpisodeObserver {
   void on_start(const Scenario& scenario) override;
   void on_navigators(double time,
                      const Settings& settings,
-                     std::span<const Twist2> twists) override;
+                     std::span<const NavigatorStart> starts) override;
+  void on_goal(double time, std::size_t robot, const Goal& goal) override;
+  void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;
   void on_cycle(const NavigationCycle& cycle) override;
   void on_world(const WorldView& world) override;
@@ -42,7 +46,9 @@ class ReplayCheck final : public EpisodeObserver {
  private:
   ControlSolver* solver_;
   std::unique_ptr<ControlSolver> own_solver_;
-  std::vector<Navigator> navigators_;
+  SensingModel sensing_;
+  std::vector<Navigator> navigators_;                           // of robots that know the map
+  std::vector<std::unique_ptr<MaplessNavigator>> without_map_;  // of robots with a lidar
   long cycles_ = 0;
   long different_ = 0;
   std::optional<Difference> first_difference_;

@@ -28,7 +28,7 @@ class MapDriver final : public RobotDriver {
     tell(world);
   }
 
-  [[nodiscard]] bool is_observable() const override { return true; }
+  [[nodiscard]] bool knows_map() const override { return true; }
   [[nodiscard]] double next_measurement() const override {
     return std::numeric_limits<double>::infinity();
   }
@@ -106,21 +106,22 @@ class LidarDriver final : public RobotDriver {
         navigator_(context.settings,
                    context.solver,
                    static_cast<std::size_t>(context.scenario.sensing.lidar.beams),
-                   world.robots()[robot].pose.position) {}
+                   world.robots()[robot].pose.position),
+        robot_(robot) {
+    navigator_.reset(world.robots()[robot].twist);
+  }
 
-  [[nodiscard]] bool is_observable() const override { return false; }
+  [[nodiscard]] bool knows_map() const override { return false; }
   [[nodiscard]] double next_measurement() const override { return senses_.next_scan(); }
   void measure(const World& world) override { senses_.measure(world); }
   [[nodiscard]] const Navigator& navigator() const override { return navigator_.navigator(); }
   void head_for(const Goal& goal, const World& /*world*/) override { navigator_.set_goal(goal); }
   void plan_again(const World& /*world*/) override {}
-  void tell_standing(const World& /*world*/) override {}
+  void tell_standing(const World& world) override { look_around(world.time()); }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
     const double before = now(context_);
-    senses_.deliver(world.time(), [this](const LidarScan& scan, const Eigen::Vector2d& position) {
-      navigator_.observe(scan, position);
-    });
+    look_around(world.time());
     const double sensed = now(context_);
     const NavigationStep step = navigator_.update(world.time(), senses_.pose());
     const double after = now(context_);
@@ -128,14 +129,28 @@ class LidarDriver final : public RobotDriver {
       result_.sense_seconds.push_back(sensed - before);
       if (navigator_.planned()) result_.plan_seconds.push_back(after - sensed);
     }
-    return {.input = {}, .step = step, .seconds = after - before};
+    return {.input = navigator_.input(),
+            .step = step,
+            .seconds = after - before,
+            .new_plan = navigator_.follows_new_plan(),
+            .occupied = &navigator_.perception().grid().occupied()};
   }
 
  private:
+  // Takes in the scans that have become known.
+  void look_around(double time) {
+    senses_.deliver(time, [this](const LidarScan& scan, const Eigen::Vector2d& position) {
+      navigator_.observe(scan, position);
+      if (context_.observer != nullptr)
+        context_.observer->on_scan({.robot = robot_, .scan = scan, .position = position});
+    });
+  }
+
   DriverContext context_;
   RobotResult& result_;
   LidarSenses senses_;
   MaplessNavigator navigator_;
+  std::size_t robot_;
 };
 
 }  // namespace

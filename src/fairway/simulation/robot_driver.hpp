@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "fairway/navigation/navigator.hpp"
+#include "fairway/simulation/episode_observer.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/world.hpp"
@@ -17,7 +18,9 @@ struct RobotResult;
 struct DrivenCycle {
   NavigationInput input;
   NavigationStep step;
-  double seconds = 0.0;  ///< 0 without a clock
+  double seconds = 0.0;               ///< 0 without a clock
+  bool new_plan = false;              ///< it has made a plan in this cycle, and follows it
+  const BitGrid* occupied = nullptr;  ///< as NavigationCycle says
 };
 
 /// What drives one robot of an episode: a navigator, and what tells it about the world.
@@ -28,8 +31,8 @@ class RobotDriver {
   RobotDriver& operator=(const RobotDriver&) = delete;
   virtual ~RobotDriver() = default;
 
-  /// Whether its navigator's inputs and plans are all told to an observer.
-  [[nodiscard]] virtual bool is_observable() const = 0;
+  /// Whether it is told when the map changes.
+  [[nodiscard]] virtual bool knows_map() const = 0;
 
   /// When `measure` wants to be called next [s]; infinite for never.
   [[nodiscard]] virtual double next_measurement() const = 0;
@@ -47,8 +50,8 @@ class RobotDriver {
   /// seen to it within the cycle.
   virtual void plan_again(const World& world) = 0;
 
-  /// Tells the other robots that it stands where it is, and why it need not be waited for: it has
-  /// arrived, or cannot move any more.
+  /// Instead of `drive`, where it has arrived or cannot move any more: tells the other robots that
+  /// it stands where it is, and need not be waited for.
   virtual void tell_standing(const World& world) = 0;
 
   [[nodiscard]] virtual const Navigator& navigator() const = 0;
@@ -62,6 +65,7 @@ struct DriverContext {
   Planner& planner;
   ControlSolver& solver;
   FleetRadio& radio;
+  EpisodeObserver* observer;             ///< of scans; may be null
   const std::function<double()>& clock;  ///< empty: nothing is timed
 };
 

@@ -45,4 +45,19 @@ inline void use_standard_noise(SensingModel& model) noexcept {
   model.odometry.most_drift = 0.2 * std::numbers::pi / 180.0;
 }
 
+/// Chooses the errors, and forgets those chosen before.
+inline void use_noise(SensingModel& model, SensorNoise noise) noexcept {
+  const SensingModel exact;
+  model.lidar.range_sigma = exact.lidar.range_sigma;
+  model.lidar.dropout = exact.lidar.dropout;
+  model.lidar.latency = exact.lidar.latency;
+  model.odometry = exact.odometry;
+  if (noise == SensorNoise::Standard) use_standard_noise(model);
+}
+
+/// Which errors a model has: standard, as soon as its ranges have any.
+[[nodiscard]] inline SensorNoise noise_of(const SensingModel& model) noexcept {
+  return model.lidar.range_sigma > 0.0 ? SensorNoise::Standard : SensorNoise::None;
+}
+
 }  // namespace fairway

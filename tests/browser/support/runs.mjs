@@ -11,6 +11,17 @@ const programs = process.env.FAIRWAY_BIN ?? new URL('../../../build/release/bin'
 
 export const program = (name) => join(programs, name);
 
+/** A run of the scenario `name` with further options, whether it succeeds or not. */
+export async function simulatedRun(name, options) {
+  const folder = await mkdtemp(join(tmpdir(), 'fairway-'));
+  const recording = join(folder, 'run.mcap');
+  const page = join(folder, 'run.html');
+  const scenario = new URL(`../../../scenarios/${name}.yaml`, import.meta.url).pathname;
+  await run(program('fairway'), ['simulate', scenario, '--log', recording, '--report', page, ...options])
+    .catch((error) => { if (error.code !== 1) throw error; });
+  return { folder, recording, page };
+}
+
 /** A synthetic run; every field has something in it. */
 export async function syntheticRun({ robots = 3, seconds = 60, side = 240 } = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'fairway-'));

@@ -51,7 +51,7 @@ TEST(SettingsFile, ReadsBackEveryValueThatIsNotTheDefault) {
         value = std::min(info.max, value + 1.0 / 7.0);
       } else if constexpr (std::is_same_v<Value, int>) {
         value = value - 1 >= static_cast<int>(info.min) ? value - 1 : value + 1;
-      } else {
+      } else if constexpr (std::is_enum_v<Value>) {
         value = static_cast<Value>(setting_names(value).size() - 1);
       }
     });
@@ -89,9 +89,9 @@ TEST(SettingsFile, NamesFileLineKeyRangeAndWhatWasFound) {
   EXPECT_EQ(complaint("corridor:\n  method: astar"),
             "s.yaml:2: corridor.method: expected mdsrc or fewest, found 'astar'");
   EXPECT_EQ(complaint("preset: fast"), "s.yaml:1: preset: expected default or paper, found 'fast'");
-  EXPECT_EQ(
-      complaint("robot:\n  raduis: 1"),
-      "s.yaml:2: robot.'raduis': expected one of length, radius, width, found an unknown key");
+  EXPECT_EQ(complaint("robot:\n  raduis: 1"),
+            "s.yaml:2: robot.'raduis': expected one of discs, length, radius, width, found an "
+            "unknown key");
   EXPECT_EQ(complaint("\nmcp: {}").substr(0, 17), "s.yaml:2: 'mcp': ");
   EXPECT_EQ(complaint("mpc: 3"), "s.yaml:1: mpc: expected a mapping, found '3'");
   EXPECT_EQ(complaint("mpc:\n  dt: 1\n  decay_rate: 5"),
@@ -115,13 +115,45 @@ TEST(SettingsFile, SaysWhatIsWrongWithAnAssignment) {
   EXPECT_EQ(complaint_about("robot.radius=-1"),
             "robot.radius: expected a number from 0.01 to 10, found '-1'");
   EXPECT_EQ(complaint_about("robot.breadth=1"),
-            "'robot.breadth': expected one of radius, length, width, found an unknown key");
+            "'robot.breadth': expected one of radius, length, width, discs, found an unknown key");
   EXPECT_NE(complaint_about("body.width=1").find("found an unknown group"), std::string::npos);
   EXPECT_EQ(complaint_about("radius=1"), "expected group.name=value, found 'radius=1'");
   for (const char* text : {"", "=", ".", "robot.radius", "robot.radius=", "robot.radius=nan",
                            "robot.radius=1e400", "robot.=1", ".radius=1"}) {
     EXPECT_NE(complaint_about(text), "none") << text;
   }
+}
+
+TEST(SettingsFile, ReadsABodyOfDiscsInOneLineOrInSeveral) {
+  for (const char* list :
+       {" [[0.2, 0, 0.25], [-0.2, 0, 0.3]]", "\n    - [0.2, 0, 0.25]\n    - [-0.2, 0.0, 3e-1]"}) {
+    const auto read = parse_settings(std::string("robot:\n  discs:") + list + "\n", "s.yaml");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(to_text(read->robot.discs), "[[0.2, 0, 0.25], [-0.2, 0, 0.3]]");
+    EXPECT_EQ(footprint_of(read->robot).num_discs(), 2);
+    EXPECT_EQ(values(*parse_settings(settings_yaml(*read), "s.yaml")), values(*read));
+  }
+  Settings settings;
+  ASSERT_TRUE(assign_setting(settings, "robot.discs=[[0.1, 0, 0.2]]"));
+  ASSERT_TRUE(assign_setting(settings, "robot.discs=[]"));
+  EXPECT_EQ(settings.robot.discs.count, 0);
+}
+
+TEST(SettingsFile, ABodyOfDiscsThatIsWrittenWrongIsOneLine) {
+  const auto complaint = [](const std::string& text) {
+    const auto read = parse_settings(text, "s.yaml");
+    return read ? "none" : read.error().message;
+  };
+  const std::string range =
+      "up to 8 of [x, y, radius], radius from 0.01 to 10, x and y from -20 to 20";
+  EXPECT_EQ(complaint("robot:\n  discs: [[0, 0, -1]]\n"),
+            "s.yaml:2: robot.discs: expected " + range + ", found [0, 0, -1]");
+  EXPECT_EQ(complaint("robot:\n  discs: 0.3\n"),
+            "s.yaml:2: robot.discs: expected lists of 3 numbers, found '0.3'");
+  EXPECT_EQ(complaint("robot:\n  length: 1\n  width: 1\n  discs: [[0, 0, 1]]\n"),
+            "s.yaml:4: robot.discs: expected no robot.length and robot.width beside them");
+  EXPECT_EQ(complaint_about("robot.discs=[[0, 0]]"),
+            "robot.discs: expected " + range + ", found '[[0, 0]]'");
 }
 
 TEST(SettingsFile, IsDocumentedInDocs) {

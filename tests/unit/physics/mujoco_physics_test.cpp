@@ -135,5 +135,25 @@ TEST(MujocoPhysics, SameCommandsGiveTheSameBits) {
   EXPECT_EQ(first.heading, second.heading);
 }
 
+// Two discs, one in front of the other: the chassis reaches 0.45 m ahead and 0.15 m to the sides.
+TEST(MujocoPhysics, ABodyOfDiscsTouchesWithTheDiscThatIsThere) {
+  Scenario scenario = open_floor();
+  scenario.settings.robot = {.radius = 0.45};
+  ASSERT_TRUE(scenario.settings.robot.discs.add({0.0, 0.0}, 0.15));
+  ASSERT_TRUE(scenario.settings.robot.discs.add({0.3, 0.0}, 0.15));
+  for (int x = 0; x < 400; ++x)
+    scenario.map.set({.x = x, .y = 205}, CellState::Occupied);  // from y = 0.25 m on
+  for (int y = 190; y < 205; ++y)
+    scenario.map.set({.x = 240, .y = y}, CellState::Occupied);  // from x = 2 m on
+  World world = with_mujoco(scenario);
+  double reached = 0.0;
+  for (int i = 0; i < 60 && !world.encounters()[0].collided; ++i) {
+    reached = world.robots()[0].pose.position.x();
+    world.advance({{0.5, 0.0}}, 0.1);
+  }
+  EXPECT_TRUE(world.encounters()[0].collided);
+  EXPECT_NEAR(reached, 2.0 - 0.45, 0.08);  // beside the wall it was free
+}
+
 }  // namespace
 }  // namespace fairway

@@ -80,5 +80,32 @@ TEST(SharedMotion, ARobotUnheardStaysWithinItsReach) {
   }
 }
 
+TEST(SharedMotion, IsRoundedToMillimetresAndItsRadiusMakesUpForIt) {
+  test::Random random(21);
+  for (int trial = 0; trial < 200; ++trial) {
+    SharedMotion exact{.radius = random.uniform(0.1, 1.0)};
+    exact.stop.start = exact.plan.start = 3.0;
+    for (int i = 0; i < 12; ++i) {
+      const Vector2d place(random.uniform(-50.0, 50.0), random.uniform(-50.0, 50.0));
+      exact.stop.add(place);
+      exact.plan.add(place);
+    }
+    exact.way.count = 2;
+    exact.way.points[0] = {1.0 / 3.0, -2.0 / 3.0};
+    exact.way.points[1] = {0.0, 7.77777};
+    const SharedMotion told = rounded(exact);
+    const double more = told.radius - exact.radius;
+    EXPECT_LT(more, kToldQuantum);
+    // Wherever the robot is on its way to the stop, its disc lies in the one that was told.
+    for (double time = 2.9; time < 4.4; time += 0.013)
+      EXPECT_LE((told.stop.at(time) - exact.stop.at(time)).norm(), more);
+    EXPECT_EQ(told.way.points[0], Vector2d(0.333, -0.667));
+    EXPECT_EQ(told.plan.positions[3], told.stop.positions[3]);
+    // Told twice, nothing more is lost.
+    EXPECT_EQ(rounded(told).stop.positions[5], told.stop.positions[5]);
+  }
+  EXPECT_TRUE(std::isinf(rounded(SharedMotion{}).to_narrow));
+}
+
 }  // namespace
 }  // namespace fairway

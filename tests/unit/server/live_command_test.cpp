@@ -65,5 +65,17 @@ TEST(LiveCommand, SurvivesAnyBytes) {
   EXPECT_FALSE(parse_command(std::string(50'000, '[')));
 }
 
+TEST(LiveCommand, TellsWhatRobotsKnow) {
+  const auto command = parse_command(R"({"do": "sense", "sensing": "lidar", "noise": "standard"})");
+  ASSERT_TRUE(command);
+  EXPECT_EQ(std::get<SenseCommand>(*command).sensing, Sensing::Lidar);
+  EXPECT_EQ(std::get<SenseCommand>(*command).noise, SensorNoise::Standard);
+  for (const char* bad :
+       {R"({"do": "sense"})", R"({"do": "sense", "sensing": "radar", "noise": "none"})",
+        R"({"do": "sense", "sensing": "lidar", "noise": 1})"}) {
+    EXPECT_FALSE(parse_command(bad)) << bad;
+  }
+}
+
 }  // namespace
 }  // namespace fairway::app

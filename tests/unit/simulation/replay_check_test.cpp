@@ -39,8 +39,8 @@ class Forger final : public EpisodeObserver {
   void on_start(const Scenario& scenario) override { to_.on_start(scenario); }
   void on_navigators(double time,
                      const Settings& settings,
-                     std::span<const Twist2> twists) override {
-    to_.on_navigators(time, settings, twists);
+                     std::span<const NavigatorStart> starts) override {
+    to_.on_navigators(time, settings, starts);
   }
   void on_plan(double time, std::size_t robot, const Plan& plan) override {
     to_.on_plan(time, robot, plan);
@@ -69,6 +69,42 @@ TEST(ReplayCheck, GetsEveryCommandOfARunAgain) {
   EXPECT_GT(check.cycles(), 100);
   EXPECT_EQ(check.different(), 0);
   EXPECT_FALSE(check.first_difference());
+}
+
+TEST(ReplayCheck, GetsEveryCommandOfARobotWithALidarAgainFromItsScansAndPoses) {
+  Scenario scenario = meeting();
+  scenario.sensing.sensing = Sensing::Lidar;
+  scenario.sensing.lidar.beams = 180;
+  use_standard_noise(scenario.sensing);
+  ReplayCheck check;
+  const EpisodeResult result = run_episode(scenario, {.observer = &check});
+  EXPECT_EQ(check.cycles(), result.robots[0].cycles + result.robots[1].cycles);
+  EXPECT_GT(check.cycles(), 100);
+  EXPECT_EQ(check.different(), 0);
+}
+
+// Somebody plays with it: another goal, other settings, a wall that nobody tells it of.
+TEST(ReplayCheck, FollowsARobotWithALidarThroughAllThatIsChanged) {
+  Scenario scenario = meeting();
+  scenario.robots.resize(1);
+  scenario.sensing.sensing = Sensing::Lidar;
+  scenario.sensing.lidar.beams = 180;
+  ReplayCheck check;
+  int cycles = 0;
+  const auto play = [&](EpisodeControl& control) {
+    ++cycles;
+    if (cycles == 20) control.set_goal(0, {.position = {5.0, 3.0}, .heading = {}});
+    if (cycles == 40) control.set_cells(std::vector<CellIndex>(1, {.x = 90, .y = 50}), true);
+    if (cycles == 50) {
+      Settings slower = scenario.settings;
+      slower.mpc.linear_max = 0.5;
+      control.set_settings(slower);
+    }
+    return cycles < 90;
+  };
+  static_cast<void>(run_episode(scenario, {.observer = &check, .play = play}));
+  EXPECT_GT(check.cycles(), 50);
+  EXPECT_EQ(check.different(), 0);
 }
 
 TEST(ReplayCheck, NoticesTheLastBitOfOneCommand) {

@@ -63,6 +63,13 @@ std::string fairway_schema(const std::string& name) {
       {"fairway.Navigators", fields({{"time", "number"}, {"settings", "string"}})},
       {"fairway.Cells", fields({{"slot", "integer"}})},
       {"fairway.World", fields({{"time", "number"}, {"map", "integer"}})},
+      {"fairway.Goal", fields({{"time", "number"}, {"robot", "integer"}})},
+      {"fairway.Scan", fields({{"time", "number"},
+                               {"robot", "integer"},
+                               {"first_angle", "number"},
+                               {"angle_step", "number"},
+                               {"min_range", "number"},
+                               {"max_range", "number"}})},
       {"fairway.Plan", fields({{"time", "number"}, {"robot", "integer"}})},
       {"fairway.Cycle", cycle()}};
   const auto found = schemas.find(name);

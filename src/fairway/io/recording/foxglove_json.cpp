@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/recording/foxglove_json.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "fairway/io/recording/base64.hpp"
 
@@ -43,16 +47,28 @@ Json line_primitive(int type, Json points, const Tint& tint) {
           {"indices", Json::array()}};
 }
 
+// The shortest decimal number that is this float again.
+double shortest(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), value).ptr;
+  double number = 0.0;
+  std::from_chars(text.begin(), end, number);
+  return static_cast<float>(number) == value ? number : static_cast<double>(value);
+}
+
 }  // namespace
 
 Json time_json(std::uint64_t nanoseconds) {
   return {{"sec", nanoseconds / 1'000'000'000U}, {"nsec", nanoseconds % 1'000'000'000U}};
 }
 
-Json grid(std::uint64_t time, const GridFrame& frame, const std::string& cells) {
+Json grid(std::uint64_t time,
+          const GridFrame& frame,
+          const std::string& cells,
+          const std::string& frame_id) {
   constexpr int kUint8 = 1;
   return {{"timestamp", time_json(time)},
-          {"frame_id", kMapFrame},
+          {"frame_id", frame_id},
           {"pose", pose_json(frame.origin)},
           {"column_count", frame.width},
           {"cell_size", {{"x", frame.resolution}, {"y", frame.resolution}}},
@@ -62,27 +78,55 @@ Json grid(std::uint64_t time, const GridFrame& frame, const std::string& cells) 
           {"data", to_base64(cells)}};
 }
 
-Json pose_in_frame(std::uint64_t time, const Pose2& pose) {
-  return {{"timestamp", time_json(time)}, {"frame_id", kMapFrame}, {"pose", pose_json(pose)}};
+Json pose_in_frame(std::uint64_t time, const Pose2& pose, const std::string& frame_id) {
+  return {{"timestamp", time_json(time)}, {"frame_id", frame_id}, {"pose", pose_json(pose)}};
 }
 
-Json frame_transform(std::uint64_t time, const std::string& child, const Pose2& pose) {
+Json laser_scan(std::uint64_t time, const LidarScan& scan, const std::string& frame_id) {
+  Json ranges = Json::array();
+  for (const float range : scan.ranges)
+    ranges.push_back(
+        std::isnan(range) ? 0.0 : std::fmin(shortest(range), std::fmax(scan.max_range, 0.0)));
+  const auto steps = static_cast<double>(scan.ranges.empty() ? 0 : scan.ranges.size() - 1);
+  return {{"timestamp", time_json(time)},
+          {"frame_id", frame_id},
+          {"pose", pose_json(scan.last_pose)},
+          {"start_angle", scan.first_angle},
+          {"end_angle", scan.first_angle + steps * scan.angle_step},
+          {"ranges", std::move(ranges)},
+          {"intensities", Json::array()}};
+}
+
+std::vector<float> ranges_of(const Json& laser_scan) {
+  std::vector<float> ranges;
+  for (const Json& range : laser_scan.at("ranges")) {
+    const auto value = range.get<float>();
+    ranges.push_back(value == 0.0F ? std::numeric_limits<float>::quiet_NaN() : value);
+  }
+  return ranges;
+}
+
+Json frame_transform(std::uint64_t time,
+                     const std::string& child,
+                     const Pose2& pose,
+                     const std::string& parent) {
   Json json = pose_json(pose);
   return {{"timestamp", time_json(time)},
-          {"parent_frame_id", kMapFrame},
+          {"parent_frame_id", parent},
           {"child_frame_id", child},
           {"translation", std::move(json["position"])},
           {"rotation", std::move(json["orientation"])}};
 }
 
-Scene::Scene(std::uint64_t time)
+Scene::Scene(std::uint64_t time, std::string frame_id)
     : time_(time),
+      frame_id_(std::move(frame_id)),
       json_({{"deletions", Json::array()}, {"entities", Json::array()}}) {}
 
 // Every kind of primitive is listed, so that no reader misses one.
 Json& Scene::entity(const std::string& id) {
   Json entity{{"timestamp", time_json(time_)},
-              {"frame_id", kMapFrame},
+              {"frame_id", frame_id_},
               {"id", id},
               {"lifetime", time_json(0)},
               {"frame_locked", false}};

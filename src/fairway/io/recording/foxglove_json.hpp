@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "fairway/geometry/oriented_rectangle.hpp"
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/map/grid_frame.hpp"
+#include "fairway/perception/lidar_scan.hpp"
 
 // Messages that Foxglove and Lichtblick draw as they are: the well-known schemas foxglove.*, as
 // JSON. Coordinates are rounded to 0.1 mm: these are for looking, the exact numbers are in
@@ -18,7 +20,7 @@ namespace fairway::io::foxglove {
 
 using Json = nlohmann::json;
 
-/// The frame that everything is given in.
+/// The frame that everything is given in unless another one is named.
 inline constexpr const char* kMapFrame = "map";
 
 /// Red, green, blue and opacity, 0..1.
@@ -29,24 +31,42 @@ struct Tint {
   double opacity = 1.0;
 };
 
-/// A JSON Schema for "foxglove.SceneUpdate", "foxglove.Grid", "foxglove.PoseInFrame" or
-/// "foxglove.FrameTransform". @pre the name is one of these.
+/// A JSON Schema for "foxglove.SceneUpdate", "foxglove.Grid", "foxglove.PoseInFrame",
+/// "foxglove.FrameTransform" or "foxglove.LaserScan". @pre the name is one of these.
 [[nodiscard]] std::string schema(const std::string& name);
 
 [[nodiscard]] Json time_json(std::uint64_t nanoseconds);
 
 /// A map; `cells` holds a byte per cell, lowest row first: 0 free, 100 occupied, 255 unknown.
-[[nodiscard]] Json grid(std::uint64_t time, const GridFrame& frame, const std::string& cells);
+[[nodiscard]] Json grid(std::uint64_t time,
+                        const GridFrame& frame,
+                        const std::string& cells,
+                        const std::string& frame_id = kMapFrame);
 
-[[nodiscard]] Json pose_in_frame(std::uint64_t time, const Pose2& pose);
+[[nodiscard]] Json pose_in_frame(std::uint64_t time,
+                                 const Pose2& pose,
+                                 const std::string& frame_id = kMapFrame);
 
-/// Where the frame `child` is in the map.
-[[nodiscard]] Json frame_transform(std::uint64_t time, const std::string& child, const Pose2& pose);
+/// Where the frame `child` is in the frame `parent`.
+[[nodiscard]] Json frame_transform(std::uint64_t time,
+                                   const std::string& child,
+                                   const Pose2& pose,
+                                   const std::string& parent = kMapFrame);
+
+/// A scan. Its ranges are exact: a lost beam is 0, one that met nothing has the largest range.
+/// Where the sensor moved, it is shown where it was at the last beam.
+[[nodiscard]] Json laser_scan(std::uint64_t time,
+                              const LidarScan& scan,
+                              const std::string& frame_id);
+
+/// The ranges of such a message.
+/// @throws nlohmann::json::exception where it holds something else.
+[[nodiscard]] std::vector<float> ranges_of(const Json& laser_scan);
 
 /// Things to draw, each under a name; a later one under the same name replaces it.
 class Scene {
  public:
-  explicit Scene(std::uint64_t time);
+  explicit Scene(std::uint64_t time, std::string frame_id = kMapFrame);
 
   void line(const std::string& id, std::span<const Eigen::Vector2d> points, const Tint& tint);
   void outlines(const std::string& id,
@@ -73,6 +93,7 @@ class Scene {
   Json& entity(const std::string& id);
 
   std::uint64_t time_;
+  std::string frame_id_;
   Json json_;
 };
 

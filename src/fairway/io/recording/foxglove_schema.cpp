@@ -144,6 +144,16 @@ std::string schema(const std::string& name) {
                   {{"timestamp", instant()}, {"frame_id", text()}, {"pose", pose()}})
         .dump();
   }
+  if (name == "foxglove.LaserScan") {
+    return object("foxglove.LaserScan", {{"timestamp", instant()},
+                                         {"frame_id", text()},
+                                         {"pose", pose()},
+                                         {"start_angle", number()},
+                                         {"end_angle", number()},
+                                         {"ranges", list(number())},
+                                         {"intensities", list(number())}})
+        .dump();
+  }
   FAIRWAY_EXPECTS(name == "foxglove.FrameTransform");
   return object("foxglove.FrameTransform", {{"timestamp", instant()},
                                             {"parent_frame_id", text()},

@@ -41,9 +41,15 @@ void RecordingFile::Spill::on_start(const Scenario& scenario) {
 
 void RecordingFile::Spill::on_navigators(double time,
                                          const Settings& settings,
-                                         std::span<const Twist2> twists) {
-  file_.messages_.on_navigators(time, settings, twists);
+                                         std::span<const NavigatorStart> starts) {
+  file_.messages_.on_navigators(time, settings, starts);
 }
+
+void RecordingFile::Spill::on_goal(double time, std::size_t robot, const Goal& goal) {
+  file_.messages_.on_goal(time, robot, goal);
+}
+
+void RecordingFile::Spill::on_scan(const ObservedScan& scan) { file_.messages_.on_scan(scan); }
 
 void RecordingFile::Spill::on_plan(double time, std::size_t robot, const Plan& plan) {
   file_.messages_.on_plan(time, robot, plan);

@@ -49,7 +49,9 @@ class RecordingFile {
     void on_start(const Scenario& scenario) override;
     void on_navigators(double time,
                        const Settings& settings,
-                       std::span<const Twist2> twists) override;
+                       std::span<const NavigatorStart> starts) override;
+    void on_goal(double time, std::size_t robot, const Goal& goal) override;
+    void on_scan(const ObservedScan& scan) override;
     void on_plan(double time, std::size_t robot, const Plan& plan) override;
     void on_cycle(const NavigationCycle& cycle) override;
     void on_world(const WorldView& world) override;

@@ -7,6 +7,7 @@
 #include "fairway/io/recording/base64.hpp"
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/io/recording/fleet_ledger.hpp"
+#include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/mcap_reader.hpp"
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/settings_file.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 using exact::Json;
 
+constexpr int kMostBeams = 100'000;
 constexpr std::size_t kMaxFile = std::size_t{4} << 30U;  // [bytes]
 
 template <typename Enumeration>
@@ -55,11 +57,14 @@ class Player {
 
   Expected<void> message(const McapMessage& message) {
     const bool is_map = message.topic == "/map" && message.schema_name == "foxglove.Grid";
-    if (!is_map && !message.schema_name.starts_with("fairway.")) return {};
+    const bool is_scan = message.schema_name == "foxglove.LaserScan";
+    if (!is_map && !is_scan && !message.schema_name.starts_with("fairway.")) return {};
     try {
       const Json json = Json::parse(message.content);
       if (is_map) {
         if (!started_) map_message_ = json;
+      } else if (is_scan) {
+        ranges_ = foxglove::ranges_of(json);
       } else {
         play(message.schema_name, json);
       }
@@ -80,6 +85,8 @@ class Player {
     if (!started_) throw std::invalid_argument("expected the scenario first");
     if (schema == "fairway.Navigators") return navigators(json);
     if (schema == "fairway.Cells") return cells(json);
+    if (schema == "fairway.Goal") return goal(json);
+    if (schema == "fairway.Scan") return scan(json);
     if (schema == "fairway.Plan") return plan(json);
     if (schema == "fairway.Cycle") return cycle(json);
     if (schema == "fairway.World") return world(json);
@@ -100,7 +107,10 @@ class Player {
 
   const BitGrid* map(const Json& json) const {
     const int slot = json.at("map").get<int>();
-    if (slot < 0) return nullptr;
+    return slot < 0 ? nullptr : grid(slot);
+  }
+
+  const BitGrid* grid(int slot) const {
     const auto found = grids_.find(slot);
     if (found == grids_.end()) throw std::invalid_argument("expected a map that was told before");
     return &found->second;
@@ -137,18 +147,62 @@ class Player {
     }
     scenario.time_limit = exact::to_number(json.at("time_limit"));
     scenario.seed = json.at("seed").get<std::uint64_t>();
+    if (json.contains("sensing")) scenario.sensing = sensing(json.at("sensing"));
+    if (json.value("physics", "unicycle") == "mujoco") scenario.engine = Engine::Mujoco;
+    lidar_ = scenario.sensing.sensing == Sensing::Lidar;
     robots_ = scenario.robots.size();
     started_ = true;
     observer_.on_start(scenario);
   }
 
   void navigators(const Json& json) {
-    std::vector<Twist2> twists;
+    std::vector<NavigatorStart> starts;
     for (const Json& twist : json.at("twists"))
-      twists.push_back(exact::to_twist(twist));
-    if (twists.size() != robots_) throw std::invalid_argument("expected a twist for every robot");
+      starts.push_back({.pose = {}, .twist = exact::to_twist(twist)});
+    if (starts.size() != robots_) throw std::invalid_argument("expected a twist for every robot");
+    if (lidar_ || json.contains("poses")) {
+      for (std::size_t i = 0; i < starts.size(); ++i)
+        starts[i].pose = exact::to_pose(json.at("poses").at(i));
+    }
     told_navigators_ = true;
-    observer_.on_navigators(exact::to_number(json.at("time")), settings(json), twists);
+    observer_.on_navigators(exact::to_number(json.at("time")), settings(json), starts);
+  }
+
+  static SensingModel sensing(const Json& json) {
+    SensingModel model;
+    if (json.at("robots_know").get<std::string>() != "lidar") return model;
+    model.sensing = Sensing::Lidar;
+    model.lidar.beams = json.at("beams").get<int>();
+    if (model.lidar.beams < 2 || model.lidar.beams > kMostBeams) {
+      throw std::invalid_argument("expected a lidar of 2 to " + std::to_string(kMostBeams) +
+                                  " beams");
+    }
+    model.lidar.range_sigma = exact::to_number(json.at("range_sigma"));
+    model.lidar.dropout = exact::to_number(json.at("dropout"));
+    model.lidar.latency = exact::to_number(json.at("latency"));
+    model.odometry.most_scale_error = exact::to_number(json.at("scale_error"));
+    model.odometry.most_drift = exact::to_number(json.at("drift"));
+    return model;
+  }
+
+  void goal(const Json& json) {
+    if (!told_navigators_) throw std::invalid_argument("expected the settings first");
+    observer_.on_goal(exact::to_number(json.at("time")), robot(json),
+                      exact::to_goal(json.at("goal")));
+  }
+
+  void scan(const Json& json) {
+    if (!told_navigators_ || !lidar_) throw std::invalid_argument("expected robots with a lidar");
+    observer_.on_scan({.robot = robot(json),
+                       .scan = {.time = exact::to_number(json.at("time")),
+                                .first_pose = exact::to_pose(json.at("first_pose")),
+                                .last_pose = exact::to_pose(json.at("last_pose")),
+                                .first_angle = exact::to_number(json.at("first_angle")),
+                                .angle_step = exact::to_number(json.at("angle_step")),
+                                .min_range = exact::to_number(json.at("min_range")),
+                                .max_range = exact::to_number(json.at("max_range")),
+                                .ranges = ranges_},
+                       .position = exact::to_point(json.at("position"))});
   }
 
   void cells(const Json& json) {
@@ -194,7 +248,16 @@ class Player {
         .twist = exact::to_twist(json.at("twist")),
         .clearance = exact::to_number(json.at("clearance")),
         .seconds = exact::to_number(json.at("seconds")),
-        .mark = exact::to_mark(json.at("mark"))};
+        .mark = exact::to_mark(json.at("mark")),
+        .occupied = nullptr};
+    if (json.contains("occupied")) {
+      cycle.occupied = grid(json.at("occupied").get<int>());
+      // Those who show it take the two for readings of one map.
+      if (cycle.input.map == nullptr ||
+          !exact::same_frame(cycle.input.map->frame(), cycle.occupied->frame())) {
+        throw std::invalid_argument("expected what is occupied on the robot's own map");
+      }
+    }
     if (prediction) cycle.mark.row = prediction->limiting;
     observer_.on_cycle(cycle);
   }
@@ -226,7 +289,9 @@ class Player {
   Json map_message_;
   std::map<int, BitGrid> grids_;
   FleetReader fleet_;
+  std::vector<float> ranges_;  // of the scan that is told next
   std::size_t robots_ = 0;
+  bool lidar_ = false;
   bool started_ = false;
   bool told_navigators_ = false;
 };

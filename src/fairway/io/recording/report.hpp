@@ -21,7 +21,7 @@ namespace fairway::io {
 class Report {
  public:
   [[nodiscard]] EpisodeObserver& observer() noexcept { return stream_; }
-  [[nodiscard]] std::string page();
+  [[nodiscard]] std::string page();  ///< once
 
  private:
   RunStream stream_;

@@ -8,6 +8,7 @@
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/io/recording/fairway_schema.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
+#include "fairway/io/recording/message_text.hpp"
 #include "fairway/io/settings_file.hpp"
 
 namespace fairway::io {
@@ -15,15 +16,6 @@ namespace fairway::io {
 namespace {
 
 using exact::Json;
-
-constexpr char kFreeCell = 0;
-constexpr char kOccupiedCell = 100;
-constexpr char kUnknownCell = static_cast<char>(255);
-constexpr double kMapPeriod = 1.0;  // a changing map is shown no more often [s]
-
-std::uint64_t nanoseconds(double time) {
-  return static_cast<std::uint64_t>(std::llround(std::max(0.0, time) * 1e9));
-}
 
 // A robot's name as a part of a topic.
 std::string topic_part(const std::string& name) {
@@ -33,9 +25,15 @@ std::string topic_part(const std::string& name) {
   return part.empty() ? "robot" : part;
 }
 
-// Names come from people and may hold bytes that are not UTF-8.
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+Json sensing_json(const SensingModel& model) {
+  if (model.sensing == Sensing::Map) return {{"robots_know", "map"}};
+  return {{"robots_know", "lidar"},
+          {"beams", model.lidar.beams},
+          {"range_sigma", exact::to_json(model.lidar.range_sigma)},
+          {"dropout", exact::to_json(model.lidar.dropout)},
+          {"latency", exact::to_json(model.lidar.latency)},
+          {"scale_error", exact::to_json(model.odometry.most_scale_error)},
+          {"drift", exact::to_json(model.odometry.most_drift)}};
 }
 
 std::string cell_bytes(const OccupancyGrid& grid) {
@@ -87,11 +85,20 @@ void RunMessages::add_robots(const Scenario& scenario) {
     robot.pose = own("/pose", "foxglove.PoseInFrame");
     robot.scene = own("/scene", "foxglove.SceneUpdate");
     robot.way = own("/way", "foxglove.SceneUpdate");
+    robot.frame = foxglove::kMapFrame;
+    if (scenario.sensing.sensing == Sensing::Lidar) {
+      robot.goal = own("/goal", "fairway.Goal");
+      robot.scan = own("/scan", "foxglove.LaserScan");
+      robot.lidar = own("/lidar", "fairway.Scan");
+      robot.map = own("/map", "foxglove.Grid");
+      robot.frame = robot.name + "_odom";
+    }
     robots_.push_back(robot);
   }
 }
 
 void RunMessages::on_start(const Scenario& scenario) {
+  lidar_ = scenario.sensing.sensing == Sensing::Lidar;
   add_robots(scenario);
   plans_.assign(scenario.robots.size(), Plan{});
   tracker_.clear();
@@ -126,20 +133,51 @@ void RunMessages::on_start(const Scenario& scenario) {
                 {"bodies", std::move(bodies)},
                 {"time_limit", exact::to_json(scenario.time_limit)},
                 {"seed", scenario.seed},
+                {"sensing", sensing_json(scenario.sensing)},
+                {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
                 {"settings", settings_yaml(scenario.settings)}}));
 }
 
 void RunMessages::on_navigators(double time,
                                 const Settings& settings,
-                                std::span<const Twist2> twists) {
+                                std::span<const NavigatorStart> starts) {
   body_ = settings.robot;
+  if (lidar_) tracker_.clear();  // they have new maps
   Json list = Json::array();
-  for (const Twist2& twist : twists)
-    list.push_back(exact::to_json(twist));
+  Json poses = Json::array();
+  for (const NavigatorStart& start : starts) {
+    list.push_back(exact::to_json(start.twist));
+    poses.push_back(exact::to_json(start.pose));
+  }
   write(navigators_, time,
         dumped({{"time", exact::to_json(time)},
                 {"settings", settings_yaml(settings)},
-                {"twists", std::move(list)}}));
+                {"twists", std::move(list)},
+                {"poses", std::move(poses)}}));
+}
+
+void RunMessages::on_goal(double time, std::size_t robot, const Goal& goal) {
+  if (!lidar_) return;  // the plan tells it
+  write(robots_.at(robot).goal, time,
+        dumped({{"time", exact::to_json(time)}, {"robot", robot}, {"goal", exact::to_json(goal)}}));
+}
+
+// Two messages: the ranges for every viewer, and what else the navigator was told.
+void RunMessages::on_scan(const ObservedScan& seen) {
+  const Robot& robot = robots_.at(seen.robot);
+  const LidarScan& scan = seen.scan;
+  write(robot.scan, scan.time,
+        dumped(foxglove::laser_scan(nanoseconds(scan.time), scan, robot.frame)));
+  write(robot.lidar, scan.time,
+        dumped({{"time", exact::to_json(scan.time)},
+                {"robot", seen.robot},
+                {"first_pose", exact::to_json(scan.first_pose)},
+                {"last_pose", exact::to_json(scan.last_pose)},
+                {"first_angle", exact::to_json(scan.first_angle)},
+                {"angle_step", exact::to_json(scan.angle_step)},
+                {"min_range", exact::to_json(scan.min_range)},
+                {"max_range", exact::to_json(scan.max_range)},
+                {"position", exact::to_json(seen.position)}}));
 }
 
 void RunMessages::on_plan(double time, std::size_t robot, const Plan& plan) {
@@ -165,7 +203,7 @@ int RunMessages::tell_cells(double time, const BitGrid& grid) {
 }
 
 void RunMessages::on_cycle(const NavigationCycle& cycle) {
-  const Robot& robot = robots_.at(cycle.robot);
+  Robot& robot = robots_.at(cycle.robot);
   const double time = cycle.input.time;
   const int slot = cycle.input.map == nullptr ? -1 : tell_cells(time, *cycle.input.map);
   Json obstacles = Json::array();
@@ -194,6 +232,7 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
             {"clearance", exact::to_json(cycle.clearance)},
             {"seconds", exact::to_json(cycle.seconds)},
             {"mark", exact::to_json(cycle.mark)}};
+  if (cycle.occupied != nullptr) json["occupied"] = tell_cells(time, *cycle.occupied);
   if (step.plan != nullptr) json["prediction"] = exact::to_json(*step.plan);
   write(robot.cycle, time, dumped(json));
   show_cycle(robot, cycle);
@@ -201,6 +240,9 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
 
 void RunMessages::on_world(const WorldView& world) {
   const int slot = tell_cells(world.time, *world.obstacles);
+  true_poses_.clear();
+  for (const UnicycleRobot& robot : world.robots)
+    true_poses_.push_back(robot.pose);
   Json bodies = Json::array();
   for (const MovingObstacle& body : world.bodies)
     bodies.push_back(exact::to_json(body));
@@ -225,81 +267,6 @@ void RunMessages::on_world(const WorldView& world) {
   for (std::size_t i = 0; i < world.robots.size(); ++i)
     show_robot(scene, robots_.at(i).name, world.robots[i].pose);
   write(scene_, world.time, dumped(scene.json()));
-}
-
-void RunMessages::show_robot(foxglove::Scene& scene,
-                             const std::string& name,
-                             const Pose2& pose) const {
-  constexpr double kHeight = 0.3;  // [m]
-  constexpr foxglove::Tint kBlue{.red = 0.0, .green = 0.45, .blue = 0.7};
-  if (footprint_of(body_).is_rectangle()) {
-    scene.box(name, pose, body_.length, body_.width, kHeight, kBlue);
-  } else {
-    scene.disc(name, pose.position, body_.radius, kHeight, kBlue);
-  }
-  scene.arrow(name + " heading", pose, 1.4 * body_.radius, {.red = 0.1, .green = 0.1, .blue = 0.1});
-}
-
-void RunMessages::show_map(double time, const BitGrid& obstacles) {
-  if (time < shown_time_ + kMapPeriod || !sink_.wants(map_)) return;
-  bool changed = false;
-  const GridFrame& frame = obstacles.frame();
-  for (int y = 0; y < frame.height; ++y) {
-    if (std::ranges::equal(shown_obstacles_.row(y), obstacles.row(y))) continue;
-    changed = true;
-    for (int x = 0; x < frame.width; ++x) {
-      const bool blocked = obstacles.blocked({.x = x, .y = y});
-      if (blocked == shown_obstacles_.blocked({.x = x, .y = y})) continue;
-      shown_cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
-                   static_cast<std::size_t>(x)] = blocked ? kOccupiedCell : kFreeCell;
-    }
-  }
-  if (!changed) return;
-  shown_obstacles_ = obstacles;
-  shown_time_ = time;
-  write(map_, time, dumped(foxglove::grid(nanoseconds(time), frame, shown_cells_)));
-}
-
-void RunMessages::show_plan(double time, const Robot& robot, const Plan& plan) {
-  foxglove::Scene scene(nanoseconds(time));
-  scene.line("path", plan.path.waypoints, {.red = 0.0, .green = 0.62, .blue = 0.45});
-  scene.outlines("corridor", plan.corridor.rectangles,
-                 {.red = 0.34, .green = 0.71, .blue = 0.91, .opacity = 0.6});
-  scene.disc("goal", plan.goal.position, 0.1, 0.02, {.red = 0.0, .green = 0.62, .blue = 0.45});
-  write(robot.way, time, dumped(scene.json()));
-}
-
-void RunMessages::show_cycle(const Robot& robot, const NavigationCycle& cycle) {
-  const double time = cycle.input.time;
-  const std::uint64_t stamp = nanoseconds(time);
-  if (sink_.wants(robot.pose))
-    write(robot.pose, time, dumped(foxglove::pose_in_frame(stamp, cycle.input.pose)));
-  if (sink_.wants(tf_))
-    write(tf_, time, dumped(foxglove::frame_transform(stamp, robot.name, cycle.input.pose)));
-  if (!sink_.wants(robot.scene)) return;
-
-  foxglove::Scene scene(stamp);
-  std::vector<Eigen::Vector2d> points;
-  if (const MpcSolution* plan = cycle.step.plan) {
-    for (int k = 0; k <= plan->horizon; ++k)
-      points.push_back(plan->poses[static_cast<std::size_t>(k)].position);
-  }
-  scene.line("prediction", points, {.red = 0.8, .green = 0.47, .blue = 0.65});
-  const Corridor& corridor = plans_[cycle.robot].corridor;
-  if (cycle.step.rectangle < corridor.rectangles.size()) {
-    const OrientedRectangle current = corridor.admissible(cycle.step.rectangle);
-    scene.outlines("current rectangle", std::span(&current, 1),
-                   {.red = 0.0, .green = 0.45, .blue = 0.7});
-  }
-  constexpr foxglove::Tint kLimiting{.red = 0.85, .green = 0.1, .blue = 0.1};
-  scene.remove("limit");
-  if (cycle.mark.shape == LimitMark::Shape::Side) {
-    scene.line("limit", std::array{cycle.mark.a, cycle.mark.b}, kLimiting);
-  } else if (cycle.mark.shape == LimitMark::Shape::Disc) {
-    scene.disc("limit", cycle.mark.a, cycle.mark.radius, 0.02,
-               {.red = 0.85, .green = 0.1, .blue = 0.1, .opacity = 0.4});
-  }
-  write(robot.scene, time, dumped(scene.json()));
 }
 
 }  // namespace fairway::io

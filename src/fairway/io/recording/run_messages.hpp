@@ -16,7 +16,9 @@ namespace fairway::io {
 ///
 /// Topics: /map, /tf, /scene of the world, and /NAME/pose, /NAME/way and /NAME/scene per robot, in
 /// the well-known schemas foxglove.*, for the eye; /fairway/... and /NAME/plan and /NAME/cycle in
-/// schemas fairway.*, which hold all inputs and answers of the navigators to the bit.
+/// schemas fairway.*, which hold all inputs and answers of the navigators to the bit. Of a robot
+/// with a lidar also /NAME/scan and /NAME/map, what it has seen, for the eye, and /NAME/goal and
+/// /NAME/lidar; what it believes is in a frame of its own, "NAME_odom".
 class RunMessages final : public EpisodeObserver {
  public:
   /// @param sink  Must outlive this.
@@ -25,7 +27,9 @@ class RunMessages final : public EpisodeObserver {
   void on_start(const Scenario& scenario) override;
   void on_navigators(double time,
                      const Settings& settings,
-                     std::span<const Twist2> twists) override;
+                     std::span<const NavigatorStart> starts) override;
+  void on_goal(double time, std::size_t robot, const Goal& goal) override;
+  void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;
   void on_cycle(const NavigationCycle& cycle) override;
   void on_world(const WorldView& world) override;
@@ -38,6 +42,13 @@ class RunMessages final : public EpisodeObserver {
     std::uint16_t pose = 0;
     std::uint16_t scene = 0;  // what changes in every cycle
     std::uint16_t way = 0;    // path, corridor and goal
+    // Of a robot with a lidar only:
+    std::uint16_t goal = 0;
+    std::uint16_t scan = 0;
+    std::uint16_t lidar = 0;  // where and when it was taken
+    std::uint16_t map = 0;    // as seen
+    std::string frame{};      // that it believes to be in
+    double map_shown = 0.0;   // when [s]
   };
 
   std::uint16_t channel(const std::string& topic, const std::string& schema);
@@ -47,7 +58,8 @@ class RunMessages final : public EpisodeObserver {
   void show_robot(foxglove::Scene& scene, const std::string& name, const Pose2& pose) const;
   void show_map(double time, const BitGrid& obstacles);
   void show_plan(double time, const Robot& robot, const Plan& plan);
-  void show_cycle(const Robot& robot, const NavigationCycle& cycle);
+  void show_seen_map(Robot& robot, const NavigationCycle& cycle);
+  void show_cycle(Robot& robot, const NavigationCycle& cycle);
 
   MessageSink& sink_;
   std::uint16_t map_;
@@ -59,6 +71,8 @@ class RunMessages final : public EpisodeObserver {
   std::uint16_t world_;
   std::vector<Robot> robots_;
   std::vector<Plan> plans_;
+  std::vector<Pose2> true_poses_;  // in this time step
+  bool lidar_ = false;
   RobotSettings body_;
   std::string shown_cells_;  // of the map as shown last, a byte each
   BitGrid shown_obstacles_;

@@ -83,6 +83,12 @@ void append_obstacles(CompactFields& out, std::span<const MovingObstacle> obstac
   }
 }
 
+void append_goal(CompactFields& out, const Goal& goal, unsigned flags) {
+  out.count(flags | (goal.heading ? 2U : 0U));
+  out.point(goal.position);
+  if (goal.heading) out.angle(*goal.heading);
+}
+
 void append_record(std::string& bytes, RunStream::Kind kind, const std::string& fields) {
   bytes.push_back(static_cast<char>(kind));
   CompactFields(bytes).count(fields.size());
@@ -107,6 +113,9 @@ std::string RunStream::beginning(double time) const {
   for (const std::string& plan : plans_) {
     if (!plan.empty()) append_record(bytes, Kind::Plan, plan);
   }
+  for (const std::string& goal : goals_) {
+    if (!goal.empty()) append_record(bytes, Kind::Goal, goal);
+  }
   return bytes.append(newest_);
 }
 
@@ -116,6 +125,8 @@ void RunStream::on_start(const Scenario& scenario) {
   tuning_.clear();
   newest_.clear();
   plans_.assign(scenario.robots.size(), {});
+  goals_.assign(scenario.robots.size(), {});
+  lidar_ = scenario.sensing.sensing == Sensing::Lidar;
   shown_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
   states_.assign(scenario.map.cells().begin(), scenario.map.cells().end());
   begin_ = begin_text(scenario);
@@ -137,9 +148,46 @@ std::string RunStream::true_map_fields(double time) const {
 
 void RunStream::on_navigators(double time,
                               const Settings& settings,
-                              std::span<const Twist2> /*twists*/) {
+                              std::span<const NavigatorStart> /*starts*/) {
+  if (lidar_) tracker_.clear();  // they have new maps
   tuning_ = tuning_text(time, settings);
   add(Kind::Tuning, tuning_);
+}
+
+void RunStream::on_goal(double time, std::size_t robot, const Goal& goal) {
+  if (!lidar_) return;  // the plan tells it
+  std::string fields;
+  CompactFields out(fields);
+  out.count(robot);
+  out.time(time);
+  append_goal(out, goal, 0);
+  add(Kind::Goal, fields);
+  goals_.at(robot) = std::move(fields);
+}
+
+// Distances in cm, as differences from beam to beam; 0 where nothing was hit.
+void RunStream::on_scan(const ObservedScan& seen) {
+  const LidarScan& scan = seen.scan;
+  std::string fields;
+  CompactFields out(fields);
+  out.count(seen.robot);
+  out.time(scan.time);
+  out.point(scan.last_pose.position);
+  out.angle(wrap_to_pi(scan.last_pose.heading + scan.first_angle));
+  out.real(scan.angle_step);
+  out.count(scan.ranges.size());
+  std::int64_t before = 0;
+  constexpr double kFurthest = 1e4;  // [m]
+  const double most = std::fmin(scan.max_range, kFurthest);
+  for (const float beam : scan.ranges) {
+    const auto range = static_cast<double>(beam);
+    const bool hit = range >= scan.min_range && range < most;
+    const std::int64_t now = hit ? std::llround(100.0 * range) : 0;
+    out.integer(now - before);
+    before = now;
+  }
+  add(Kind::Scan, fields);
+  append_record(newest_, Kind::Scan, fields);
 }
 
 void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
@@ -147,9 +195,7 @@ void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
   CompactFields out(fields);
   out.count(robot);
   out.time(time);
-  out.count((plan.usable() ? 1U : 0U) | (plan.goal.heading ? 2U : 0U));
-  out.point(plan.goal.position);
-  if (plan.goal.heading) out.angle(*plan.goal.heading);
+  append_goal(out, plan.goal, plan.usable() ? 1U : 0U);
   out.text(plan.usable() ? "" : plan.reason());
   out.count(plan.path.waypoints.size());
   PointDeltas points(out);
@@ -195,6 +241,8 @@ bool RunStream::is_known(const MovingObstacle& obstacle) const {
 
 void RunStream::on_cycle(const NavigationCycle& cycle) {
   const std::uint64_t slot = tell_cells(cycle.input.time, cycle.input.map);
+  const std::uint64_t occupied =
+      cycle.occupied == nullptr ? 0 : tell_cells(cycle.input.time, cycle.occupied);
   std::string fields;
   CompactFields out(fields);
   out.count(cycle.robot);
@@ -218,6 +266,7 @@ void RunStream::on_cycle(const NavigationCycle& cycle) {
     if (!is_known(obstacle)) believed.push_back(obstacle);
   }
   append_obstacles(out, believed);
+  out.count(occupied);
   add(Kind::Cycle, fields);
   append_record(newest_, Kind::Cycle, fields);
 }

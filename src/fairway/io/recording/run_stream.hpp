@@ -25,12 +25,16 @@ class RunStream final : public EpisodeObserver {
     Cycle = 4,   ///< a robot in a control cycle
     World = 5,   ///< where everything is: begins a time step
     Tuning = 6,  ///< JSON: other settings from now on
+    Scan = 7,    ///< what the lidar of a robot sees
+    Goal = 8,    ///< where a robot with a lidar is sent; its plans may lead to places before that
   };
 
   void on_start(const Scenario& scenario) override;
   void on_navigators(double time,
                      const Settings& settings,
-                     std::span<const Twist2> twists) override;
+                     std::span<const NavigatorStart> starts) override;
+  void on_goal(double time, std::size_t robot, const Goal& goal) override;
+  void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;
   void on_cycle(const NavigationCycle& cycle) override;
   void on_world(const WorldView& world) override;
@@ -60,7 +64,9 @@ class RunStream final : public EpisodeObserver {
   std::string begin_;              // as told last, as are the next two
   std::string tuning_;
   std::vector<std::string> plans_;  // by robot
-  std::string newest_;              // records of the newest time step
+  std::vector<std::string> goals_;  // likewise, of those with a lidar
+  bool lidar_ = false;
+  std::string newest_;  // records of the newest time step
 };
 
 }  // namespace fairway::io

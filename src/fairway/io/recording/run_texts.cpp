@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "fairway/io/recording/message_text.hpp"
 #include "fairway/io/setting_text.hpp"
 #include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/navigation_status.hpp"
@@ -32,6 +33,9 @@ Json entry(const char* group, const Value& value, const SettingInfo& info) {
     json["kind"] = "choice";
     json["value"] = value_text(value);
     json["choices"] = setting_names(value);
+  } else if constexpr (std::is_same_v<Value, BodyDiscs>) {
+    json["kind"] = "discs";
+    json["value"] = to_text(value);
   } else {
     json["kind"] = std::is_same_v<Value, int> ? "integer" : "number";
     json["value"] = value;
@@ -39,10 +43,6 @@ Json entry(const char* group, const Value& value, const SettingInfo& info) {
     if (std::isfinite(info.max)) json["max"] = info.max;
   }
   return json;
-}
-
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Json point(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); }
@@ -76,6 +76,8 @@ std::string begin_text(const Scenario& scenario) {
                  {"name", scenario.name},
                  {"robots", std::move(robots)},
                  {"bodies", std::move(bodies)},
+                 {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
+                 {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
                  {"statuses", texts(NavigationStatus::GoalReached)},
                  {"limits", texts(Limit::NoPath)},
                  {"rows", texts(RowKind::Barrier)},

@@ -21,6 +21,11 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
+template <typename Enumeration>
+std::string named(const char* key, Enumeration value) {
+  return std::string(key) + ": " + setting_names(value)[static_cast<std::size_t>(value)] + "\n";
+}
+
 std::string list(std::initializer_list<double> numbers) {
   std::string text = "[";
   for (const double number : numbers)
@@ -39,7 +44,10 @@ std::string indented(const std::string& text) {
 std::string scenario_text(const Scenario& scenario) {
   std::string text = "name: " + quoted(scenario.name) + "\n";
   text += "map: map.yaml\ntime_limit: " + number_text(scenario.time_limit) + "\n";
-  text += "seed: " + std::to_string(scenario.seed) + "\nrobots:\n";
+  text += "seed: " + std::to_string(scenario.seed) + "\n";
+  text += named("sensing", scenario.sensing.sensing) + named("noise", noise_of(scenario.sensing)) +
+          named("physics", scenario.engine);
+  text += "robots:\n";
   for (const RobotTask& robot : scenario.robots) {
     const Eigen::Vector2d& from = robot.start.position;
     const Eigen::Vector2d& to = robot.goal.position;

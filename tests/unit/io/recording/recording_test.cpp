@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/recording/recording.hpp"
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/mcap_reader.hpp"
 #include "fairway/io/recording/run_stream.hpp"
+#include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/replay_check.hpp"
 #include "support/random_world.hpp"
 #include "synthetic_run.hpp"
@@ -42,6 +46,124 @@ TEST(Recording, OfHalfAMinuteOfFourRobotsIsBelowAMegabyte) {
   const std::string bytes = recorded({.robots = 4, .bodies = 3, .seconds = 30.0, .map_side = 1000});
   EXPECT_LT(bytes.size(), 1'000'000U);
   RecordProperty("bytes", static_cast<int>(bytes.size()));
+}
+
+// A robot that sees a wall between itself and its goal with a lidar that errs.
+Scenario lidar_scenario() {
+  Scenario scenario;
+  scenario.map =
+      OccupancyGrid(GridFrame{.width = 160, .height = 80, .resolution = 0.05, .origin = {}});
+  for (int y = 0; y < 45; ++y)
+    scenario.map.set({.x = 80, .y = y}, CellState::Occupied);
+  scenario.robots = {{.name = "one",
+                      .start = {.position = {1.0, 1.0}, .heading = 0.3},
+                      .goal = {.position = {6.5, 1.5}, .heading = {}}}};
+  scenario.bodies = {
+      {.name = "person",
+       .radius = 0.3,
+       .key_frames = {{.time = 0.0, .position = {3.0, 3.5}}, {.time = 6.0, .position = {2.0, 2.5}}},
+       .loop = true}};
+  scenario.sensing.sensing = Sensing::Lidar;
+  use_standard_noise(scenario.sensing);
+  scenario.time_limit = 8.0;
+  return scenario;
+}
+
+TEST(Recording, OfARobotWithALidarHoldsAllThatItDrivesOn) {
+  const Scenario scenario = lidar_scenario();
+  Recording recording;
+  RunMessages messages(recording);
+  const EpisodeResult result = run_episode(scenario, {.observer = &messages});
+  recording.finish();
+  const std::string bytes = recording.take();
+  ReplayCheck check;
+  const auto read = read_recording(bytes, "run.mcap", check);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(check.cycles(), result.robots[0].cycles);
+  EXPECT_GT(check.cycles(), 40);
+  EXPECT_EQ(check.different(), 0);
+  // And nothing is lost when it is recorded once more.
+  Recording again;
+  RunMessages once_more(again);
+  ASSERT_TRUE(read_recording(bytes, "run.mcap", once_more));
+  again.finish();
+  EXPECT_EQ(again.take(), bytes);
+}
+
+TEST(Recording, OfARobotWithALidarDamagedIsNoticedOrHarmless) {
+  Scenario scenario = lidar_scenario();
+  scenario.time_limit = 0.5;
+  Recording recording;
+  RunMessages messages(recording);
+  static_cast<void>(run_episode(scenario, {.observer = &messages}));
+  recording.finish();
+  const std::string bytes = recording.take();
+  test::Random random(11);
+  for (int trial = 0; trial < 100; ++trial) {
+    std::string damaged = bytes;
+    const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << random.integer(0, 7)));
+    RunStream stream;
+    ReplayCheck check;
+    static_cast<void>(read_recording(damaged, "run.mcap", stream));
+    static_cast<void>(read_recording(damaged, "run.mcap", check));
+  }
+}
+
+TEST(FoxgloveLaserScan, KeepsEveryRangeToTheBit) {
+  test::Random random(13);
+  std::vector<float> ranges = {std::nanf(""), 0.1F, 29.999998F, 1.0F / 3.0F};
+  for (int i = 0; i < 2000; ++i)
+    ranges.push_back(static_cast<float>(random.uniform(0.1, 30.0)));
+  LidarScan scan{.max_range = 30.0, .ranges = ranges};
+  const auto json = foxglove::laser_scan(0, scan, "odom");
+  const std::vector<float> back = foxglove::ranges_of(exact::Json::parse(json.dump()));
+  ASSERT_EQ(back.size(), ranges.size());
+  EXPECT_TRUE(std::isnan(back[0]));
+  for (std::size_t i = 1; i < back.size(); ++i)
+    EXPECT_EQ(back[i], ranges[i]) << i;
+}
+
+TEST(FoxgloveLaserScan, TellsOfABeamThatMetNothingByTheLargestRange) {
+  const std::vector<float> ranges = {std::numeric_limits<float>::infinity(), 45.0F};
+  const LidarScan scan{.max_range = 30.0, .ranges = ranges};
+  EXPECT_EQ(foxglove::laser_scan(0, scan, "odom").at("ranges"), (exact::Json{30.0, 30.0}));
+}
+
+// Four robots that tell each other what they intend exchange places again and again.
+TEST(Recording, OfAMinuteOfFourRobotsThatTellEachOtherIsBelowTwoMegabytesAndReplays) {
+  Scenario scenario;
+  scenario.map =
+      OccupancyGrid(GridFrame{.width = 240, .height = 240, .resolution = 0.05, .origin = {}});
+  const std::array<Eigen::Vector2d, 4> corners{{{2, 2}, {10, 2}, {10, 10}, {2, 10}}};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    scenario.robots.push_back({.name = "robot " + std::to_string(i),
+                               .start = {.position = corners[i], .heading = 0.7},
+                               .goal = {.position = corners[(i + 2) % 4], .heading = {}}});
+  }
+  constexpr double kMinute = 60.0;
+  constexpr int kShift = 150;  // cycles until they turn round
+  int cycle = 0;
+  const auto play = [&](EpisodeControl& control) {
+    if (++cycle % kShift == 0) {
+      const std::size_t on = cycle / kShift % 2 == 0 ? 2 : 0;
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        control.set_goal(i, {.position = corners[(i + on) % 4], .heading = {}});
+    }
+    return control.world().time() < kMinute - 1e-6;
+  };
+  Recording recording;
+  RunMessages messages(recording);
+  static_cast<void>(run_episode(scenario, {.observer = &messages, .play = play}));
+  recording.finish();
+  const std::string bytes = recording.take();
+  EXPECT_LT(bytes.size(), 2'000'000U);  // so that five minutes are below ten megabytes
+  RecordProperty("bytes", static_cast<int>(bytes.size()));
+  ReplayCheck check;
+  ASSERT_TRUE(read_recording(bytes, "run.mcap", check));
+  EXPECT_GT(check.cycles(), 1000);
+  EXPECT_EQ(check.different(), 0);
+  RecordProperty("cycles", static_cast<int>(check.cycles()));
 }
 
 TEST(Recording, ShowsTheTrueBodiesOfTheRobots) {

@@ -21,6 +21,10 @@ TEST(ScenarioArchive, ReadsBackAsTheSameScenario) {
   scenario.settings.mpc.linear_max = 1.0 / 3.0;
   scenario.time_limit = 12.5;
   scenario.seed = 77;
+  scenario.sensing.sensing = Sensing::Lidar;
+  use_standard_noise(scenario.sensing);
+  scenario.engine = Engine::Mujoco;
+  ASSERT_TRUE(scenario.settings.robot.discs.add({0.1, 1.0 / 7.0}, 0.2));
   const GridFrame& frame = scenario.map.frame();
   scenario.robots = {{.name = "one",
                       .start = {.position = frame.center({.x = 2, .y = 2}), .heading = 0.1},
@@ -42,6 +46,9 @@ TEST(ScenarioArchive, ReadsBackAsTheSameScenario) {
   EXPECT_EQ(read->name, scenario.name);
   EXPECT_EQ(read->time_limit, scenario.time_limit);
   EXPECT_EQ(read->seed, scenario.seed);
+  EXPECT_EQ(read->sensing.sensing, Sensing::Lidar);
+  EXPECT_EQ(read->sensing.lidar.latency, scenario.sensing.lidar.latency);
+  EXPECT_EQ(read->engine, Engine::Mujoco);
   EXPECT_EQ(settings_yaml(read->settings), settings_yaml(scenario.settings));
   EXPECT_TRUE(std::ranges::equal(read->map.cells(), scenario.map.cells()));
   EXPECT_EQ(read->map.frame().origin.heading, frame.origin.heading);

@@ -81,7 +81,7 @@ void SyntheticRun::play(EpisodeObserver& observer) const {
   for (int x = 0; x < map_side / 2; ++x)
     seen.set({.x = x, .y = map_side / 3}, true);
   observer.on_start(all);
-  observer.on_navigators(0.0, all.settings, std::vector<Twist2>(all.robots.size()));
+  observer.on_navigators(0.0, all.settings, std::vector<NavigatorStart>(all.robots.size()));
   MpcSolution solution;
   solution.horizon = all.settings.mpc.horizon;
   solution.iterations = 5;

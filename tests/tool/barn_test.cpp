@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tool_run.hpp"
+
+namespace fairway::test {
+namespace {
+
+std::string barn() { return std::string("barn '") + FAIRWAY_SHARED_DATA + "/barn' "; }
+
+class Barn : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(FAIRWAY_SHARED_DATA "/barn/barn.json"))
+      GTEST_SKIP() << "no barn in " << FAIRWAY_SHARED_DATA;
+  }
+
+  [[nodiscard]] std::uintmax_t size(const char* name) const {
+    std::error_code missing;
+    const auto bytes = std::filesystem::file_size(folder_.path(name), missing);
+    return missing ? 0 : bytes;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Barn, RecordsEveryRunUnderItsOwnNameAndOneUnderTheNameThatWasGiven) {
+  const ToolRun two = run_tool(folder_, barn() + "--worlds 0,6 --log r.mcap --report r.html");
+  EXPECT_EQ(two.code, 0) << two.err;
+  for (const char* name : {"r_world_000_trial_0.mcap", "r_world_006_trial_0.html"})
+    EXPECT_GT(size(name), 10'000U) << name;
+  const ToolRun one = run_tool(folder_, barn() +
+                                            "--worlds 0 --sensing lidar --noise standard "
+                                            "--log one.mcap");
+  EXPECT_EQ(one.code, 0) << one.err;
+  const ToolRun replay = run_tool(folder_, "replay one.mcap");
+  EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+}
+
+// A robot that is too wide for the way does not get there: there is a page to see why.
+TEST_F(Barn, KeepsAPictureAndAPageOfAFailedRunOnly) {
+  const ToolRun failed =
+      run_tool(folder_, barn() + "--worlds 0 --set robot.radius=0.6 --trace-dir failed");
+  EXPECT_EQ(failed.code, 1) << failed.err;
+  EXPECT_GT(size("failed/world_000_trial_0.svg"), 1000U);
+  EXPECT_GT(size("failed/world_000_trial_0.html"), 70'000U);
+  const ToolRun done = run_tool(folder_, barn() + "--worlds 0 --trace-dir done");
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_GT(size("done/world_000_trial_0.csv"), 1000U);
+  EXPECT_EQ(size("done/world_000_trial_0.html"), 0U);
+}
+
+TEST_F(Barn, AFileThatCannotBeWrittenIsToldBeforeTheRun) {
+  const ToolRun run = run_tool(folder_, barn() + "--worlds 0 --log nowhere/r.mcap");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(count_lines(run.err), 1) << run.err;
+}
+
+}  // namespace
+}  // namespace fairway::test

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { GridFrame, Point, Pose } from './run';
+
+/** What a lidar saw, in the frame that its robot believes to be in. */
+export interface Scan {
+  time: number;
+  points: Float32Array; // x, y of where beams ended on something; there are many of them
+}
+
+/** A point of the frame `frame`, in the world. */
+export function placed(frame: Pose, p: Point): Point {
+  const [c, s] = [Math.cos(frame.heading), Math.sin(frame.heading)];
+  return { x: frame.x + c * p.x - s * p.y, y: frame.y + s * p.x + c * p.y };
+}
+
+/** A pose in the frame `frame`, in the world. */
+export function placedPose(frame: Pose, pose: Pose): Pose {
+  return { ...placed(frame, pose), heading: frame.heading + pose.heading };
+}
+
+/**
+ * Where the frame lies in which a robot believes to be at `believed` while it truly is at `truth`:
+ * wheels that count wrong let it drift away from the world's.
+ */
+export function beliefFrame(truth: Pose, believed: Pose): Pose {
+  const heading = truth.heading - believed.heading;
+  const turned = placed({ x: 0, y: 0, heading }, believed);
+  return { x: truth.x - turned.x, y: truth.y - turned.y, heading };
+}
+
+/** The corners of a map whose origin is believed to be elsewhere than it is. */
+export function windowCorners(frame: GridFrame, belief: Pose): Point[] {
+  const origin = placedPose(belief, frame.origin);
+  const side = [frame.width * frame.resolution, frame.height * frame.resolution] as const;
+  return [[0, 0], [side[0], 0], [side[0], side[1]], [0, side[1]]].map(([x, y]) => placed(origin, { x: x!, y: y! }));
+}
