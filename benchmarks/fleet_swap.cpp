@@ -2,7 +2,8 @@
 // Robots on a circle exchange places, for many perturbed starts: who arrives, how near they come,
 // and how long it takes against the straight line.
 //
-//   fleet_swap [--seeds FIRST,LAST] [--delay S] [--loss SHARE] [--radio on|off] [--predict on|off] N...
+//   fleet_swap [--seeds FIRST,LAST] [--delay S] [--loss SHARE] [--radio on|off] [--predict on|off]
+//   N...
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

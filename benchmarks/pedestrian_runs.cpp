@@ -3,11 +3,13 @@
 // times of the recording: who arrives, who touches whom, and how long it takes against the same way
 // without people.
 //
-//   pedestrian_runs TRACKS [--runs N] [--seed S] [--radius M] [--speed M/S] [--verbose]
+//   pedestrian_runs TRACKS [--runs N] [--seed S] [--radius M] [--speed M/S] [--margin M]
+//                   [--growth M/S] [--growth-max M] [--verbose]
 //
-// TRACKS as fairway/io/tracks_file.hpp says, 25 frames per second. Every run leads through the
-// middle of the scene, from outside of it to outside of it, in a direction drawn anew. Each is made
-// twice, with the prediction and without.
+// --radius is that of a person, the last four are settings of the robot (mpc.linear_max,
+// navigation.obstacle_*). TRACKS as fairway/io/tracks_file.hpp says, 25 frames per second. Every
+// run leads through the middle of the scene, from outside of it to outside of it, in a direction
+// drawn anew. Each is made twice, with the prediction and without.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -29,7 +31,7 @@ struct Options {
   std::string tracks;
   int runs = 200;
   unsigned long seed = 1;
-  double speed = 0.0;  // 0: as the settings have it
+  Settings settings;
   io::TracksFormat format;
   bool verbose = false;
 };
@@ -46,7 +48,13 @@ Options read_options(int argc, char** argv) {
     } else if (name == "--radius") {
       options.format.radius = std::atof(value());
     } else if (name == "--speed") {
-      options.speed = std::atof(value());
+      options.settings.mpc.linear_max = std::atof(value());
+    } else if (name == "--margin") {
+      options.settings.navigation.obstacle_margin = std::atof(value());
+    } else if (name == "--growth") {
+      options.settings.navigation.obstacle_growth = std::atof(value());
+    } else if (name == "--growth-max") {
+      options.settings.navigation.obstacle_growth_max = std::atof(value());
     } else if (name == "--verbose") {
       options.verbose = true;
     } else {
@@ -95,7 +103,7 @@ Scenario draw(const Recording& recording, const Options& options, Noise& noise) 
        .height = cells,
        .resolution = kResolution,
        .origin = {.position = recording.center - Vector2d(half, half), .heading = 0.0}});
-  if (options.speed > 0.0) scenario.settings.mpc.linear_max = options.speed;
+  scenario.settings = options.settings;
   const double heading = noise.uniform(-std::numbers::pi, std::numbers::pi);
   const double aside = noise.uniform(-0.3, 0.3);
   const double from = noise.uniform(0.0, recording.end - scenario.time_limit);
@@ -180,6 +188,10 @@ int main(int argc, char** argv) {
   const Expected<std::vector<MovingBody>> people = io::read_tracks(options.tracks, options.format);
   if (!people) {
     std::fprintf(stderr, "pedestrian_runs: %s\n", people.error().message.c_str());
+    return 2;
+  }
+  if (const Expected<void> valid = validate(options.settings); !valid) {
+    std::fprintf(stderr, "pedestrian_runs: %s\n", valid.error().message.c_str());
     return 2;
   }
   run(recording_of(*people), options);

@@ -118,6 +118,16 @@ void add_pedestrians(YamlMapping& root, const std::filesystem::path& folder, Sce
     scenario.bodies.push_back(std::move(person));
 }
 
+void read_radio(YamlMapping& root, RadioModel& radio) {
+  std::optional<YamlMapping> mapping = root.mapping("radio");
+  if (!mapping) return;
+  radio.on = mapping->boolean("on", radio.on);
+  radio.delay = mapping->number("delay", {.min = 0.0, .max = 10.0}, radio.delay);
+  radio.loss = mapping->number("loss", {.min = 0.0, .max = 1.0}, radio.loss);
+  radio.range = mapping->number("range", {.min = 0.0, .max = kFurthest}, radio.range);
+  mapping->finish();
+}
+
 // One of the names of an enumeration; the first when the key is missing.
 template <typename Enum>
 Enum read_choice(YamlMapping& root, const char* key) {
@@ -166,6 +176,7 @@ Expected<Scenario> read_scenario(const std::string& path) {
     complain_unless_valid(scenario.settings, *settings);
   }
   read_models(root, scenario);
+  read_radio(root, scenario.radio);
   scenario.robots = read_robots(root, scenario.map);
   scenario.bodies = read_bodies(root);
   if (!file.error) add_pedestrians(root, folder, scenario);

@@ -20,7 +20,8 @@ namespace fairway::io {
 ///     obstacles:                                             # what moves on its own
 ///       - {name: person, radius: 0.3, loop: true, key_frames: [[0, 1, 2], [5, 4, 2]]}  # t, x, y
 ///       # `passing: true`: it is there only from its first key frame to its last
-///     pedestrians:                                           # people as they were recorded
+///     radio: {on: true, delay: 0.0, loss: 0.0, range: 15.0}  # how robots hear each other [s, -,
+///     m] pedestrians:                                           # people as they were recorded
 ///       tracks: ../people.obsmat.txt   # relative to this file; io/tracks_file.hpp says the format
 ///       frame_rate: 25                 # frames per second
 ///       radius: 0.3                    # [m]

@@ -77,6 +77,26 @@ TEST(ScenarioFile, SaysHowRobotsSenseAndWhatMovesThem) {
       << wrong.error().message;
 }
 
+TEST(ScenarioFile, SaysHowRobotsHearEachOther) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string rest = "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [8, 4]}]\n";
+  const auto some =
+      read_scenario(folder.write("s.yaml", rest + "radio: {delay: 0.2, loss: 0.25}\n"));
+  ASSERT_TRUE(some) << some.error().message;
+  EXPECT_TRUE(some->radio.on);
+  EXPECT_EQ(some->radio.delay, 0.2);
+  EXPECT_EQ(some->radio.loss, 0.25);
+  const auto none = read_scenario(folder.write("n.yaml", rest + "radio: {on: false}\n"));
+  ASSERT_TRUE(none) << none.error().message;
+  EXPECT_FALSE(none->radio.on);
+  const std::string path = folder.write("w.yaml", rest + "radio: {loss: 2}\n");
+  const auto wrong = read_scenario(path);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().message.find(path + ":3: radio.loss: expected "), 0U)
+      << wrong.error().message;
+}
+
 TEST(ScenarioFile, ReplaysPedestriansFromATimeOfTheRecording) {
   const TemporaryFolder folder;
   write_map(folder);
