@@ -28,11 +28,11 @@ struct Query {
 
 // From the free place nearest to one corner to that nearest to the other.
 Query query(const benchmark::State& state) {
-  Query q{.map = fairway::PreparedMap(
-              fairway::generate_map(static_cast<MapKind>(state.range(0)), 1)),
-          .settings = {},
-          .start = {},
-          .goal = {}};
+  Query q{
+      .map = fairway::PreparedMap(fairway::generate_map(static_cast<MapKind>(state.range(0)), 1)),
+      .settings = {},
+      .start = {},
+      .goal = {}};
   q.settings.path.margin = 0.1;  // always enough for the wished overlap: docs/corridors.md
   const fairway::GridFrame& frame = q.map.obstacles.frame();
   const double side = frame.width * frame.resolution;

@@ -14,7 +14,8 @@ namespace {
 class RealMaps : public testing::TestWithParam<const char*> {};
 
 TEST_P(RealMaps, AreCrossedWithoutContact) {
-  const std::string file = std::string(FAIRWAY_SHARED_DATA) + "/maps/" + GetParam() + ".yaml";
+  const std::filesystem::path maps = std::filesystem::path(FAIRWAY_SHARED_DATA) / "maps";
+  const std::string file = (maps / GetParam()).string() + ".yaml";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no shared data: " << file;
   const Expected<OccupancyGrid> map = io::read_map(file);
   ASSERT_TRUE(map) << map.error().message;

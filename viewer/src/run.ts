@@ -237,7 +237,10 @@ export function separation(frame: Frame, robot: number, body: Footprint): number
   if (!me) return Infinity;
   const around = coveringRadius(body);
   let gap = Infinity;
-  for (const other of frame.bodies) gap = Math.min(gap, distance(body, me, other) - other.radius);
+  for (const other of frame.bodies) {
+    if (other.radius <= 0) continue; // not there yet, or no more
+    gap = Math.min(gap, distance(body, me, other) - other.radius);
+  }
   frame.robots.forEach((other, i) => {
     if (i !== robot) gap = Math.min(gap, distance(body, me, other) - around);
   });
