@@ -53,7 +53,7 @@ void MovingObjectTracker::update(double time,
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     correct(i, time, beams);
     judge_unseen(tracks_[i], dt, beams);
-    judge_motion(tracks_[i], dt);
+    judge_motion(tracks_[i], dt, beams);
   }
   begin_tracks(time, beams, grid);
   mark_moving(beams);
@@ -135,7 +135,30 @@ void MovingObjectTracker::judge_unseen(MovingTrack& track,
   track.seen_through = through >= kEnough ? track.seen_through + dt : 0.0;
 }
 
-void MovingObjectTracker::judge_motion(MovingTrack& track, double dt) const noexcept {
+// A thing without the shape of a disc can be a part of a wall, of which more and more comes into
+// sight, or that a drifting pose has put where nothing was. Then beams still end where it has been;
+// what moves leaves its place.
+bool MovingObjectTracker::slides_along_a_wall(const MovingTrack& track,
+                                              std::span<const Beam> beams) noexcept {
+  constexpr double kFewFits = 3.0;  // good circles of it, and it is no part of a wall
+  constexpr int kFewest = 2;        // beams
+  constexpr double kNear = 0.05;    // [m] around where the disc has been
+  constexpr double kOff = 0.1;      // [m] outside of where it is now
+  if (track.radius_weight >= kFewFits) return false;
+  int remain = 0;
+  for (const Beam& beam : beams) {
+    if (beam.end != BeamEnd::Hit) continue;
+    if ((beam.to - track.born_at).norm() < track.radius + kNear &&
+        (beam.to - track.position()).norm() > track.radius + kOff) {
+      ++remain;
+    }
+  }
+  return remain >= kFewest;
+}
+
+void MovingObjectTracker::judge_motion(MovingTrack& track,
+                                       double dt,
+                                       std::span<const Beam> beams) const noexcept {
   const double speed = track.velocity().norm();
   const bool fast = speed > settings_.moving_speed;
   track.slow_for = fast ? 0.0 : track.slow_for + dt;
@@ -145,9 +168,12 @@ void MovingObjectTracker::judge_motion(MovingTrack& track, double dt) const noex
     return;
   }
   const double moved = (track.position() - track.born_at).norm();
-  track.moving = track.sightings >= kFewestSightings && track.last_seen >= time_ && fast &&
-                 speed > track.velocity_sigma() && moved > settings_.moving_distance &&
-                 moved > 3.0 * track.position_sigma();
+  const bool may_move = track.sightings >= kFewestSightings && track.last_seen >= time_ && fast &&
+                        speed > track.velocity_sigma() && moved > settings_.moving_distance &&
+                        moved > 3.0 * track.position_sigma();
+  if (!may_move) return;
+  track.moving = !slides_along_a_wall(track, beams);
+  if (!track.moving) track.born_at = track.position();  // to be seen again from here
 }
 
 void MovingObjectTracker::drop_lost(double time) noexcept {

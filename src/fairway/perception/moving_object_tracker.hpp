@@ -40,7 +40,9 @@ class MovingObjectTracker {
   void assign(std::span<const Beam> beams) noexcept;
   void correct(std::size_t track, double time, std::span<const Beam> beams) noexcept;
   void judge_unseen(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
-  void judge_motion(MovingTrack& track, double dt) const noexcept;
+  void judge_motion(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
+  [[nodiscard]] static bool slides_along_a_wall(const MovingTrack& track,
+                                                std::span<const Beam> beams) noexcept;
   void drop_lost(double time) noexcept;
   void begin_tracks(double time, std::span<const Beam> beams, const RollingGrid& grid) noexcept;
   void begin_track(double time, const Eigen::Vector2d& sensor) noexcept;

@@ -94,8 +94,8 @@ TEST(ReplayCheck, FollowsARobotWithALidarThroughAllThatIsChanged) {
   const auto play = [&](EpisodeControl& control) {
     ++cycles;
     if (cycles == 20) control.set_goal(0, {.position = {5.0, 3.0}, .heading = {}});
-    if (cycles == 40) control.set_cells(std::vector<CellIndex>(1, {.x = 90, .y = 50}), true);
-    if (cycles == 50) {
+    if (cycles == 25) control.set_cells(std::vector<CellIndex>(1, {.x = 90, .y = 50}), true);
+    if (cycles == 30) {
       Settings slower = scenario.settings;
       slower.mpc.linear_max = 0.5;
       control.set_settings(slower);
