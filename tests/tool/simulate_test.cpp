@@ -42,6 +42,19 @@ TEST(Simulate, DrivesThroughTheGapAndReports) {
   EXPECT_GT(content_of(folder.path("v.svg")).size(), 1000U);
 }
 
+// With this seed the wheels put walls where free space was: the robot evaded them as if they moved,
+// forgot where they stood, and touched one.
+TEST(Simulate, TakesNoWallForAMovingThingByLidar) {
+  const TemporaryFolder folder;
+  const ToolRun run = run_tool(folder, "simulate '" FAIRWAY_SOURCE_DIR
+                                       "/scenarios/workshop.yaml' --sensing lidar --noise standard "
+                                       "--seed 5 --json r.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json result = json::parse(content_of(folder.path("r.json")));
+  EXPECT_FALSE(result.at("robots").at(0).at("collided").get<bool>());
+  EXPECT_LT(result.at("time").get<double>(), 38.0);
+}
+
 // All that a robot with a lidar drives on is in its recording, and the page has something to show.
 TEST(Simulate, RecordsWhatARobotWithALidarSees) {
   const TemporaryFolder folder;
