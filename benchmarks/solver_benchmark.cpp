@@ -2,7 +2,7 @@
 // Both solvers on the same problems in one run, as Markdown tables on standard output.
 //   solver_benchmark [FOLDER [REPEATS]]
 // FOLDER holds the instances of data/ocp (left out where absent); REPEATS of the interior-point
-// solver, the fastest counts (20); IPOPT is run twice.
+// solver, the fastest counts (20); both are run as often.
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,6 @@
 namespace fairway::benchmark {
 namespace {
 
-constexpr int kIpoptRepeats = 2;
 constexpr double kNear = 1e-3;  // "within 0.1 % of the best known"
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -80,8 +79,8 @@ class Contest {
   // `best_cost` is NaN where it is not known; then IPOPT's answer stands for it.
   void run(const ControlProblem& problem, const InitialGuess& guess, double best_cost, Row& row) {
     double time = 0.0;
-    const MpcSolution reference = timed(
-        kIpoptRepeats, time, [&]() -> const MpcSolution& { return ipopt_.solve(problem, guess); });
+    const MpcSolution reference =
+        timed(repeats_, time, [&]() -> const MpcSolution& { return ipopt_.solve(problem, guess); });
     const bool solved = reference.status == SolveStatus::Solved;
     const double best = std::isnan(best_cost) && solved ? reference.cost : best_cost;
     row.ipopt.add(time, reference, best);
