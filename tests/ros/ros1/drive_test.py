@@ -217,6 +217,8 @@ class DriveTest(unittest.TestCase):
 
     def test_9a_the_recording_holds_everything(self):
         self.assertEqual(self.ros.end(self.recorder), 0)
+        # `rosbag` can end before the program that it started has given the file its name.
+        self.ros.wait_for(lambda: os.path.exists(self.bag), 10, "the recording")
         linear, scan_to_command, cycle = [], [], []
         topics = set()
         with rosbag.Bag(self.bag) as bag:
