@@ -260,7 +260,7 @@ const CorridorResult& FewestRectangles::build(const BitGrid& obstacles,
   clearance_ = workspace ? 0.0 : robot_radius;
   min_overlap_ = settings.min_overlap_area / (cell * cell);
   // The orientation that the reach was found at is tried as well, so a coarse look at the others
-  // will do: a fifth quicker for one percent of the area.
+  // will do: much of the time for little of the area.
   rectangle_settings_ = {.longest_side = settings.longest_side,
                          .num_orientations = 8,
                          .refinements = 3,

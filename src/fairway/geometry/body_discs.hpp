@@ -12,9 +12,8 @@ namespace fairway {
 
 /// The discs that make up a body, as a setting: none, or up to Footprint::kMaxDiscs.
 ///
-/// Written as a list of [x, y, radius] in the robot's frame [m]: "[[0.2, 0, 0.25], [-0.2, 0,
-/// 0.25]]",
-/// "[]" for none.
+/// Written as a list of [x, y, radius] in the robot's frame [m], "[]" for none; for example
+/// "[[0.2, 0, 0.25], [-0.2, 0, 0.25]]".
 struct BodyDiscs {
   static constexpr double kMostOffset = 20.0;   ///< of a centre, along each axis [m]
   static constexpr double kLeastRadius = 0.01;  ///< [m]

@@ -121,9 +121,7 @@ double FleetWay::cost_of_back(const Vector2d& here, const PassingSurroundings& a
     from = back_.points[i];
     for (const FleetMember& member : around.fleet) {
       const SharedMotion& other = *member.motion;
-      const bool passes =
-          std::find(around.passing.begin(), around.passing.end(), &other) != around.passing.end();
-      if (passes || !other.under_way) continue;
+      if (around.lets_by(other) || !other.under_way) continue;
       const double apart = (piece.nearest(other.position) - other.position).norm();
       if (apart < around.radius + other.radius) cost = std::max(cost, other.way_back);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -58,6 +59,11 @@ struct PassingSurroundings {
   Fleet fleet;                                   ///< all robots near
   std::span<const SharedMotion* const> passing;  ///< those to let pass; null entries are skipped
   double radius = 0.0;                           ///< of the disc that covers the robot [m]
+
+  /// Whether `other`, one of the fleet, is one of those to let pass.
+  [[nodiscard]] bool lets_by(const SharedMotion& other) const noexcept {
+    return std::find(passing.begin(), passing.end(), &other) != passing.end();
+  }
 };
 
 /// The nearest place from where all that pass can be let pass, that can be reached straight on

@@ -18,10 +18,6 @@ constexpr int kSide = 2 * kHalf + 1;
 constexpr double kLeast = 0.01;  // [m] between the body and what stands
 constexpr double kBody = 0.05;   // [m] between bodies
 
-bool passes(const SharedMotion& other, const PassingSurroundings& around) noexcept {
-  return std::find(around.passing.begin(), around.passing.end(), &other) != around.passing.end();
-}
-
 // A breadth-first search over the lattice; each node remembers the direction that it was found in.
 class Search {
  public:
@@ -99,7 +95,7 @@ class Search {
     const Vector2d b = at(next);
     for (const FleetMember& member : around_.fleet) {
       const SharedMotion& other = *member.motion;
-      if (other.under_way && !passes(other, around_)) continue;
+      if (other.under_way && !around_.lets_by(other)) continue;
       const double before = (a - other.position).norm();
       const double after = (b - other.position).norm();
       if (after < around_.radius + other.radius + kBody && after < before) return false;
@@ -161,7 +157,7 @@ double room_for_followers(const Vector2d& position, const PassingSurroundings& a
   double room = 0.0;
   for (const FleetMember& member : around.fleet) {
     const SharedMotion& other = *member.motion;
-    if (passes(other, around) || !other.under_way || other.can_step_aside) continue;
+    if (around.lets_by(other) || !other.under_way || other.can_step_aside) continue;
     const bool between =
         std::any_of(around.passing.begin(), around.passing.end(), [&](const SharedMotion* passing) {
           return passing != nullptr && (passing->position - other.position).norm() <

@@ -32,7 +32,8 @@ struct WayBack {
 /// 0.2 m between the robot and what stands, or if there is none such, with 0.1, 0.05 or 0.01 m.
 /// Robots that go the same way do not count as in the way: they will go back, too; and where some
 /// of them will come after this one, the place leaves room for them before it, if there is such.
-/// Needs some 45 kB of the stack; takes about a microsecond per step of the lattice.
+/// Needs some 45 kB of the stack. Where there is no such place the whole lattice is searched up to
+/// eight times: tens of milliseconds, so not to be called in every cycle.
 [[nodiscard]] WayBack find_way_back(const Eigen::Vector2d& position,
                                     const PassingSurroundings& around) noexcept;
 
