@@ -44,10 +44,9 @@ BitGrid::BitGrid(const GridFrame& frame, bool blocked)
       words_per_row_((static_cast<std::size_t>(frame.width) + 63) / 64),
       words_(words_per_row_ * static_cast<std::size_t>(frame.height), blocked ? ~0ULL : 0ULL) {
   const int used = frame.width % 64;
-  if (!blocked || used == 0) return;
-  for (std::size_t y = 0; y < static_cast<std::size_t>(frame.height); ++y) {
+  for (std::size_t y = 0; blocked && used != 0 && y < static_cast<std::size_t>(frame.height); ++y)
     words_[(y + 1) * words_per_row_ - 1] = (1ULL << used) - 1;
-  }
+  make_bands();
 }
 
 BitGrid::BitGrid(const OccupancyGrid& grid, UnknownCells unknown) { assign(grid, unknown); }
@@ -66,14 +65,40 @@ void BitGrid::assign(const OccupancyGrid& grid, UnknownCells unknown) {
       words_[y * words_per_row_ + w] = packed({row_cells + w * 64, count}, unknown_blocks);
     }
   }
+  make_bands();
+}
+
+void BitGrid::make_bands() {
+  const auto height = static_cast<std::size_t>(frame_.height);
+  bands_.assign((height + kBandRows - 1) / kBandRows * words_per_row_, 0);
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::uint64_t* from = words_.data() + y * words_per_row_;
+    std::uint64_t* to = bands_.data() + y / kBandRows * words_per_row_;
+    for (std::size_t w = 0; w < words_per_row_; ++w)
+      to[w] |= from[w];
+  }
 }
 
 void BitGrid::set(CellIndex cell, bool blocked) noexcept {
   FAIRWAY_EXPECTS(frame_.contains(cell));
-  std::uint64_t& word = words_[static_cast<std::size_t>(cell.y) * words_per_row_ +
-                               static_cast<std::size_t>(cell.x) / 64];
+  const auto column = static_cast<std::size_t>(cell.x) / 64;
   const std::uint64_t bit = 1ULL << (cell.x % 64);
-  word = blocked ? word | bit : word & ~bit;
+  std::uint64_t& word = words_[static_cast<std::size_t>(cell.y) * words_per_row_ + column];
+  std::uint64_t& in_band =
+      bands_[static_cast<std::size_t>(cell.y / kBandRows) * words_per_row_ + column];
+  if (blocked) {
+    word |= bit;
+    in_band |= bit;
+    return;
+  }
+  if ((word & bit) == 0) return;
+  word &= ~bit;
+  const int first = cell.y / kBandRows * kBandRows;
+  const int end = std::min(first + kBandRows, frame_.height);
+  std::uint64_t rows = 0;
+  for (int y = first; y < end; ++y)
+    rows |= words_[static_cast<std::size_t>(y) * words_per_row_ + column];
+  in_band = rows;
 }
 
 }  // namespace fairway

@@ -14,9 +14,12 @@ namespace fairway {
 enum class UnknownCells : std::uint8_t { Occupied, Free };
 
 /// The obstacles of a grid, one bit per cell, 64 cells per word: the form that geometry is tested
-/// on.
+/// on. Next to its rows it holds bands, rows taken together, so that free space is passed over
+/// quickly.
 class BitGrid {
  public:
+  static constexpr int kBandRows = 8;  ///< rows in a band; the topmost band may have fewer
+
   BitGrid() = default;  ///< no cells at all: everything is blocked
 
   /// Packs a grid; what is not free is blocked, unknown cells as `unknown` says.
@@ -46,7 +49,7 @@ class BitGrid {
   /// there is none. @pre 0 <= first, last < width, 0 <= y < height; an empty range has none.
   [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept {
     if (first > last) return -1;
-    const std::uint64_t* words = words_.data() + static_cast<std::size_t>(y) * words_per_row_;
+    const std::uint64_t* words = row(y).data();
     int w = first / 64;
     const int last_word = last / 64;
     std::uint64_t word = words[w] & (~0ULL << (first % 64));
@@ -59,7 +62,7 @@ class BitGrid {
   /// Column of the last blocked cell, else as first_blocked.
   [[nodiscard]] int last_blocked(int y, int first, int last) const noexcept {
     if (first > last) return -1;
-    const std::uint64_t* words = words_.data() + static_cast<std::size_t>(y) * words_per_row_;
+    const std::uint64_t* words = row(y).data();
     int w = last / 64;
     const int first_word = first / 64;
     std::uint64_t word = words[w] & (~0ULL >> (63 - last % 64));
@@ -78,20 +81,56 @@ class BitGrid {
     return to - left < right - to ? left : right;
   }
 
+  /// Whether any cell of row `y` in columns `first` to `last` is blocked. @pre as first_blocked.
+  [[nodiscard]] bool any_blocked(int y, int first, int last) const noexcept {
+    return any_set(row(y).data(), first, last);
+  }
+
+  /// Whether any cell of band `b`, rows kBandRows b to kBandRows (b + 1) - 1, in these columns is
+  /// blocked. @pre as first_blocked, and the band has a row of the grid.
+  [[nodiscard]] bool any_blocked_in_band(int b, int first, int last) const noexcept {
+    return any_set(band(b).data(), first, last);
+  }
+
   /// The words of one row; bit i of word w is column 64 w + i. Bits past the width are 0.
   [[nodiscard]] std::span<const std::uint64_t> row(int y) const noexcept {
     return {words_.data() + static_cast<std::size_t>(y) * words_per_row_, words_per_row_};
   }
 
-  /// The same to write to, many cells at a time. Bits past the width must stay 0.
-  [[nodiscard]] std::span<std::uint64_t> mutable_row(int y) noexcept {
-    return {words_.data() + static_cast<std::size_t>(y) * words_per_row_, words_per_row_};
+  /// The same of a band: a bit is set where the cell of any of its rows is blocked.
+  [[nodiscard]] std::span<const std::uint64_t> band(int b) const noexcept {
+    return {bands_.data() + static_cast<std::size_t>(b) * words_per_row_, words_per_row_};
+  }
+
+  /// Writes many cells at a time: calls write(row), where row(y) gives the words of a row to write
+  /// to, for every row. Bits past the width must stay 0.
+  template <typename Write>
+  void rewrite(Write&& write) {
+    write([this](int y) {
+      return std::span<std::uint64_t>(words_.data() + static_cast<std::size_t>(y) * words_per_row_,
+                                      words_per_row_);
+    });
+    make_bands();
   }
 
  private:
+  [[nodiscard]] static bool any_set(const std::uint64_t* words, int first, int last) noexcept {
+    if (first > last) return false;
+    int w = first / 64;
+    const int last_word = last / 64;
+    std::uint64_t found = words[w] & (~0ULL << (first % 64));
+    while (w < last_word && found == 0)
+      found = words[++w];
+    if (w == last_word) found &= ~0ULL >> (63 - last % 64);
+    return found != 0;
+  }
+
+  void make_bands();
+
   GridFrame frame_;
   std::size_t words_per_row_ = 0;
   std::vector<std::uint64_t> words_;
+  std::vector<std::uint64_t> bands_;
 };
 
 }  // namespace fairway

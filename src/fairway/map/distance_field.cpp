@@ -259,16 +259,18 @@ BitGrid inflate(const DistanceField& distances, double radius) {
   const auto limit = static_cast<float>(radius + kFreeSpaceSkin);
   const GridFrame& frame = distances.frame();
   const float* row = distances.cells().data();
-  for (int y = 0; y < frame.height; ++y, row += frame.width) {
-    const std::span<std::uint64_t> words = grown.mutable_row(y);
-    for (int x = 0; x < frame.width; x += 64) {
-      const int count = std::min(64, frame.width - x);
-      std::uint64_t word = 0;
-      for (int i = 0; i < count; ++i)
-        word |= static_cast<std::uint64_t>(row[x + i] <= limit) << i;
-      words[static_cast<std::size_t>(x) / 64] = word;
+  grown.rewrite([&](const auto& words_of_row) {
+    for (int y = 0; y < frame.height; ++y, row += frame.width) {
+      const std::span<std::uint64_t> words = words_of_row(y);
+      for (int x = 0; x < frame.width; x += 64) {
+        const int count = std::min(64, frame.width - x);
+        std::uint64_t word = 0;
+        for (int i = 0; i < count; ++i)
+          word |= static_cast<std::uint64_t>(row[x + i] <= limit) << i;
+        words[static_cast<std::size_t>(x) / 64] = word;
+      }
     }
-  }
+  });
   return grown;
 }
 

@@ -14,97 +14,82 @@ using Eigen::Vector2d;
 
 // The right half of the outline of a rectangle with round corners (all points within `radius` of
 // it), as a function of the height y: an arc about the bottom corner, a side, an arc about the
-// right corner, a side, an arc about the top corner. The left half is the same with x negated and
+// outer corner, a side, an arc about the top corner. The left half is the same with x negated and
 // the two turns swapped. The function is concave.
-class Outline {
+class Flank {
  public:
-  // Corners bottom, right, top; (c, s) is the direction of the side from bottom to right, both
-  // >= 0. Sides may have length 0.
-  Outline(const Vector2d& bottom,
-          const Vector2d& right,
-          const Vector2d& top,
-          double c,
-          double s,
-          double radius) noexcept
+  // (c, s) is the direction of the side from bottom to outer, both >= 0. Sides may have length 0.
+  Flank(const Vector2d& bottom,
+        const Vector2d& outer,
+        const Vector2d& top,
+        double c,
+        double s,
+        double radius) noexcept
       : bottom_(bottom),
-        right_(right),
+        outer_(outer),
         top_(top),
         square_(radius * radius),
-        limit_(right.x() + radius),
-        // A level side spans no height and is never asked for its slope.
-        lower_slope_(s > 0.0 ? c / s : 0.0),
-        upper_slope_(c > 0.0 ? -s / c : 0.0),
-        lower_start_(bottom.x() + radius * s, bottom.y() - radius * c),
-        lower_end_(right.y() - radius * c),
-        upper_start_(right.x() + radius * c, right.y() + radius * s),
+        limit_(outer.x() + radius),
+        rise_slope_(s > kLevel ? c / s : 0.0),
+        rise_(s > kLevel ? bottom.x() + radius * s - (bottom.y() - radius * c) * rise_slope_
+                         : kInfinity),
+        fall_slope_(c > kLevel ? s / c : 0.0),
+        fall_(c > kLevel ? outer.x() + radius * c + (outer.y() + radius * s) * fall_slope_
+                         : kInfinity),
+        lower_start_(bottom.y() - radius * c),
+        lower_end_(outer.y() - radius * c),
+        upper_start_(outer.y() + radius * s),
         upper_end_(top.y() + radius * s) {}
 
-  // The height of the rightmost point.
-  [[nodiscard]] double widest() const noexcept { return right_.y(); }
+  // The outermost x over the closed strip low <= y <= high if the two sides went on to where they
+  // meet each other and the limits: exact for radius 0, otherwise never too little.
+  [[nodiscard]] double reach_of_sides(double low, double high) const noexcept {
+    return std::min(limit_, std::min(rise_ + rise_slope_ * high, fall_ - fall_slope_ * low));
+  }
 
-  // The column, rounded towards zero, of the outermost x over each closed strip row <= y <= row + 1
-  // for `count` rows from `first` on; of minus x when `kMirrored`. @pre the set meets each row.
-  //
-  // By concavity the outermost x of a strip is at the height nearest to widest(): at the strip's
-  // top below it, at its bottom above. So each run of rows lies on one arc or one side.
-  template <bool kMirrored>
-  void columns(int first, int count, int* out) const noexcept {
-    const int end = first + count;
-    const auto row_of = [&](double y) {
-      return static_cast<int>(std::clamp(y, static_cast<double>(first), static_cast<double>(end)));
-    };
-    const auto column = [](double x) { return static_cast<int>(kMirrored ? -x : x); };
-    const auto along_arc = [&](const Vector2d& center, int from, int to, double height) {
-      for (int row = from; row < to; ++row)
-        out[row - first] = column(arc(center, static_cast<double>(row) + height));
-    };
-    const auto along_side = [&](const Vector2d& start, double slope, int from, int to,
-                                double height) {
-      const double x = start.x() + (from + height - start.y()) * slope;
-      int* const target = out + (from - first);
-      for (int k = 0; k < to - from; ++k)
-        target[k] = column(std::min(limit_, x + k * slope));
-    };
-    const int widest_row = row_of(std::floor(widest()));
-    const int below = std::min(widest_row, end);
-    const int side_from = std::min(below, row_of(std::ceil(lower_start_.y() - 1.0)));
-    const int side_to = std::clamp(row_of(std::ceil(lower_end_ - 1.0)), side_from, below);
-    along_arc(bottom_, first, side_from, 1.0);
-    along_side(lower_start_, lower_slope_, side_from, side_to, 1.0);
-    along_arc(right_, side_to, below, 1.0);
-    const bool widest_inside = widest() >= first && widest() < end;
-    if (widest_inside) out[widest_row - first] = column(limit_);
-    const int above = std::min(end, widest() < first ? first : widest_row + 1);
-    const int upper_from = std::max(above, row_of(std::floor(upper_start_.y()) + 1.0));
-    const int upper_to = std::max(upper_from, row_of(std::floor(upper_end_) + 1.0));
-    along_arc(right_, above, upper_from, 0.0);
-    along_side(upper_start_, upper_slope_, upper_from, upper_to, 0.0);
-    along_arc(top_, upper_to, end, 0.0);
+  // The outermost x over the closed strip row <= y <= row + 1. By concavity it is at the height
+  // nearest to that of the outer corner. @pre the set meets the strip.
+  [[nodiscard]] double reach(double row) const noexcept {
+    const double sides = reach_of_sides(row, row + 1.0);
+    const double y = std::clamp(outer_.y(), row, row + 1.0);
+    if (y < lower_start_) return std::min(sides, arc(bottom_, y));
+    if (y > upper_end_) return std::min(sides, arc(top_, y));
+    if (y > lower_end_ && y < upper_start_) return std::min(sides, arc(outer_, y));
+    return sides;
   }
 
  private:
+  // A side that rises less than this along its length counts as level, and so does not bound: the
+  // corners do, to far less than the skin.
+  static constexpr double kLevel = 1e-9;
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
   [[nodiscard]] double arc(const Vector2d& center, double y) const noexcept {
     const double dy = y - center.y();
     return center.x() + std::sqrt(std::max(0.0, square_ - dy * dy));
   }
 
   Vector2d bottom_;
-  Vector2d right_;
+  Vector2d outer_;
   Vector2d top_;
   double square_;
   double limit_;
-  double lower_slope_;
-  double upper_slope_;
-  Vector2d lower_start_;
+  // The sides: x = rise + rise_slope y below the outer corner, x = fall - fall_slope y above it.
+  double rise_slope_;
+  double rise_;
+  double fall_slope_;
+  double fall_;
+  // Between which heights the outline is a side; elsewhere it is an arc.
+  double lower_start_;
   double lower_end_;
-  Vector2d upper_start_;
+  double upper_start_;
   double upper_end_;
 };
 
 Vector2d mirrored(const Vector2d& p) noexcept { return {-p.x(), p.y()}; }
 
 // All cells that meet the region {distance to the box <= radius}, row by row. As a convex set it
-// meets a row, a closed strip, in an interval of x.
+// meets a strip of rows in an interval of x.
 class Region {
  public:
   Region(TurnedBox box, double radius) noexcept
@@ -113,11 +98,18 @@ class Region {
   [[nodiscard]] const Vector2d& low() const noexcept { return low_; }
   [[nodiscard]] const Vector2d& high() const noexcept { return high_; }
 
-  // The first and last column of each row, for `count` rows from `first` on. @pre the region meets
-  // each of these rows.
-  void columns(int first, int count, int* left, int* right) const noexcept {
-    left_.columns<true>(first, count, left);
-    right_.columns<false>(first, count, right);
+  // The interval over the rows from `first` to `last`, or a little more; the exact one of a row.
+  // @pre the region meets each of these rows.
+  struct Interval {
+    double left;
+    double right;
+  };
+  [[nodiscard]] Interval over_rows(int first, int last) const noexcept {
+    return {.left = -left_.reach_of_sides(first, last + 1.0),
+            .right = right_.reach_of_sides(first, last + 1.0)};
+  }
+  [[nodiscard]] Interval over_row(int row) const noexcept {
+    return {.left = -left_.reach(row), .right = right_.reach(row)};
   }
 
  private:
@@ -158,8 +150,8 @@ class Region {
         low_(left.x() - radius, bottom.y() - radius),
         high_(right.x() + radius, top.y() + radius) {}
 
-  Outline right_;
-  Outline left_;
+  Flank right_;
+  Flank left_;
   Vector2d low_;
   Vector2d high_;
 };
@@ -177,36 +169,36 @@ TurnedBox to_grid(const GridFrame& frame, const OrientedRectangle& r) noexcept {
           .max = r.max / frame.resolution};
 }
 
-// Rows whose columns are worked out at once.
-constexpr int kRows = 64;
+constexpr int kBandRows = BitGrid::kBandRows;
 
-struct Columns {
-  std::array<int, kRows> left;
-  std::array<int, kRows> right;
-};
-
-// First blocked cell of a region that lies in the grid; {-1, -1} when there is none.
+// First blocked cell of a region that lies in the grid; {-1, -1} when there is none. Bands first:
+// where a band has none, none of its rows has.
 CellIndex scan(const BitGrid& obstacles, const Region& region) noexcept {
-  Columns columns;  // NOLINT(*-member-init): filled as far as it is read
-  const int end = static_cast<int>(region.high().y()) + 1;
-  for (int first = static_cast<int>(region.low().y()); first < end; first += kRows) {
-    const int count = std::min(kRows, end - first);
-    region.columns(first, count, columns.left.data(), columns.right.data());
-    for (int k = 0; k < count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const int column = obstacles.first_blocked(first + k, columns.left[i], columns.right[i]);
-      if (column >= 0) return {.x = column, .y = first + k};
+  const int first = static_cast<int>(region.low().y());
+  const int last = static_cast<int>(region.high().y());
+  for (int b = first / kBandRows; b <= last / kBandRows; ++b) {
+    const int bottom = std::max(first, b * kBandRows);
+    const int top = std::min(last, (b + 1) * kBandRows - 1);
+    const Region::Interval band = region.over_rows(bottom, top);
+    if (!obstacles.any_blocked_in_band(b, static_cast<int>(band.left),
+                                       static_cast<int>(band.right)))
+      continue;
+    for (int y = bottom; y <= top; ++y) {
+      const Region::Interval row = region.over_row(y);
+      const int x =
+          obstacles.first_blocked(y, static_cast<int>(row.left), static_cast<int>(row.right));
+      if (x >= 0) return {.x = x, .y = y};
     }
   }
   return {.x = -1, .y = -1};
 }
 
-// Collects blocked cells row by row; see find_blocked_cells.
+// Collects blocked cells band by band; see find_blocked_cells.
 class Collector {
  public:
   Collector(const BitGrid& obstacles,
             const Region& region,
-            int towards,
+            CellIndex towards,
             std::span<CellIndex> found) noexcept
       : obstacles_(obstacles),
         region_(region),
@@ -214,36 +206,41 @@ class Collector {
         towards_(towards),
         found_(found) {}
 
-  // Looks at `count` rows from `first` on, upwards, or at as many from `first` on downwards.
-  void up(int first, int count) noexcept {
-    region_.columns(first, count, columns_.left.data(), columns_.right.data());
-    for (int k = 0; k < count && count_ < found_.size(); ++k)
-      look(first + k, static_cast<std::size_t>(k));
-  }
-
-  void down(int first, int count) noexcept {
-    region_.columns(first - count + 1, count, columns_.left.data(), columns_.right.data());
-    for (int k = count; k-- > 0 && count_ < found_.size();)
-      look(first - count + 1 + k, static_cast<std::size_t>(k));
+  // Looks at the rows from `bottom` to `top`, all of one band.
+  void look(int bottom, int top) noexcept {
+    const Columns band = columns(region_.over_rows(bottom, top));
+    if (!obstacles_.any_blocked_in_band(bottom / kBandRows, band.first, band.last)) return;
+    const bool upwards = top > towards_.y;
+    for (int k = 0; k <= top - bottom && !full(); ++k) {
+      const int y = upwards ? bottom + k : top - k;
+      const Columns row = columns(region_.over_row(y));
+      if (!obstacles_.any_blocked(y, row.first, row.last)) continue;
+      found_[count_++] = {.x = obstacles_.nearest_blocked(y, row.first, row.last, towards_.x),
+                          .y = y};
+    }
   }
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] bool full() const noexcept { return count_ == found_.size(); }
 
  private:
-  void look(int row, std::size_t i) noexcept {
-    const int left = std::max(columns_.left[i], 0);
-    const int right = std::min(columns_.right[i], last_column_);
-    if (obstacles_.first_blocked(row, left, right) < 0) return;
-    found_[count_++] = {.x = obstacles_.nearest_blocked(row, left, right, towards_), .y = row};
+  // The columns of an interval, clipped to the grid; none where it lies outside.
+  struct Columns {
+    int first;
+    int last;
+  };
+  [[nodiscard]] Columns columns(const Region::Interval& interval) const noexcept {
+    const double end = last_column_ + 1.0;
+    return {.first = static_cast<int>(std::clamp(interval.left, 0.0, end)),
+            .last = static_cast<int>(std::clamp(interval.right + 1.0, 0.0, end)) - 1};
   }
 
   const BitGrid& obstacles_;
   const Region& region_;
   int last_column_;
-  int towards_;
+  CellIndex towards_;
   std::span<CellIndex> found_;
   std::size_t count_ = 0;
-  Columns columns_;  // NOLINT(*-member-init): filled as far as it is read
 };
 
 }  // namespace
@@ -277,21 +274,27 @@ BlockedCells find_blocked_cells(const BitGrid& obstacles,
   const GridFrame& frame = obstacles.frame();
   const Region region(box, radius);
   BlockedCells result{.count = 0, .outside_map = !inside(frame, region)};
-  if (region.high().y() < 0.0 || region.low().y() > frame.height) return result;
   const auto bounded = [](double v, int size) {
     return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(size) - 1.0));
   };
-  const int first_row = bounded(region.low().y(), frame.height);
-  const int last_row = bounded(region.high().y(), frame.height);
-  const int middle = std::clamp(bounded(towards.y(), frame.height), first_row, last_row);
-  Collector collector(obstacles, region, bounded(towards.x(), frame.width), found);
-  int up = middle;
-  int down = middle - 1;
-  while ((up <= last_row || down >= first_row) && collector.count() < found.size()) {
-    if (up <= last_row) collector.up(up, std::min(kRows, last_row - up + 1));
-    if (down >= first_row) collector.down(down, std::min(kRows, down - first_row + 1));
-    up += kRows;
-    down -= kRows;
+  if (region.high().y() < 0.0 || region.low().y() > frame.height || region.high().x() < 0.0 ||
+      region.low().x() > frame.width)
+    return result;
+  const int first = bounded(region.low().y(), frame.height);
+  const int last = bounded(region.high().y(), frame.height);
+  const CellIndex middle{.x = bounded(towards.x(), frame.width),
+                         .y = std::clamp(bounded(towards.y(), frame.height), first, last)};
+  Collector collector(obstacles, region, middle, found);
+  const auto look = [&](int b) {
+    collector.look(std::max(first, b * kBandRows), std::min(last, (b + 1) * kBandRows - 1));
+  };
+  const int lowest = first / kBandRows;
+  const int highest = last / kBandRows;
+  int up = middle.y / kBandRows;
+  int down = up - 1;
+  while ((up <= highest || down >= lowest) && !collector.full()) {
+    if (up <= highest) look(up++);
+    if (down >= lowest) look(down--);
   }
   result.count = collector.count();
   return result;

@@ -25,7 +25,8 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
 /// a workspace rectangle; with the robot's radius it tests a rectangle for a disc robot's centre;
 /// on a segment it tests a straight motion, on a point a disc.
 ///
-/// Cost: one word operation per 64 cells of every row that the region touches.
+/// Cost: one word operation per 64 cells of every band of rows that the region touches, and of
+/// every row of the bands in which something is near.
 /// An empty rectangle, a negative clearance or a number that is not finite counts as blocked.
 [[nodiscard]] std::optional<CellIndex> find_blocked_cell(const BitGrid& obstacles,
                                                          const OrientedRectangle& rectangle,
@@ -71,12 +72,13 @@ struct BlockedCells {
 };
 
 /// Blocked cells at most `radius` [cells] from `box`: in every row that has any, the one nearest to
-/// `towards` (in columns), written into `found` until it is full; rows in bands, from the one of
-/// `towards` outwards. No skin is added. The part outside the grid is not looked at, only
-/// reported.
+/// `towards` (in columns), written into `found` until it is full; rows in bands
+/// (BitGrid::kBandRows), from the one of `towards` outwards. No skin is added. The part outside the
+/// grid is not looked at, only reported.
 ///
-/// The same exact test as find_blocked_cell (which is this with room for one cell), for callers
-/// that want to learn more from one pass. @pre box not empty, finite; radius >= 0.
+/// The same exact test as find_blocked_cell, for callers that want to learn more from one pass:
+/// none is written if and only if there is none (and `found` has room). @pre box not empty, finite;
+/// radius >= 0.
 [[nodiscard]] BlockedCells find_blocked_cells(const BitGrid& obstacles,
                                               const TurnedBox& box,
                                               double radius,

@@ -158,19 +158,27 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
       std::fill_n(to, shift, fill);
     }
   };
-  const auto width = static_cast<std::size_t>(side_);
-  for (int n = 0; n < side_; ++n) {
-    const int y = rows >= 0 ? n : side_ - 1 - n;  // no row is overwritten before it was moved
-    const int source = y + rows;
-    const bool known = source >= 0 && source < side_;
-    move_row(cells_.data() + static_cast<std::size_t>(y) * width,
-             known ? cells_.data() + static_cast<std::size_t>(source) * width : nullptr, kBlock,
-             Cell{.evidence = 0, .scan = kNever, .newness = 0});
-    move_row(occupied_.mutable_row(y).data(), known ? occupied_.row(source).data() : nullptr, 1,
-             std::uint64_t{0});
-    move_row(not_seen_free_.mutable_row(y).data(),
-             known ? not_seen_free_.row(source).data() : nullptr, 1, ~std::uint64_t{0});
-  }
+  // target(y) and source(y) give the elements of a row.
+  const auto move_rows = [&](const auto& target, const auto& source, std::size_t unit, auto fill) {
+    for (int n = 0; n < side_; ++n) {
+      const int y = rows >= 0 ? n : side_ - 1 - n;  // no row is overwritten before it was moved
+      const int from = y + rows;
+      const bool known = from >= 0 && from < side_;
+      move_row(target(y), known ? source(from) : nullptr, unit, fill);
+    }
+  };
+  const auto cells_of = [&](int y) {
+    return cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(side_);
+  };
+  move_rows(cells_of, cells_of, kBlock, Cell{.evidence = 0, .scan = kNever, .newness = 0});
+  const auto move_bits = [&](BitGrid& grid, std::uint64_t fill) {
+    grid.rewrite([&](const auto& words_of_row) {
+      move_rows([&](int y) { return words_of_row(y).data(); },
+                [&](int y) { return grid.row(y).data(); }, 1, fill);
+    });
+  };
+  move_bits(occupied_, std::uint64_t{0});
+  move_bits(not_seen_free_, ~std::uint64_t{0});
   Pose2 origin = frame().origin;
   const double block = settings_.resolution * kBlock;
   // Counted in blocks, not summed up, so that the same place always has the same cells.

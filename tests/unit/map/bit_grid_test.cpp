@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/map/bit_grid.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
 #include "support/random_world.hpp"
@@ -50,6 +53,67 @@ TEST(BitGrid, SetChangesOneCellOnly) {
       EXPECT_EQ(bits.blocked({x, y}), !(x == 64 && y == 1));
   }
   EXPECT_EQ(bits.row(0).back(), 0x3U) << "bits past the width stay 0";
+}
+
+void expect_bands_to_be_their_rows(const BitGrid& bits) {
+  const int height = bits.frame().height;
+  for (int first = 0; first < height; first += BitGrid::kBandRows) {
+    const int b = first / BitGrid::kBandRows;
+    for (std::size_t w = 0; w < bits.row(0).size(); ++w) {
+      std::uint64_t rows = 0;
+      for (int y = first; y < std::min(height, first + BitGrid::kBandRows); ++y)
+        rows |= bits.row(y)[w];
+      ASSERT_EQ(bits.band(b)[w], rows) << "band " << b << " word " << w;
+    }
+  }
+}
+
+TEST(BitGrid, BandsAreTheirRowsTogetherHoweverTheGridIsWritten) {
+  test::Random random(3);
+  for (int trial = 0; trial < 10; ++trial) {
+    const OccupancyGrid world = test::random_world(random, 150);
+    BitGrid bits(world.frame(), random.chance(0.5));
+    expect_bands_to_be_their_rows(bits);
+    for (int i = 0; i < 3000; ++i) {
+      bits.set({.x = random.integer(0, world.frame().width - 1),
+                .y = random.integer(0, world.frame().height - 1)},
+               random.chance(0.5));
+    }
+    expect_bands_to_be_their_rows(bits);
+    bits.assign(world);
+    expect_bands_to_be_their_rows(bits);
+    bits.rewrite([](const auto& words_of_row) {
+      words_of_row(2)[0] = 0x5;
+      words_of_row(9)[0] = 0;
+    });
+    expect_bands_to_be_their_rows(bits);
+    EXPECT_TRUE(bits.blocked({2, 2}));
+  }
+}
+
+TEST(BitGrid, AnyBlockedAgreesWithALoop) {
+  test::Random random(4);
+  for (int trial = 0; trial < 20; ++trial) {
+    const BitGrid bits(test::random_world(random, 200));
+    const GridFrame& frame = bits.frame();
+    for (int i = 0; i < 300; ++i) {
+      const int y = random.integer(0, frame.height - 1);
+      const int first = random.integer(0, frame.width - 1);
+      const int last = random.integer(0, frame.width - 1);
+      const int b = y / BitGrid::kBandRows;
+      bool in_row = false;
+      bool in_band = false;
+      for (int x = first; x <= last; ++x) {
+        in_row = in_row || bits.blocked({x, y});
+        for (int k = 0; k < BitGrid::kBandRows; ++k) {
+          const CellIndex cell{.x = x, .y = b * BitGrid::kBandRows + k};
+          in_band = in_band || (frame.contains(cell) && bits.blocked(cell));
+        }
+      }
+      ASSERT_EQ(bits.any_blocked(y, first, last), in_row);
+      ASSERT_EQ(bits.any_blocked_in_band(b, first, last), in_band);
+    }
+  }
 }
 
 TEST(BitGrid, WithoutCellsEverythingIsBlocked) { EXPECT_TRUE(BitGrid().blocked({0, 0})); }

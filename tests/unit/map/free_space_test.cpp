@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/map/free_space.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +51,59 @@ TEST(FreeSpace, AgreesWithTheDistanceToEveryCell) {
   }
   EXPECT_GT(free, 200);
   EXPECT_GT(blocked, 200);
+}
+
+// How far the nearest cell of row `y` that is at most `radius` [cells] from `region` is from column
+// `middle`; -1 when there is none. Cell by cell.
+int nearest_in_row(
+    const BitGrid& obstacles, const OrientedRectangle& region, double radius, int y, int middle) {
+  const GridFrame& frame = obstacles.frame();
+  int nearest = -1;
+  for (int x = 0; x < frame.width; ++x) {
+    const bool near =
+        obstacles.blocked({x, y}) &&
+        test::distance(region, test::cell_rectangle(frame, {x, y})) <= radius * frame.resolution;
+    if (near && (nearest < 0 || std::abs(x - middle) < nearest)) nearest = std::abs(x - middle);
+  }
+  return nearest;
+}
+
+TEST(FreeSpace, FindsTheNearestBlockedCellOfEveryRow) {
+  test::Random random(9);
+  int rows = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 60));
+    const GridFrame& frame = obstacles.frame();
+    const TurnedBox box{.origin = {random.uniform(0, frame.width), random.uniform(0, frame.height)},
+                        .along = direction(random.uniform(-4, 4)),
+                        .min = {-random.uniform(0, 20), -random.uniform(0, 20)},
+                        .max = {random.uniform(0, 20), random.uniform(0, 20)}};
+    const double radius = random.chance(0.5) ? 1e-5 : random.uniform(0.0, 6.0);
+    const OrientedRectangle region{
+        .seed = frame.to_world(box.origin),
+        .orientation = frame.origin.heading + std::atan2(box.along.y(), box.along.x()),
+        .min = box.min * frame.resolution,
+        .max = box.max * frame.resolution};
+    std::array<CellIndex, 100> cells;
+    const BlockedCells blocked = find_blocked_cells(obstacles, box, radius, box.origin, cells);
+    EXPECT_EQ(is_free(obstacles, box, radius), blocked.count == 0 && !blocked.outside_map);
+    const int middle = std::clamp(static_cast<int>(box.origin.x()), 0, frame.width - 1);
+    const std::span<const CellIndex> found(cells.data(), blocked.count);
+    std::size_t expected = 0;
+    for (int y = 0; y < frame.height; ++y) {
+      const int nearest = nearest_in_row(obstacles, region, radius, y, middle);
+      if (nearest < 0) continue;
+      ++expected;
+      const auto at = std::find_if(found.begin(), found.end(),
+                                   [&](const CellIndex& cell) { return cell.y == y; });
+      ASSERT_NE(at, found.end()) << "trial " << trial << " row " << y;
+      EXPECT_TRUE(obstacles.blocked(*at));
+      EXPECT_EQ(std::abs(at->x - middle), nearest) << "trial " << trial << " row " << y;
+    }
+    EXPECT_EQ(found.size(), expected);
+    rows += static_cast<int>(expected);
+  }
+  EXPECT_GT(rows, 500);
 }
 
 TEST(FreeSpace, SeesASinglePostAndADiagonalLineOfCells) {

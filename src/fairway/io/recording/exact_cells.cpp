@@ -78,12 +78,14 @@ BitGrid to_grid(const Json& json) {
   // Bits past the width must stay 0.
   const int used = frame.width % 64;
   const std::uint64_t last_mask = used == 0 ? ~0ULL : (1ULL << used) - 1;
-  for (int y = 0; y < frame.height; ++y) {
-    const auto row = grid.mutable_row(y);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      row[i] = word_at(*bytes, static_cast<std::size_t>(y) * words_per_row + i);
-    row.back() &= last_mask;
-  }
+  grid.rewrite([&](const auto& words_of_row) {
+    for (int y = 0; y < frame.height; ++y) {
+      const std::span<std::uint64_t> row = words_of_row(y);
+      for (std::size_t i = 0; i < row.size(); ++i)
+        row[i] = word_at(*bytes, static_cast<std::size_t>(y) * words_per_row + i);
+      row.back() &= last_mask;
+    }
+  });
   return grid;
 }
 
