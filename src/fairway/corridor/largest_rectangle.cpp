@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fairway/base/contract.hpp"
+#include "fairway/corridor/largest_box.hpp"
 
 namespace fairway {
 
@@ -30,33 +31,29 @@ Box inset(const Box& box, const Box& core) noexcept {
 }  // namespace
 
 void RectangleSearch::evaluate(Candidate& candidate) noexcept {
-  const std::optional<Box> box = candidate.staircases.largest_box(worthwhile());
+  const std::optional<Box> box =
+      largest_box(points_, candidate.along, candidate.core, longest_, worthwhile());
   candidate.box = box ? inset(*box, candidate.core) : Box{};
   candidate.bound = box ? box->area() : kDone;
+  candidate.known = points_.size();
 }
 
-// Takes in the points added since. @return false when its bound still stands, as none of them lies
-// in its box.
-bool RectangleSearch::bring_up_to_date(Candidate& candidate) noexcept {
-  const auto c = static_cast<float>(candidate.along.x());
-  const auto s = static_cast<float>(candidate.along.y());
-  bool hit = false;
-  for (; candidate.known < points_.added(); ++candidate.known) {
-    const auto [px, py] = points_.in_order_added(candidate.known);
-    const float x = c * px + s * py;
-    const float y = c * py - s * px;
-    candidate.staircases.add(x, y);
-    hit = hit || candidate.box.contains(Vector2d(x, y));
+// Whether the bound still stands: none of the points added since lies in the box.
+bool RectangleSearch::is_up_to_date(Candidate& candidate) const noexcept {
+  const TurnedFrame frame{.along = candidate.along};
+  for (; candidate.known < points_.size(); ++candidate.known) {
+    const Vector2d point(static_cast<double>(points_.x()[candidate.known]),
+                         static_cast<double>(points_.y()[candidate.known]));
+    if (candidate.box.contains(frame.turned(point))) return false;
   }
-  if (hit) evaluate(candidate);
-  return hit;
+  return true;
 }
 
 void RectangleSearch::try_angle(double angle) noexcept {
   if (num_candidates_ == kMaxCandidates) return;
   Candidate& candidate = candidates_[num_candidates_];
-  candidate.angle = angle;
-  candidate.along = direction(angle);
+  candidate.angle = angle - kQuarterTurn * std::floor(angle / kQuarterTurn);
+  candidate.along = direction(candidate.angle).cwiseMax(0.0);  // cos(pi / 2) may be below 0
   candidate.core = {};
   candidate.tests = 0;
   const TurnedFrame frame{.origin = origin_, .along = candidate.along};
@@ -67,8 +64,6 @@ void RectangleSearch::try_angle(double angle) noexcept {
     candidate.core.max = candidate.core.max.cwiseMax(p + margin);
   }
   if ((candidate.core.max - candidate.core.min).maxCoeff() > longest_) return;
-  candidate.staircases.assign(points_, candidate.along, candidate.core, longest_);
-  candidate.known = points_.added();
   evaluate(candidate);
   if (candidate.bound >= 0.0) ++num_candidates_;
 }
@@ -140,7 +135,11 @@ void RectangleSearch::exhaust(const BitGrid& obstacles) noexcept {
       if (best == nullptr || candidates_[i].bound > best->bound) best = &candidates_[i];
     }
     if (best == nullptr || best->bound <= worthwhile()) return;
-    if (!bring_up_to_date(*best)) test(obstacles, *best);
+    if (is_up_to_date(*best)) {
+      test(obstacles, *best);
+    } else {
+      evaluate(*best);
+    }
   }
 }
 

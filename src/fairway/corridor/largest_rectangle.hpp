@@ -6,7 +6,6 @@
 #include <span>
 
 #include "fairway/corridor/box_repair.hpp"
-#include "fairway/corridor/staircases.hpp"
 
 namespace fairway {
 
@@ -28,7 +27,7 @@ struct RectangleSearchSettings {
 /// Finds the largest free rectangle that holds given points, over all orientations.
 ///
 /// Best first: what is known about the obstacles, a growing set of points, gives for each
-/// orientation an upper bound on the area (Staircases). Only the orientation with the greatest
+/// orientation an upper bound on the area (largest_box). Only the orientation with the greatest
 /// bound is tested on the map, exactly; the obstacles that it meets are added to the known points,
 /// and the next best is tried. What remains at the end is, at every orientation tried, the optimum
 /// up to `tolerance` (and to a budget of tests, which only mazes exhaust). The result is free by
@@ -61,16 +60,15 @@ class RectangleSearch {
     double angle = 0.0;  // of the frame against the grid [rad]
     Eigen::Vector2d along = Eigen::Vector2d::UnitX();
     Box core;
-    Staircases staircases;  // of the first `known` obstacle points added
-    std::size_t known = 0;
     Box box;
-    double bound = 0.0;  // no free box at this angle is larger, or worth it [cells^2]
+    double bound = 0.0;     // no free box at this angle is larger, or worth it [cells^2]
+    std::size_t known = 0;  // obstacle points, of which none lies in `box`
     int tests = 0;
   };
 
   void try_angle(double angle) noexcept;
   void evaluate(Candidate& candidate) noexcept;
-  [[nodiscard]] bool bring_up_to_date(Candidate& candidate) noexcept;
+  [[nodiscard]] bool is_up_to_date(Candidate& candidate) const noexcept;
   void test(const BitGrid& obstacles, Candidate& candidate) noexcept;
   void exhaust(const BitGrid& obstacles) noexcept;
   void learn(const BoxRepair& repair, const Box& box, std::span<const CellIndex> cells) noexcept;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fairway {
@@ -12,12 +13,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kRays = 72;
-
-// Increases with the direction of (x, y) from -x counter-clockwise, in [-2, 2); no arctangent.
-float direction_key(float x, float y) noexcept {
-  const float slope = x / (std::abs(x) + std::abs(y));
-  return y < 0.0F ? slope - 1.0F : 1.0F - slope;
-}
 
 struct Rays {
   Rays() noexcept {
@@ -39,7 +34,7 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
   static const Rays rays;
   constexpr double kFirstStep = 1.0;  // [cells]
   constexpr double kStretch = 1.1;    // each sample lies this much further out
-  size_ = 0;
+  clear();
   const GridFrame& frame = obstacles.frame();
   const Vector2d low = Vector2d::Constant(radius) - origin;
   const Vector2d high = Vector2d(frame.width, frame.height) - Vector2d::Constant(radius) - origin;
@@ -66,41 +61,49 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
     }
     if (t >= end && end < reach) add(end * ray);
   }
-  added_ = 0;
+}
+
+void ObstaclePoints::clear() noexcept {
+  const auto used = static_cast<std::ptrdiff_t>(4 * steps_);
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  std::fill(ahead_.begin(), ahead_.begin() + used, kNone);
+  std::fill(aside_.begin(), aside_.begin() + used, kNone);
+  size_ = 0;
+  steps_ = 0;
+  count_.fill(0);
 }
 
 void ObstaclePoints::add(const Vector2d& point) noexcept {
   if (size_ == kCapacity) return;
   const auto x = static_cast<float>(point.x());
   const auto y = static_cast<float>(point.y());
-  const float key = direction_key(x, y);
-  added_x_[added_] = x;
-  added_y_[added_++] = y;
-  // Behind those of the same direction; mostly at the end, as rays come in order.
-  std::size_t i = size_;
-  if (i > 0 && key_[i - 1] > key) {
-    const float* const at = std::upper_bound(key_.data(), key_.data() + size_, key);
-    i = static_cast<std::size_t>(at - key_.data());
-    const auto make_room = [&](std::array<float, kCapacity>& values) {
-      std::copy_backward(values.begin() + static_cast<std::ptrdiff_t>(i),
-                         values.begin() + static_cast<std::ptrdiff_t>(size_),
-                         values.begin() + static_cast<std::ptrdiff_t>(size_ + 1));
-    };
-    make_room(x_);
-    make_room(y_);
-    make_room(key_);
+  x_[size_] = x;
+  y_[size_++] = y;
+  std::size_t q = 3;
+  float ahead = -y;
+  float aside = x;
+  if (x > 0.0F && y >= 0.0F) {
+    q = 0;
+    ahead = x;
+    aside = y;
+  } else if (x <= 0.0F && y > 0.0F) {
+    q = 1;
+    ahead = y;
+    aside = -x;
+  } else if (x < 0.0F && y <= 0.0F) {
+    q = 2;
+    ahead = -x;
+    aside = -y;
   }
-  ++size_;
-  x_[i] = x;
-  y_[i] = y;
-  key_[i] = key;
-}
-
-std::size_t ObstaclePoints::first_from(double c, double s) const noexcept {
-  const float key = direction_key(static_cast<float>(c), static_cast<float>(s));
-  return static_cast<std::size_t>(
-      std::lower_bound(key_.begin(), key_.begin() + static_cast<std::ptrdiff_t>(size_), key) -
-      key_.begin());
+  // Behind those of the same direction; mostly at the end, as rays come in order.
+  std::size_t i = count_[q]++;
+  for (; i > 0 && aside_[4 * (i - 1) + q] * ahead > aside * ahead_[4 * (i - 1) + q]; --i) {
+    ahead_[4 * i + q] = ahead_[4 * (i - 1) + q];
+    aside_[4 * i + q] = aside_[4 * (i - 1) + q];
+  }
+  ahead_[4 * i + q] = ahead;
+  aside_[4 * i + q] = aside;
+  steps_ = std::max(steps_, count_[q]);
 }
 
 }  // namespace fairway

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <span>
 
 #include "fairway/map/bit_grid.hpp"
 
@@ -14,12 +14,14 @@ namespace fairway {
 ///
 /// Each point lies in the configuration-space obstacle of a blocked cell, the cell grown by a disc.
 /// A rectangle that avoids these points may still hit an obstacle; but none that is free can be
-/// larger than the largest that avoids them. Coordinates are relative to the origin [cells]; the
-/// points are kept in order of their direction, seen from the origin. When full, further points are
-/// ignored.
+/// larger than the largest that avoids them. Coordinates are relative to the origin [cells]. When
+/// full, further points are ignored.
 class ObstaclePoints {
  public:
   static constexpr std::size_t kCapacity = 256;
+  ObstaclePoints() noexcept { clear(); }
+
+  void clear() noexcept;
 
   /// Forgets everything; then looks for obstacles along rays from `origin` [grid coordinates].
   ///
@@ -36,27 +38,27 @@ class ObstaclePoints {
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
-  /// How many points were added one by one since look_around, and those points.
-  [[nodiscard]] std::size_t added() const noexcept { return added_; }
-  [[nodiscard]] std::pair<float, float> in_order_added(std::size_t i) const noexcept {
-    return {added_x_[i], added_y_[i]};
-  }
-
-  /// Coordinates of all points, in order of direction from -x through -y, +x, +y.
+  /// Coordinates of all points in the order in which they were added.
   [[nodiscard]] const float* x() const noexcept { return x_.data(); }
   [[nodiscard]] const float* y() const noexcept { return y_.data(); }
 
-  /// Index of the first point whose direction is at or after (c, s); size() when there is none.
-  [[nodiscard]] std::size_t first_from(double c, double s) const noexcept;
+  /// The same points by quadrants, counter-clockwise from the upper right one, each in order of
+  /// direction: entry 4 i + q is the i-th of quadrant q, `ahead` along the axis that the quadrant
+  /// begins with and `aside` along that of the next one. All have `steps()` entries; where a
+  /// quadrant has fewer points both are NaN.
+  using Steps = std::array<float, 4 * kCapacity>;
+  [[nodiscard]] std::size_t steps() const noexcept { return steps_; }
+  [[nodiscard]] const float* ahead() const noexcept { return ahead_.data(); }
+  [[nodiscard]] const float* aside() const noexcept { return aside_.data(); }
 
  private:
   std::size_t size_ = 0;
-  std::size_t added_ = 0;
-  std::array<float, kCapacity> x_{};
-  std::array<float, kCapacity> y_{};
-  std::array<float, kCapacity> key_{};
-  std::array<float, kCapacity> added_x_{};
-  std::array<float, kCapacity> added_y_{};
+  std::size_t steps_ = kCapacity;
+  std::array<std::size_t, 4> count_{};  // points in each quadrant
+  std::array<float, kCapacity> x_;      // NOLINT(*-member-init): filled as far as it is read
+  std::array<float, kCapacity> y_;      // NOLINT(*-member-init)
+  Steps ahead_;                         // NOLINT(*-member-init)
+  Steps aside_;                         // NOLINT(*-member-init)
 };
 
 }  // namespace fairway

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/corridor/staircases.hpp"
+#include "fairway/corridor/largest_box.hpp"
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -28,7 +29,9 @@ struct Scene {
 
 Scene random_scene(test::Random& random) {
   Scene scene;
-  scene.along = direction(random.uniform(-3.2, 3.2));
+  // At exactly 45 degrees coordinates cancel.
+  const double angle = random.chance(0.2) ? std::numbers::pi / 4.0 : random.uniform(0.0, 1.5707);
+  scene.along = random.chance(0.1) ? Vector2d(Vector2d::UnitX()) : direction(angle);
   scene.core = {.min = {-random.uniform(0.0, 3.0), -random.uniform(0.0, 3.0)},
                 .max = {random.uniform(0.0, 3.0), random.uniform(0.0, 3.0)}};
   scene.longest_side = random.uniform(8.0, 60.0);
@@ -73,63 +76,78 @@ double largest_area(const Scene& scene) {
   return best;
 }
 
-ObstaclePoints obstacle_points(const Scene& scene, std::size_t first, std::size_t last) {
+std::optional<Box> largest_box_of(const Scene& scene, double least_area = -1.0) {
   ObstaclePoints points;
-  for (std::size_t i = first; i < last; ++i)
-    points.add(scene.points[i]);
-  return points;
+  for (const Vector2d& point : scene.points)
+    points.add(point);
+  return largest_box(points, scene.along, scene.core, scene.longest_side, least_area);
 }
 
-TEST(Staircases, GiveTheLargestBox) {
+TEST(LargestBox, IsTheLargestOfAllThatTouchPointsOrTheLimit) {
   test::Random random(51);
   int possible = 0;
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < 300; ++trial) {
     Scene scene = random_scene(random);
     scene.points.resize(std::min<std::size_t>(scene.points.size(), 14));
-    Staircases staircases;
-    staircases.assign(obstacle_points(scene, 0, scene.points.size()), scene.along, scene.core,
-                      scene.longest_side);
-    const std::optional<Box> box = staircases.largest_box(-1.0);
+    const std::optional<Box> box = largest_box_of(scene);
     const double area = largest_area(scene);
     ASSERT_EQ(box.has_value(), area >= 0.0);
     if (!box) continue;
     ++possible;
     EXPECT_NEAR(box->area(), area, 1e-4 * area);
-    EXPECT_TRUE(box->contains(scene.core.min) && box->contains(scene.core.max));
+    EXPECT_LE((box->max - box->min).maxCoeff(), scene.longest_side + 1e-4);
+    const Vector2d hair = Vector2d::Constant(1e-6);
+    EXPECT_TRUE(box->contains(scene.core.min + hair) && box->contains(scene.core.max - hair));
     for (const Vector2d& p : scene.points) {
       const Vector2d q = scene.turned(p);
       const double depth = std::min((q - box->min).minCoeff(), (box->max - q).minCoeff());
       EXPECT_LT(depth, 1e-4);
     }
-    EXPECT_FALSE(staircases.largest_box(box->area() * 1.001).has_value());
+    EXPECT_FALSE(largest_box_of(scene, box->area() * 1.001).has_value());
   }
-  EXPECT_GT(possible, 50);
+  EXPECT_GT(possible, 100);
 }
 
-TEST(Staircases, AreTheSameWhicheverWayPointsComeIn) {
+TEST(LargestBox, IsTheSameInWhicheverOrderPointsComeIn) {
   test::Random random(52);
-  for (int trial = 0; trial < 2000; ++trial) {
-    const Scene scene = random_scene(random);
-    const std::size_t n = scene.points.size();
-    const auto before = static_cast<std::size_t>(random.integer(0, static_cast<int>(n)));
-    Staircases at_once;
-    at_once.assign(obstacle_points(scene, 0, n), scene.along, scene.core, scene.longest_side);
-    Staircases one_by_one;
-    one_by_one.assign(obstacle_points(scene, 0, before), scene.along, scene.core,
-                      scene.longest_side);
-    const auto c = static_cast<float>(scene.along.x());
-    const auto s = static_cast<float>(scene.along.y());
-    for (std::size_t i = before; i < n; ++i) {
-      const auto x = static_cast<float>(scene.points[i].x());
-      const auto y = static_cast<float>(scene.points[i].y());
-      one_by_one.add(c * x + s * y, c * y - s * x);
-    }
-    const std::optional<Box> a = at_once.largest_box(-1.0);
-    const std::optional<Box> b = one_by_one.largest_box(-1.0);
+  for (int trial = 0; trial < 1000; ++trial) {
+    Scene scene = random_scene(random);
+    const std::optional<Box> a = largest_box_of(scene);
+    std::reverse(scene.points.begin(), scene.points.end());
+    const std::optional<Box> b = largest_box_of(scene);
     ASSERT_EQ(a.has_value(), b.has_value());
     if (a) {
       EXPECT_NEAR(a->area(), b->area(), 1e-6 * a->area());
     }
+  }
+}
+
+TEST(LargestBox, TakesAsManyPointsAsThereAreInOneQuadrant) {
+  // Beyond 32 and 64 points in a quadrant: a long staircase, and all of it behind the origin.
+  for (const int count : {31, 32, 33, 64, 65, 200, 256, 300}) {
+    Scene scene{.longest_side = 1000.0};
+    const int kept = std::min(count, static_cast<int>(ObstaclePoints::kCapacity));
+    for (int i = 0; i < count; ++i)
+      scene.points.emplace_back(-1.0 - i, -1.0 - (kept - 1 - i));
+    // Corner i + 1 reaches -(i + 2), -(kept - i): the best is in the middle, or lies on one side.
+    double expected = 1000.0 * 1000.0;  // upwards and to the right, all points left behind
+    const std::optional<Box> box = largest_box_of(scene);
+    ASSERT_TRUE(box.has_value());
+    EXPECT_NEAR(box->area(), expected, 1e-3 * expected) << count;
+
+    scene.core.max = Vector2d(0.5, 0.5);
+    scene.points.emplace_back(0.6, 0.1);
+    scene.points.emplace_back(0.1, 0.6);
+    const std::optional<Box> confined = largest_box_of(scene);
+    ASSERT_TRUE(confined.has_value());
+    if (count > static_cast<int>(ObstaclePoints::kCapacity) - 2) continue;  // no room for them
+    expected = 0.0;
+    for (int i = 0; i <= kept; ++i) {
+      const double width = i == 0 ? 1.6 : i == kept ? 1000.0 : 1.6 + i;
+      const double height = i == 0 ? 1000.0 : i == kept ? 1.6 : 0.6 + 1.0 + (kept - i);
+      expected = std::max(expected, width * height);
+    }
+    EXPECT_NEAR(confined->area(), expected, 1e-3 * expected) << count;
   }
 }
 
