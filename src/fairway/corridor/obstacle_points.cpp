@@ -2,7 +2,9 @@
 #include "fairway/corridor/obstacle_points.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -13,6 +15,13 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kRays = 72;
+// Rays are followed from tile to tile: 8 x 8 cells, of which a band of rows tells at once whether
+// any is blocked. So a ray sees what is up to a tile beside it: what stands in the way of every
+// rectangle along it that is not very narrow.
+constexpr int kTile = BitGrid::kBandRows;
+// A ray ends at an obstacle so near to it [cells], or at the third beside it.
+constexpr double kInTheWay = 2.5;
+constexpr int kMostBeside = 3;
 
 struct Rays {
   Rays() noexcept {
@@ -25,6 +34,74 @@ struct Rays {
   std::array<Vector2d, kRays> directions;
 };
 
+struct Sight {
+  CellIndex cell;
+  double beside = 0.0;  // how far the cell's centre is from the ray, along the shorter way [cells]
+};
+
+// One tile, as a ray from `origin` sees it.
+class Tile {
+ public:
+  Tile(const BitGrid& obstacles, int x, int y) noexcept
+      : obstacles_(obstacles),
+        left_(x - x % kTile),
+        bottom_(y - y % kTile),
+        rows_(std::min(kTile, obstacles.frame().height - bottom_)),
+        columns_(bits(obstacles.band(y / kTile))) {}
+
+  [[nodiscard]] bool empty() const noexcept { return columns_ == 0; }
+
+  // The first blocked row or column, as the ray runs, and in it the cell nearest to the ray.
+  [[nodiscard]] Sight first(const Vector2d& origin, const Vector2d& ray) const noexcept {
+    return std::abs(ray.x()) > std::abs(ray.y()) ? first_column(origin, ray)
+                                                 : first_row(origin, ray);
+  }
+
+ private:
+  [[nodiscard]] unsigned bits(std::span<const std::uint64_t> words) const noexcept {
+    return static_cast<unsigned>(words[static_cast<std::size_t>(left_) / 64] >> (left_ % 64)) &
+           0xffU;
+  }
+
+  [[nodiscard]] Sight first_column(const Vector2d& origin, const Vector2d& ray) const noexcept {
+    const int column =
+        ray.x() > 0.0 ? std::countr_zero(columns_) : static_cast<int>(std::bit_width(columns_)) - 1;
+    Sight sight{.cell = {.x = left_ + column, .y = 0}, .beside = 2.0 * kTile};
+    const double y = origin.y() + (sight.cell.x + 0.5 - origin.x()) * ray.y() / ray.x() - 0.5;
+    for (int row = bottom_; row < bottom_ + rows_; ++row) {
+      const double beside = std::abs(row - y);
+      const bool blocked = (bits(obstacles_.row(row)) >> column & 1U) != 0;
+      if (!blocked || beside >= sight.beside) continue;
+      sight.cell.y = row;
+      sight.beside = beside;
+    }
+    return sight;
+  }
+
+  [[nodiscard]] Sight first_row(const Vector2d& origin, const Vector2d& ray) const noexcept {
+    const int step = ray.y() > 0.0 ? 1 : -1;
+    int row = ray.y() > 0.0 ? bottom_ : bottom_ + rows_ - 1;
+    while (bits(obstacles_.row(row)) == 0)
+      row += step;
+    Sight sight{.cell = {.x = 0, .y = row}, .beside = 2.0 * kTile};
+    const double x = origin.x() + (row + 0.5 - origin.y()) * ray.x() / ray.y() - 0.5;
+    for (unsigned blocked = bits(obstacles_.row(row)); blocked != 0; blocked &= blocked - 1) {
+      const int column = left_ + std::countr_zero(blocked);
+      const double beside = std::abs(column - x);
+      if (beside >= sight.beside) continue;
+      sight.cell.x = column;
+      sight.beside = beside;
+    }
+    return sight;
+  }
+
+  const BitGrid& obstacles_;
+  int left_;
+  int bottom_;
+  int rows_;
+  unsigned columns_;  // bit i: column left_ + i is blocked in some row
+};
+
 }  // namespace
 
 void ObstaclePoints::look_around(const BitGrid& obstacles,
@@ -32,8 +109,6 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
                                  double radius,
                                  double reach) noexcept {
   static const Rays rays;
-  constexpr double kFirstStep = 1.0;  // [cells]
-  constexpr double kStretch = 1.1;    // each sample lies this much further out
   clear();
   const GridFrame& frame = obstacles.frame();
   const Vector2d low = Vector2d::Constant(radius) - origin;
@@ -45,21 +120,21 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
     const double end_y = (ray.y() > 0.0 ? high : low).y() / ray.y();
     const double end = std::min(end_x, end_y);
     const double stop = std::min(end, reach);
-    double t = radius + 0.5;
-    for (; t < stop; t = std::max(t + kFirstStep, t * kStretch)) {
-      const CellIndex cell{.x = static_cast<int>(origin.x() + t * ray.x()),
-                           .y = static_cast<int>(origin.y() + t * ray.y())};
-      const std::uint64_t word = obstacles.row(cell.y)[static_cast<std::size_t>(cell.x) / 64];
-      if ((word >> (static_cast<unsigned>(cell.x) % 64) & 1U) == 0) continue;
-      if (cell == last) break;
-      last = cell;
-      const Vector2d corner = Vector2d(cell.x, cell.y) - origin;
+    int left = kMostBeside;
+    for (double t = 0.5 * kTile; t < stop && left > 0; t += kTile) {
+      const Vector2d at = origin + t * ray;
+      const Tile tile(obstacles, static_cast<int>(at.x()), static_cast<int>(at.y()));
+      if (tile.empty()) continue;
+      const Sight sight = tile.first(origin, ray);
+      left = sight.beside <= kInTheWay ? 0 : left - 1;
+      if (sight.cell == last) continue;
+      last = sight.cell;
+      const Vector2d corner = Vector2d(last.x, last.y) - origin;
       const Vector2d nearest = corner.cwiseMax((corner + Vector2d::Ones()).cwiseMin(0.0));
       const double distance = nearest.norm();
       if (distance > radius) add(nearest * (1.0 - radius / distance));
-      break;
     }
-    if (t >= end && end < reach) add(end * ray);
+    if (left > 0 && end < reach) add(end * ray);
   }
 }
 
