@@ -33,6 +33,35 @@ struct Pull {
   }
 };
 
+struct DeepPoint {
+  double depth;
+  Vector2d point;
+};
+
+// The point of a disc that is furthest from the nearest side of the box, turned; negative depth
+// outside. What avoids it has to give way most, whichever side does.
+DeepPoint deepest_of_disc(const Vector2d& center, double radius, const Box& box) noexcept {
+  // From the nearer of both sides inwards.
+  const Vector2d from_low = center - box.min;
+  const Vector2d from_high = box.max - center;
+  const double x = std::min(from_low.x(), from_high.x());
+  const double y = std::min(from_low.y(), from_high.y());
+  Vector2d step(0.0, 0.0);
+  if (x + radius <= y) {
+    step.x() = radius;
+  } else if (y + radius <= x) {
+    step.y() = radius;
+  } else {
+    // As far from both sides.
+    const double half = 0.5 * (x - y);
+    const double depth = 0.5 * (x + y) + std::sqrt(0.5 * radius * radius - half * half);
+    step = {depth - x, depth - y};
+  }
+  const Vector2d inwards(from_low.x() < from_high.x() ? step.x() : -step.x(),
+                         from_low.y() < from_high.y() ? step.y() : -step.y());
+  return {.depth = std::min(x + step.x(), y + step.y()), .point = center + inwards};
+}
+
 // One corner of a box with the inward directions of the two sides that meet there.
 struct Corner {
   Vector2d at;    // turned
@@ -60,23 +89,17 @@ std::array<HalfPlane, 4> map_sides(const GridFrame& grid, double radius) noexcep
 
 Vector2d BoxRepair::point_inside(CellIndex cell, const Box& box) const noexcept {
   const std::array<Vector2d, 4> corners = turned_corners(frame, cell);
-  // From a point inside the box the way to the core stays inside.
-  const auto towards_core = [&](const Vector2d& p) {
-    const Vector2d way = core.nearest(p) - p;
-    const double length = way.norm();
-    return frame.offset(length > radius ? Vector2d(p + way * (radius / length)) : p);
-  };
-  const Vector2d* deepest = nullptr;
-  double least = kInfinity;
+  double greatest = 0.0;
+  Vector2d deepest = Vector2d::Zero();
   for (const Vector2d& corner : corners) {
-    const double distance = (core.nearest(corner) - corner).squaredNorm();
-    if (box.contains(corner) && distance < least) {
-      least = distance;
-      deepest = &corner;
-    }
+    const DeepPoint candidate = deepest_of_disc(corner, radius, box);
+    if (candidate.depth <= greatest) continue;
+    greatest = candidate.depth;
+    deepest = candidate.point;
   }
-  if (deepest != nullptr) return towards_core(*deepest);
-  // Nearest points of cell and box, by projecting to and fro.
+  if (greatest > kHair) return frame.offset(deepest);
+  // The box has a corner of its own in a side of the cell. From there the way to the core stays in
+  // the box.
   const Vector2d low = Vector2d(cell.x, cell.y) - frame.origin;
   Vector2d in_box = box.nearest(0.5 * (corners[0] + corners[2]));
   Vector2d in_cell = in_box;
@@ -84,10 +107,19 @@ Vector2d BoxRepair::point_inside(CellIndex cell, const Box& box) const noexcept 
     in_cell = frame.turned(frame.offset(in_box).cwiseMax(low).cwiseMin(low + Vector2d::Ones()));
     in_box = box.nearest(in_cell);
   }
-  const Vector2d way = in_box - in_cell;
+  const Vector2d apart = in_box - in_cell;
+  if (apart.norm() > kHair) return frame.offset(in_cell + apart * (radius / apart.norm()));
+  // Out of the cell on that way, and on by the radius.
+  const Vector2d from = frame.offset(in_cell);
+  const Vector2d way = frame.offset(core.nearest(in_cell)) - from;
+  double share = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double side = low[axis] + (way[axis] > 0.0 ? 1.0 : 0.0);
+    if (way[axis] != 0.0) share = std::min(share, std::max(0.0, (side - from[axis]) / way[axis]));
+  }
   const double length = way.norm();
-  if (length < 1e-9) return towards_core(in_cell);
-  return frame.offset(in_cell + way * (radius / length));
+  if (length > 0.0) share = std::min(1.0, share + radius / length);
+  return from + share * way;
 }
 
 void BoxRepair::add_outside_points(const Box& box, ObstaclePoints& points) const noexcept {

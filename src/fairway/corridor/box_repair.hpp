@@ -15,8 +15,8 @@ struct BoxRepair {
   const Box& core;  ///< what every box must hold
   double radius;    ///< of the disc that obstacles are grown by [cells]
 
-  /// A point of the cell's configuration-space obstacle that lies in `box` if they meet, as deep as
-  /// is easily found; an offset.
+  /// A point of the cell's configuration-space obstacle that lies in `box` if they meet, as far
+  /// from its sides as is easily found; an offset.
   [[nodiscard]] Eigen::Vector2d point_inside(CellIndex cell, const Box& box) const noexcept;
 
   /// Adds points of the outside of the map that lie in `box`.
