@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cstring>
+#include <limits>
 
 namespace fairway {
 
@@ -16,6 +18,12 @@ using Mask4 = int __attribute__((vector_size(16)));
 
 /// The same number in every lane.
 [[nodiscard]] inline Float4 four(float a) noexcept { return Float4{a, a, a, a}; }
+
+/// -a where the mask holds, a elsewhere. @pre a is not negative.
+[[nodiscard]] inline Float4 with_sign_of(Mask4 mask, Float4 a) noexcept {
+  constexpr int kSign = std::numeric_limits<int>::min();
+  return std::bit_cast<Float4>(std::bit_cast<Mask4>(a) | (mask & kSign));
+}
 
 /// The four numbers from an address on, which need not be aligned.
 [[nodiscard]] inline Float4 load4(const float* from) noexcept {

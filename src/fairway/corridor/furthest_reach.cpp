@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "fairway/base/float4.hpp"
 #include "fairway/corridor/box_repair.hpp"
 
 namespace fairway {
@@ -17,26 +18,36 @@ using Eigen::Vector2d;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// Whether some obstacle point lies in the box. Branch-free, so that compilers do several at once.
+// Whether some obstacle point lies in the box.
 bool holds_point(const ObstaclePoints& points, const TurnedFrame& frame, const Box& box) noexcept {
   const auto c = static_cast<float>(frame.along.x());
   const auto s = static_cast<float>(frame.along.y());
-  // Rounding must not turn a point on the border into one inside.
-  constexpr float kHair = 1e-3F;
-  const float left = static_cast<float>(box.min.x()) + kHair;
-  const float right = static_cast<float>(box.max.x()) - kHair;
-  const float bottom = static_cast<float>(box.min.y()) + kHair;
-  const float top = static_cast<float>(box.max.y()) - kHair;
-  const float* const px = points.x();
-  const float* const py = points.y();
-  int inside = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const float x = c * px[i] + s * py[i];
-    const float y = c * py[i] - s * px[i];
-    inside |= static_cast<int>(x > left) & static_cast<int>(x < right) &
-              static_cast<int>(y > bottom) & static_cast<int>(y < top);
+  // How far each point is from the box's centre beyond what the box reaches; a hair less, as
+  // rounding must not turn a point on the border into one inside.
+  constexpr double kHair = 1e-3;
+  const Vector2d center = box.center();
+  const Vector2d half = 0.5 * (box.max - box.min) - Vector2d::Constant(kHair);
+  const auto center_x = static_cast<float>(center.x());
+  const auto center_y = static_cast<float>(center.y());
+  const auto half_x = static_cast<float>(half.x());
+  const auto half_y = static_cast<float>(half.y());
+  // The points learnt last come first: they were met by boxes like this one.
+  constexpr std::size_t kAtOnce = 16;
+  for (std::size_t end = (points.size() + 3) / 4 * 4; end > 0;) {
+    const std::size_t begin = end > kAtOnce ? end - kAtOnce : 0;
+    Float4 least = four(1.0F);
+    for (std::size_t i = begin; i < end; i += 4) {
+      const Float4 px = load4(points.x() + i);
+      const Float4 py = load4(points.y() + i);
+      const Float4 x = c * px + s * py - center_x;
+      const Float4 y = c * py - s * px - center_y;
+      // What is not there is NaN, and not less than anything.
+      least = min(max(max(x, -x) - half_x, max(y, -y) - half_y), least);
+    }
+    if (std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) < 0.0F) return true;
+    end = begin;
   }
-  return inside != 0;
+  return false;
 }
 
 }  // namespace

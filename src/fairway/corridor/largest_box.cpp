@@ -53,7 +53,7 @@ class Staircases {
     Float4 least_ahead = cap;
     const auto take = [&](Float4 ahead, Float4 aside, Mask4 mine) {
       // Others never count; nor does what is not there: all comparisons with NaN fail.
-      const Float4 least = mine ? four(-kFar) : four(kFar);
+      const Float4 least = with_sign_of(mine, four(kFar));
       store4(least_ahead, &before_[4 * count_]);
       least_ahead = min(least_ahead, max(ahead - reach, least));
       store4(max(aside - reach_aside, least), &aside_[4 * count_]);
@@ -90,7 +90,7 @@ class Staircases {
       Mask4 bits{};
       for (std::size_t i = std::min(count_, (w + 1) * kBits); i-- > w * kBits;) {
         const Float4 aside = load4(&aside_[4 * i]);
-        bits |= (aside < least) & static_cast<int>(1U << (i % kBits));
+        bits = bits + bits - (aside < least);  // true is -1
         least = min(least, aside);
       }
       std::memcpy(falls[w].data(), &bits, sizeof bits);

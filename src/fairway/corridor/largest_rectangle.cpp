@@ -21,7 +21,7 @@ constexpr double kInset = 1e-3;  // room to the obstacle points that stopped a s
 constexpr double kDone = -std::numeric_limits<double>::infinity();  // nothing left to gain
 constexpr int kTestsPerAngle = 8;  // an angle that still fails then is left at its best so far
 constexpr int kTestsInAll = 64;
-constexpr std::size_t kMaxFound = 16;  // blocked cells looked at per test
+constexpr std::size_t kMaxFound = 8;  // blocked cells looked at per test
 
 Box inset(const Box& box, const Box& core) noexcept {
   const Vector2d by = Vector2d::Constant(kInset);

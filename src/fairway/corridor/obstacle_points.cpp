@@ -23,6 +23,8 @@ constexpr int kTile = BitGrid::kBandRows;
 constexpr double kInTheWay = 2.5;
 constexpr int kMostBeside = 3;
 
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
 struct Rays {
   Rays() noexcept {
     for (std::size_t i = 0; i < kRays; ++i) {
@@ -44,8 +46,8 @@ class Tile {
  public:
   Tile(const BitGrid& obstacles, int x, int y) noexcept
       : obstacles_(obstacles),
-        left_(x - x % kTile),
-        bottom_(y - y % kTile),
+        left_(x & -kTile),
+        bottom_(y & -kTile),
         rows_(std::min(kTile, obstacles.frame().height - bottom_)),
         columns_(bits(obstacles.band(y / kTile))) {}
 
@@ -140,7 +142,6 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
 
 void ObstaclePoints::clear() noexcept {
   const auto used = static_cast<std::ptrdiff_t>(4 * steps_);
-  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   std::fill(ahead_.begin(), ahead_.begin() + used, kNone);
   std::fill(aside_.begin(), aside_.begin() + used, kNone);
   size_ = 0;
@@ -152,6 +153,10 @@ void ObstaclePoints::add(const Vector2d& point) noexcept {
   if (size_ == kCapacity) return;
   const auto x = static_cast<float>(point.x());
   const auto y = static_cast<float>(point.y());
+  if (size_ % 4 == 0) {
+    for (std::size_t k = 1; k < 4; ++k)
+      x_[size_ + k] = y_[size_ + k] = kNone;
+  }
   x_[size_] = x;
   y_[size_++] = y;
   std::size_t q = 3;

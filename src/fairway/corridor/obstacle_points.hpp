@@ -38,7 +38,8 @@ class ObstaclePoints {
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
-  /// Coordinates of all points in the order in which they were added.
+  /// Coordinates of all points in the order in which they were added; then NaN up to a multiple of
+  /// four.
   [[nodiscard]] const float* x() const noexcept { return x_.data(); }
   [[nodiscard]] const float* y() const noexcept { return y_.data(); }
 
@@ -55,10 +56,11 @@ class ObstaclePoints {
   std::size_t size_ = 0;
   std::size_t steps_ = kCapacity;
   std::array<std::size_t, 4> count_{};  // points in each quadrant
-  std::array<float, kCapacity> x_;      // NOLINT(*-member-init): filled as far as it is read
-  std::array<float, kCapacity> y_;      // NOLINT(*-member-init)
-  Steps ahead_;                         // NOLINT(*-member-init)
-  Steps aside_;                         // NOLINT(*-member-init)
+  static_assert(kCapacity % 4 == 0);
+  std::array<float, kCapacity> x_;  // NOLINT(*-member-init): filled as far as it is read
+  std::array<float, kCapacity> y_;  // NOLINT(*-member-init)
+  Steps ahead_;                     // NOLINT(*-member-init)
+  Steps aside_;                     // NOLINT(*-member-init)
 };
 
 }  // namespace fairway

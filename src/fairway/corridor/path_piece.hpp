@@ -32,19 +32,20 @@ struct PathPiece {
   void visit(const PathTrack& track, Visitor&& visit_point) const {
     const double begin_margin = begin.beside() ? margin : begin.margin;
     const double end_margin = end.beside() ? margin : end.margin;
-    visit_point(track.at(begin.from), begin_margin);
+    const std::size_t first = track.segment(begin.from);
+    visit_point(track.at(begin.from, first), begin_margin);
     if (begin.to > begin.from) visit_point(track.at(begin.to), begin_margin);
-    for (std::size_t i = track.segment(begin.from) + 1;
-         i < track.points().size() && track.arc()[i] < end.to; ++i) {
-      const double s = track.arc()[i];
+    std::size_t last = first;  // the segment of end.to
+    for (; last + 2 < track.points().size() && track.arc()[last + 1] < end.to; ++last) {
+      const double s = track.arc()[last + 1];
       const bool joint = s <= begin.to || s >= end.from;
       const double joint_margin = s <= begin.to ? begin_margin : end_margin;
-      visit_point(track.points()[i], joint ? joint_margin : margin);
+      visit_point(track.points()[last + 1], joint ? joint_margin : margin);
     }
     if (end.from < end.to) visit_point(track.at(end.from), end_margin);
-    visit_point(track.at(end.to), end_margin);
+    visit_point(track.at(end.to, last), end_margin);
     if (begin.beside()) visit_point(track.at(begin.to) + begin.offset, begin.margin);
-    if (end.beside()) visit_point(track.at(end.to) + end.offset, end.margin);
+    if (end.beside()) visit_point(track.at(end.to, last) + end.offset, end.margin);
   }
 
   /// The smallest box in `frame` that holds all that is asked, and the frame's origin.

@@ -40,12 +40,11 @@ std::size_t PathTrack::segment(double s) const noexcept {
   return std::min(i, points_.size() < 2 ? std::size_t{0} : points_.size() - 2);
 }
 
-Vector2d PathTrack::at(double s) const noexcept {
+Vector2d PathTrack::at(double s, std::size_t segment) const noexcept {
   if (points_.size() < 2 || s <= 0.0) return points_.front();
   if (s >= arc_.back()) return points_.back();
-  const std::size_t i = segment(s);
-  const double share = (s - arc_[i]) / (arc_[i + 1] - arc_[i]);
-  return points_[i] + share * (points_[i + 1] - points_[i]);
+  const double share = (s - arc_[segment]) / (arc_[segment + 1] - arc_[segment]);
+  return points_[segment] + share * (points_[segment + 1] - points_[segment]);
 }
 
 std::size_t waypoint_before(const Path& path, double s) noexcept {

@@ -26,7 +26,11 @@ class PathTrack {
   [[nodiscard]] std::size_t segment(double s) const noexcept;
 
   /// The point `s` cells along the path, clamped to it; corners exactly. @pre assigned.
-  [[nodiscard]] Eigen::Vector2d at(double s) const noexcept;
+  [[nodiscard]] Eigen::Vector2d at(double s) const noexcept { return at(s, segment(s)); }
+
+  /// The same where the segment is known. @pre `segment` is segment(s), or the one before if `s`
+  /// lies on the corner between.
+  [[nodiscard]] Eigen::Vector2d at(double s, std::size_t segment) const noexcept;
 
  private:
   std::vector<Eigen::Vector2d> points_;
