@@ -7,108 +7,130 @@
 
 #include <Eigen/Core>
 
+#include "fairway/base/float4.hpp"
+
 namespace fairway {
 
 namespace {
 
-constexpr int kLanes = 8;
-using Lanes = Eigen::Array<float, kLanes, 1>;
+constexpr std::size_t kCapacity = ObstaclePoints::kCapacity;
+// Turns are counted from the start: in round n = 1, 2, ... the side that is the j-th of the four
+// has turn 4 n + j.
+constexpr float kNever = 4e6F;  // more than all sides make
 
-constexpr float kNever = 4e6F;     // turns; more than all sides make
-constexpr float kStopped = 1e30F;  // rate of a side that advances no more
+// Rounds up to whole rounds (multiples of 4), but for 1e-4 of one, by adding a number so large that
+// its last bit is worth 4.
+Float4 rounded_up(Float4 turns) noexcept {
+  constexpr float kLastBitIs4 = 50331648.0F;  // 2^25 + 2^24
+  constexpr float kRoundUp = 4.0F * 0.4999F;
+  return ((turns + kRoundUp) + kLastBitIs4) - kLastBitIs4;
+}
 
-// A side as the points see it. Plain numbers, so that all points are asked alike without a branch.
-struct SideTurns {
-  float place;  // distance from the origin [cells]
-  float rate;   // turns per cell: four per step, as the sides take turns
-  float order;  // its place among the four
+// The points seen along one axis, and the turn at which each comes to lie behind the side that
+// moves towards it.
+struct Axis {
+  alignas(16) std::array<float, kCapacity> at;    // NOLINT(*-member-init): filled as far as needed
+  alignas(16) std::array<float, kCapacity> turn;  // NOLINT(*-member-init)
 
-  // The turn at which coordinates, counted outwards, come to lie behind the side; below 4 where
-  // they do already. Turns are 4 n + order, so n is rounded up to whole rounds, but for 1e-4: by
-  // adding a number so large that its last bit is worth 4.
-  [[nodiscard]] Lanes operator()(const Lanes& outwards) const noexcept {
-    constexpr float kLastBitIs4 = 50331648.0F;  // 2^25 + 2^24
-    constexpr float kRoundUp = 4.0F * 0.4999F;
-    return (((outwards - place) * rate + kRoundUp) + kLastBitIs4) - kLastBitIs4 + order;
+  // All sides set out: the upper one on the turns `upper` of each round, the lower one on `lower`.
+  void start(std::size_t count, const GreedySteps& steps, float upper, float lower) noexcept {
+    const auto place = static_cast<float>(steps.start);
+    const auto rate = static_cast<float>(4.0 / steps.step);
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Float4 c = load4(&at[i]);
+      const Float4 order = c > 0.0F ? four(upper) : four(lower);
+      store4(rounded_up((max(c, -c) - place) * rate) + order, &turn[i]);
+    }
+  }
+
+  // The side on the side of `sign` stands at `place` after turn `now`, and goes on from there at
+  // `rate` turns per cell; 0: not at all.
+  void go_on(std::size_t count, float sign, float place, float rate, float now) noexcept {
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Float4 outwards = sign * load4(&at[i]);
+      const Float4 before = load4(&turn[i]);
+      const Float4 later = rate > 0.0F ? rounded_up((outwards - place) * rate) + now : four(kNever);
+      store4((outwards > 0.0F) & (before >= now) ? later : before, &turn[i]);
+    }
   }
 };
 
-struct TurnedPoints {
-  // Padded to whole lanes with points that are out of reach.
-  alignas(32) std::array<float, ObstaclePoints::kCapacity + kLanes> x;
-  alignas(32) std::array<float, ObstaclePoints::kCapacity + kLanes> y;
-  std::size_t count = 0;
+struct Side {
+  std::size_t axis;
+  float sign;
+  double place = 0.0;  // distance from the origin [cells]
+  double step = 0.0;   // 0: stopped
+  double round = 0.0;  // since when it makes such steps
 
-  TurnedPoints(const ObstaclePoints& points, const Eigen::Vector2d& along) noexcept {
+  // The turn, less the side's order, at which it would pass the limit.
+  [[nodiscard]] float limit_turn(double limit) const noexcept {
+    if (step <= 0.0) return kNever;
+    const double rounds = std::floor((limit - place) / step * (1.0 + 1e-12));
+    return static_cast<float>(4.0 * (round + std::clamp(rounds + 1.0, 1.0, 9e5)));
+  }
+};
+
+class Growth {
+ public:
+  Growth(const ObstaclePoints& points,
+         const Eigen::Vector2d& along,
+         const GreedySteps& steps) noexcept
+      : count_(points.size()) {
     const auto c = static_cast<float>(along.x());
     const auto s = static_cast<float>(along.y());
-    const float* const px = points.x();
-    const float* const py = points.y();
-    const std::size_t n = points.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      x[i] = c * px[i] + s * py[i];
-      y[i] = c * py[i] - s * px[i];
+    for (std::size_t i = 0; i < count_; i += 4) {
+      const Float4 x = load4(points.x() + i);
+      const Float4 y = load4(points.y() + i);
+      store4(c * x + s * y, &axes_[0].at[i]);
+      store4(c * y - s * x, &axes_[1].at[i]);
     }
-    count = (n + kLanes - 1) / kLanes * kLanes;
-    for (std::size_t i = n; i < count; ++i)
-      x[i] = y[i] = 1e6F;
+    axes_[0].start(count_, steps, 3.0F, 1.0F);
+    axes_[1].start(count_, steps, 0.0F, 2.0F);
+    for (Side& side : sides_) {
+      side.place = steps.start;
+      side.step = steps.step;
+    }
   }
 
-  // The first turn at which a point comes to lie behind all sides.
-  [[nodiscard]] float first_turn(const SideTurns& right,
-                                 const SideTurns& left,
-                                 const SideTurns& top,
-                                 const SideTurns& bottom) const noexcept {
-    Lanes first = Lanes::Constant(2.0F * kNever);
-    for (std::size_t i = 0; i < count; i += kLanes) {
-      const Lanes px = Eigen::Map<const Lanes, Eigen::Aligned32>(x.data() + i);
-      const Lanes py = Eigen::Map<const Lanes, Eigen::Aligned32>(y.data() + i);
-      const Lanes sideways = right(px).max(left(-px));
-      first = first.min(sideways.max(top(py).max(bottom(-py))));
+  // The first turn at which a point would come to lie behind all sides.
+  [[nodiscard]] float first_met() const noexcept {
+    Float4 first = four(2.0F * kNever);
+    for (std::size_t i = 0; i < count_; i += 4) {
+      // What is not there is NaN, and not less than anything.
+      first = min(max(load4(&axes_[0].turn[i]), load4(&axes_[1].turn[i])), first);
     }
-    return first.minCoeff();
-  }
-};
-
-// The sides in the order in which Algorithm 1 advances them.
-enum Turn : std::uint8_t { kTop, kLeft, kBottom, kRight };
-
-struct Sides {
-  std::array<double, 4> place;
-  std::array<double, 4> step;  // 0: stopped
-  std::size_t next = kTop;     // whose turn it is
-
-  [[nodiscard]] SideTurns turns(Turn side) const noexcept {
-    return {.place = static_cast<float>(place[side]),
-            .rate = step[side] > 0.0 ? static_cast<float>(4.0 / step[side]) : kStopped,
-            .order = static_cast<float>((side + 4U - next) % 4U)};
+    return std::min(std::min(first[0], first[1]), std::min(first[2], first[3]));
   }
 
   // The first turn at which a side would pass the limit.
-  [[nodiscard]] float limit_turn(double limit) const noexcept {
-    float first = 2.0F * kNever;
-    for (std::size_t side = 0; side < 4; ++side) {
-      if (step[side] <= 0.0) continue;
-      const double room = (limit - place[side]) / step[side] * (1.0 + 1e-12);
-      const auto round = static_cast<float>(std::clamp(std::floor(room) + 1.0, 1.0, 9e5));
-      first = std::min(first, 4.0F * round + static_cast<float>((side + 4U - next) % 4U));
-    }
+  [[nodiscard]] float first_limited(double limit) const noexcept {
+    float first = kNever;
+    for (std::size_t j = 0; j < 4; ++j)
+      first = std::min(first, sides_[j].limit_turn(limit) + static_cast<float>(j));
     return first;
   }
 
   // Makes all turns before `turn`, at which its side finds no room.
   void advance_to(float turn) noexcept {
     const auto number = static_cast<unsigned>(turn);
-    const unsigned rounds = number / 4U;
-    const unsigned last = number % 4U;
-    for (std::size_t side = 0; side < 4; ++side) {
-      const unsigned order = static_cast<unsigned>(side + 4U - next) % 4U;
-      place[side] += step[side] * (order < last ? rounds : rounds - 1U);
-    }
-    const std::size_t failed = (next + last) % 4U;
-    step[failed] = step[failed] > 1.0 ? 1.0 : 0.0;
-    next = (failed + 1U) % 4U;
+    Side& side = sides_[number % 4U];
+    const double round = number / 4U;
+    side.place += side.step * (round - 1.0 - side.round);
+    side.step = side.step > 1.0 ? 1.0 : 0.0;
+    side.round = round;
+    axes_[side.axis].go_on(count_, side.sign, static_cast<float>(side.place),
+                           static_cast<float>(4.0 * side.step), turn);
   }
+
+  [[nodiscard]] Box box() const noexcept {
+    return {.min = {-sides_[1].place, -sides_[2].place}, .max = {sides_[3].place, sides_[0].place}};
+  }
+
+ private:
+  std::size_t count_;
+  std::array<Axis, 2> axes_;
+  // In the order in which Algorithm 1 advances them: top, left, bottom, right.
+  std::array<Side, 4> sides_{Side{1, 1.0F}, Side{0, -1.0F}, Side{1, -1.0F}, Side{0, 1.0F}};
 };
 
 }  // namespace
@@ -116,20 +138,14 @@ struct Sides {
 std::optional<Box> greedy_box(const ObstaclePoints& points,
                               const Eigen::Vector2d& along,
                               const GreedySteps& steps) noexcept {
-  const TurnedPoints turned(points, along);
-  Sides sides;
-  sides.place.fill(steps.start);
-  sides.step.fill(steps.step);
+  Growth growth(points, along, steps);
+  if (growth.first_met() < 4.0F) return std::nullopt;
   while (true) {
-    const float met = turned.first_turn(sides.turns(kRight), sides.turns(kLeft), sides.turns(kTop),
-                                        sides.turns(kBottom));
-    if (met < 4.0F) return std::nullopt;
-    const float turn = std::min(met, sides.limit_turn(steps.limit));
+    const float turn = std::min(growth.first_met(), growth.first_limited(steps.limit));
     if (turn >= kNever) break;
-    sides.advance_to(turn);
+    growth.advance_to(turn);
   }
-  return Box{.min = {-sides.place[kLeft], -sides.place[kBottom]},
-             .max = {sides.place[kRight], sides.place[kTop]}};
+  return growth.box();
 }
 
 }  // namespace fairway

@@ -110,7 +110,7 @@ class Growth {
     for (int tests = 0; tests < kMostTests; ++tests) {
       const std::optional<Box> box = greedy_box(points_, along, steps_);
       if (!box) break;
-      std::array<CellIndex, 8> found;  // NOLINT(*-member-init): filled as far as it is read
+      std::array<CellIndex, 4> found;  // NOLINT(*-member-init): filled as far as it is read
       const BlockedCells blocked =
           find_blocked_cells(obstacles_, frame.region(*box), radius_, origin_, found);
       if (blocked.count == 0 && !blocked.outside_map) return box;
