@@ -49,27 +49,27 @@ class BitGrid {
   /// there is none. @pre 0 <= first, last < width, 0 <= y < height; an empty range has none.
   [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept {
     if (first > last) return -1;
-    const std::uint64_t* words = row(y).data();
-    int w = first / 64;
-    const int last_word = last / 64;
-    std::uint64_t word = words[w] & (~0ULL << (first % 64));
+    const std::uint64_t* const words = row(y).data();
+    std::size_t w = word_of(first);
+    const std::size_t last_word = word_of(last);
+    std::uint64_t word = words[w] & from(first);
     while (word == 0 && w < last_word)
       word = words[++w];
-    if (w == last_word) word &= ~0ULL >> (63 - last % 64);
-    return word != 0 ? w * 64 + std::countr_zero(word) : -1;
+    if (w == last_word) word &= up_to(last);
+    return word != 0 ? static_cast<int>(w) * 64 + std::countr_zero(word) : -1;
   }
 
   /// Column of the last blocked cell, else as first_blocked.
   [[nodiscard]] int last_blocked(int y, int first, int last) const noexcept {
     if (first > last) return -1;
-    const std::uint64_t* words = row(y).data();
-    int w = last / 64;
-    const int first_word = first / 64;
-    std::uint64_t word = words[w] & (~0ULL >> (63 - last % 64));
+    const std::uint64_t* const words = row(y).data();
+    std::size_t w = word_of(last);
+    const std::size_t first_word = word_of(first);
+    std::uint64_t word = words[w] & up_to(last);
     while (word == 0 && w > first_word)
       word = words[--w];
-    if (w == first_word) word &= ~0ULL << (first % 64);
-    return word != 0 ? w * 64 + 63 - std::countl_zero(word) : -1;
+    if (w == first_word) word &= from(first);
+    return word != 0 ? static_cast<int>(w) * 64 + 63 - std::countl_zero(word) : -1;
   }
 
   /// Column of the blocked cell of row `y` in columns `first` to `last` that is nearest to column
@@ -114,14 +114,25 @@ class BitGrid {
   }
 
  private:
+  // The word that holds a column, and of its bits those from the column on, or up to it.
+  [[nodiscard]] static std::size_t word_of(int column) noexcept {
+    return static_cast<std::size_t>(column) / 64;
+  }
+  [[nodiscard]] static std::uint64_t from(int column) noexcept {
+    return ~0ULL << (static_cast<unsigned>(column) % 64);
+  }
+  [[nodiscard]] static std::uint64_t up_to(int column) noexcept {
+    return ~0ULL >> (63 - static_cast<unsigned>(column) % 64);
+  }
+
   [[nodiscard]] static bool any_set(const std::uint64_t* words, int first, int last) noexcept {
     if (first > last) return false;
-    int w = first / 64;
-    const int last_word = last / 64;
-    std::uint64_t found = words[w] & (~0ULL << (first % 64));
+    std::size_t w = word_of(first);
+    const std::size_t last_word = word_of(last);
+    std::uint64_t found = words[w] & from(first);
     while (w < last_word && found == 0)
       found = words[++w];
-    if (w == last_word) found &= ~0ULL >> (63 - last % 64);
+    if (w == last_word) found &= up_to(last);
     return found != 0;
   }
 

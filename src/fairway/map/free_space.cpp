@@ -47,11 +47,17 @@ class Flank {
     return std::min(limit_, std::min(rise_ + rise_slope_ * high, fall_ - fall_slope_ * low));
   }
 
+  // Whether an arc may be the outline in the rows from `first` to `last`.
+  [[nodiscard]] bool has_arc(double first, double last) const noexcept {
+    return first < lower_start_ || last + 1.0 > upper_end_ ||
+           (last + 1.0 > lower_end_ && first < upper_start_);
+  }
+
   // The outermost x over the closed strip row <= y <= row + 1. By concavity it is at the height
   // nearest to that of the outer corner. @pre the set meets the strip.
   [[nodiscard]] double reach(double row) const noexcept {
     const double sides = reach_of_sides(row, row + 1.0);
-    const double y = std::clamp(outer_.y(), row, row + 1.0);
+    const double y = std::min(std::max(outer_.y(), row), row + 1.0);
     if (y < lower_start_) return std::min(sides, arc(bottom_, y));
     if (y > upper_end_) return std::min(sides, arc(top_, y));
     if (y > lower_end_ && y < upper_start_) return std::min(sides, arc(outer_, y));
@@ -98,7 +104,7 @@ class Region {
   [[nodiscard]] const Vector2d& low() const noexcept { return low_; }
   [[nodiscard]] const Vector2d& high() const noexcept { return high_; }
 
-  // The interval over the rows from `first` to `last`, or a little more; the exact one of a row.
+  // The interval over the rows from `first` to `last`, or a little more.
   // @pre the region meets each of these rows.
   struct Interval {
     double left;
@@ -108,7 +114,13 @@ class Region {
     return {.left = -left_.reach_of_sides(first, last + 1.0),
             .right = right_.reach_of_sides(first, last + 1.0)};
   }
-  [[nodiscard]] Interval over_row(int row) const noexcept {
+
+  // Whether that may be too much even for one of them alone; and the exact interval of a row.
+  [[nodiscard]] bool has_arc(int first, int last) const noexcept {
+    return left_.has_arc(first, last) || right_.has_arc(first, last);
+  }
+  [[nodiscard]] Interval over_row(int row, bool with_arc) const noexcept {
+    if (!with_arc) return over_rows(row, row);
     return {.left = -left_.reach(row), .right = right_.reach(row)};
   }
 
@@ -183,8 +195,9 @@ CellIndex scan(const BitGrid& obstacles, const Region& region) noexcept {
     if (!obstacles.any_blocked_in_band(b, static_cast<int>(band.left),
                                        static_cast<int>(band.right)))
       continue;
+    const bool with_arc = region.has_arc(bottom, top);
     for (int y = bottom; y <= top; ++y) {
-      const Region::Interval row = region.over_row(y);
+      const Region::Interval row = region.over_row(y, with_arc);
       const int x =
           obstacles.first_blocked(y, static_cast<int>(row.left), static_cast<int>(row.right));
       if (x >= 0) return {.x = x, .y = y};
@@ -210,10 +223,11 @@ class Collector {
   void look(int bottom, int top) noexcept {
     const Columns band = columns(region_.over_rows(bottom, top));
     if (!obstacles_.any_blocked_in_band(bottom / kBandRows, band.first, band.last)) return;
+    const bool with_arc = region_.has_arc(bottom, top);
     const bool upwards = top > towards_.y;
     for (int k = 0; k <= top - bottom && !full(); ++k) {
       const int y = upwards ? bottom + k : top - k;
-      const Columns row = columns(region_.over_row(y));
+      const Columns row = columns(region_.over_row(y, with_arc));
       if (!obstacles_.any_blocked(y, row.first, row.last)) continue;
       found_[count_++] = {.x = obstacles_.nearest_blocked(y, row.first, row.last, towards_.x),
                           .y = y};
@@ -231,8 +245,10 @@ class Collector {
   };
   [[nodiscard]] Columns columns(const Region::Interval& interval) const noexcept {
     const double end = last_column_ + 1.0;
-    return {.first = static_cast<int>(std::clamp(interval.left, 0.0, end)),
-            .last = static_cast<int>(std::clamp(interval.right + 1.0, 0.0, end)) - 1};
+    const auto clipped = [&](double x) {
+      return static_cast<int>(std::min(std::max(x, 0.0), end));
+    };
+    return {.first = clipped(interval.left), .last = clipped(interval.right + 1.0) - 1};
   }
 
   const BitGrid& obstacles_;
