@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kRays = 72;
+constexpr std::size_t kRays = 48;
 // Rays are followed from tile to tile: 8 x 8 cells, of which a band of rows tells at once whether
 // any is blocked. So a ray sees what is up to a tile beside it: what stands in the way of every
 // rectangle along it that is not very narrow.
