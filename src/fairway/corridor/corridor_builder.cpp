@@ -120,7 +120,7 @@ const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const Ce
             0;
     return may_grow || !is_free(obstacles, rectangle, clearance);
   };
-  result_ = fewest_.repair(obstacles, spoilt);
+  result_ = fewest_.repair(obstacles, difference.freed.has_value(), spoilt);
   if (result_.status != CorridorStatus::Built) return rebuild(obstacles);
   return result_;
 }

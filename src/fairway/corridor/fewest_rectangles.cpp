@@ -206,21 +206,51 @@ void FewestRectangles::note_stuck(const BitGrid& obstacles, const Joint& begin) 
   result_.stuck_waypoint = waypoint_before(path_, result_.stuck_at);
 }
 
+// Finds an orientation in which one rectangle still can hold what a link holds, near the one that
+// it had.
+bool FewestRectangles::find_turn(const BitGrid& obstacles, Link& link) const noexcept {
+  const double spacing = std::numbers::pi / 2.0 / reach_settings_.num_orientations;
+  TurnedFrame frame{.origin = track_.at(link.piece.begin.from)};
+  for (int k = 0; k < reach_settings_.num_orientations; ++k) {
+    const double angle = link.angle + (k % 2 == 0 ? 0.5 : -0.5) * (k + k % 2) * spacing;
+    frame.along = direction(angle);
+    const Box box = link.piece.bounds(track_, frame);
+    if ((box.max - box.min).maxCoeff() > reach_settings_.longest_side) continue;
+    if (!is_free(obstacles, frame.region(box), reach_settings_.radius)) continue;
+    link.angle = angle;
+    return true;
+  }
+  return false;
+}
+
+// Fills fresh_ with links that hold what links `first` to `last` - 1 hold, each turned anew.
+bool FewestRectangles::keep_joints(const BitGrid& obstacles, std::size_t first, std::size_t last) {
+  fresh_.assign(links_.begin() + static_cast<std::ptrdiff_t>(first),
+                links_.begin() + static_cast<std::ptrdiff_t>(last));
+  hooked_ = last;
+  return std::all_of(fresh_.begin(), fresh_.end(),
+                     [&](Link& link) { return find_turn(obstacles, link); }) &&
+         fill(obstacles);
+}
+
 // Replaces links `first` to `last` - 1, and later ones where the new links reach further. When
 // stuck, cuts the chain where it breaks. @return the index of the first old link that remains after
 // the new ones.
 std::size_t FewestRectangles::replace(const BitGrid& obstacles,
                                       std::size_t first,
-                                      std::size_t last) {
+                                      std::size_t last,
+                                      bool may_be_fewer) {
   const Joint start{.from = 0.0, .to = 0.0, .margin = reach_settings_.margin};
   const Joint begin = first < links_.size() ? links_[first].piece.begin : start;
   result_.status = CorridorStatus::Built;
-  const bool planned = plan(obstacles, begin, last);
-  const bool filled = fill(obstacles);
-  if (!planned || !filled) {
-    hooked_ = links_.size();
-    if (planned) note_stuck(obstacles, begin);  // no known way to get here
-    if (!filled) fresh_.clear();
+  if (may_be_fewer || !keep_joints(obstacles, first, last)) {
+    const bool planned = plan(obstacles, begin, last);
+    const bool filled = fill(obstacles);
+    if (!planned || !filled) {
+      hooked_ = links_.size();
+      if (planned) note_stuck(obstacles, begin);  // no known way to get here
+      if (!filled) fresh_.clear();
+    }
   }
   const auto at = links_.erase(links_.begin() + static_cast<std::ptrdiff_t>(first),
                                links_.begin() + static_cast<std::ptrdiff_t>(hooked_));
@@ -268,7 +298,7 @@ const CorridorResult& FewestRectangles::build(const BitGrid& obstacles,
   reach_settings_ = {.radius = search_radius(grid, clearance_),
                      .longest_side = settings.longest_side / cell,
                      .margin = (result_.corridor.inward_offset + kInside) / cell};
-  replace(obstacles, 0, 0);
+  replace(obstacles, 0, 0, true);
   return report(grid);
 }
 

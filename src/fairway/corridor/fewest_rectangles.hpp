@@ -29,9 +29,11 @@ class FewestRectangles {
 
   /// The same path after the map changed: makes anew only runs of rectangles for which `spoilt`
   /// says so, asked once for each. What remains joins up with what is new.
+  /// @param may_be_fewer  Whether fewer rectangles might do than before, as when cells became free;
+  ///                      if not, new ones hold what the old ones held, as far as that is possible.
   /// @pre the last build or repair was Built, and the map has the same frame.
   template <typename Spoilt>
-  const CorridorResult& repair(const BitGrid& obstacles, Spoilt&& spoilt) {
+  const CorridorResult& repair(const BitGrid& obstacles, bool may_be_fewer, Spoilt&& spoilt) {
     for (std::size_t first = 0; first < links_.size();) {
       if (!spoilt(links_[first].rectangle)) {
         ++first;
@@ -40,7 +42,7 @@ class FewestRectangles {
       std::size_t last = first + 1;
       while (last < links_.size() && spoilt(links_[last].rectangle))
         ++last;
-      const std::size_t after = replace(obstacles, first, last);
+      const std::size_t after = replace(obstacles, first, last, may_be_fewer);
       if (result_.status != CorridorStatus::Built) break;
       first = after;
     }
@@ -66,7 +68,12 @@ class FewestRectangles {
   [[nodiscard]] bool fill(const BitGrid& obstacles);
   [[nodiscard]] bool make_rectangle(const BitGrid& obstacles, Link& link);
   [[nodiscard]] Joint joint_towards_start(const Joint& latest) const noexcept;
-  std::size_t replace(const BitGrid& obstacles, std::size_t first, std::size_t last);
+  [[nodiscard]] bool find_turn(const BitGrid& obstacles, Link& link) const noexcept;
+  [[nodiscard]] bool keep_joints(const BitGrid& obstacles, std::size_t first, std::size_t last);
+  std::size_t replace(const BitGrid& obstacles,
+                      std::size_t first,
+                      std::size_t last,
+                      bool may_be_fewer);
   void note_stuck(const BitGrid& obstacles, const Joint& begin);
   const CorridorResult& report(const GridFrame& grid);
 
