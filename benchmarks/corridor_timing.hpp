@@ -35,9 +35,9 @@ double best_time(int repeats, Work&& work) {
 /// The oracle's optimum at a seed.
 inline double largest_area_of(const BitGrid& map,
                               const Eigen::Vector2d& seed,
-                              double reach,
+                              double longest_side,
                               int angles) {
-  return test::largest_area_oracle(map, seed, reach, angles);
+  return test::largest_area_oracle(map, seed, longest_side, angles);
 }
 
 /// Random points with 0.3 m of room.

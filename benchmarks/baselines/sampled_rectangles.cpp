@@ -20,27 +20,33 @@ class Sampler {
                obstacles.frame().resolution),
         spacing_((sampling == Sampling::Edge ? 1.0 : 0.5) * obstacles.frame().resolution) {}
 
-  [[nodiscard]] bool free(double x, double y) const {
-    const Vector2d p =
-        seed_ + Vector2d(along_.x() * x - along_.y() * y, along_.y() * x + along_.x() * y);
-    return !obstacles_.blocked(
-        {.x = static_cast<int>(std::floor(p.x())), .y = static_cast<int>(std::floor(p.y()))});
-  }
+  [[nodiscard]] bool free(double x, double y) const { return free(at(x, y)); }
 
   // All samples of the rectangle from (x0, y0) to (x1, y1), borders included.
   [[nodiscard]] bool free(double x0, double y0, double x1, double y1) const {
     const int nx = static_cast<int>(std::ceil((x1 - x0) / spacing_));
     const int ny = static_cast<int>(std::ceil((y1 - y0) / spacing_));
+    const Vector2d step = nx == 0 ? Vector2d(0, 0) : Vector2d(along_ * ((x1 - x0) / nx));
     for (int j = 0; j <= ny; ++j) {
-      const double y = ny == 0 ? y0 : y0 + (y1 - y0) * j / ny;
-      for (int i = 0; i <= nx; ++i) {
-        if (!free(nx == 0 ? x0 : x0 + (x1 - x0) * i / nx, y)) return false;
+      Vector2d p = at(x0, ny == 0 ? y0 : y0 + (y1 - y0) * j / ny);
+      for (int i = 0; i <= nx; ++i, p += step) {
+        if (!free(p)) return false;
       }
     }
     return true;
   }
 
  private:
+  [[nodiscard]] Vector2d at(double x, double y) const {
+    return seed_ + Vector2d(along_.x() * x - along_.y() * y, along_.y() * x + along_.x() * y);
+  }
+  [[nodiscard]] bool free(const Vector2d& p) const {
+    // std::floor is a call where the processor's instruction for it may not be used.
+    constexpr int kBias = 65536;
+    const auto cell = [](double v) { return static_cast<int>(v + kBias) - kBias; };
+    return !obstacles_.blocked({.x = cell(p.x()), .y = cell(p.y())});
+  }
+
   const BitGrid& obstacles_;
   Vector2d seed_;
   Vector2d along_;

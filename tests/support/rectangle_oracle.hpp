@@ -11,7 +11,8 @@
 namespace fairway::test {
 
 /// Area [m^2] of the largest rectangle around `seed` that has no corner of a blocked cell in its
-/// interior and no side further than `reach` [m] from the seed, over `num_angles` orientations.
+/// interior and no side longer than `longest_side` [m], over `num_angles` orientations. Where a
+/// side could be longer, only that much of it counts.
 ///
 /// Slow and obvious: at each orientation all corners within reach are sorted by height, every
 /// height above is paired with every height below. Every rectangle that is free in the workspace
@@ -19,7 +20,7 @@ namespace fairway::test {
 /// optimum here by holding a bit of a cell between two of its corners, at most half a cell deep.
 inline double largest_area_oracle(const BitGrid& obstacles,
                                   const Eigen::Vector2d& seed,
-                                  double reach,
+                                  double longest_side,
                                   int num_angles) {
   struct Level {
     double height;
@@ -28,7 +29,7 @@ inline double largest_area_oracle(const BitGrid& obstacles,
   };
   const GridFrame& frame = obstacles.frame();
   const Eigen::Vector2d origin = frame.to_grid(seed);
-  const double limit = reach / frame.resolution;
+  const double limit = longest_side / frame.resolution;
   std::vector<Eigen::Vector2d> corners;
   // The outside of the map is blocked: a ring of one cell around it stands for all of it.
   const int radius = static_cast<int>(std::ceil(limit * std::numbers::sqrt2)) + 1;
@@ -73,7 +74,8 @@ inline double largest_area_oracle(const BitGrid& obstacles,
     for (const Level& top : tops) {
       for (const Level& bottom : bottoms) {
         const double width = std::min(top.right, bottom.right) - std::max(top.left, bottom.left);
-        best = std::max(best, width * (top.height + bottom.height));
+        const double height = top.height + bottom.height;
+        best = std::max(best, std::min(limit, width) * std::min(limit, height));
       }
     }
   }

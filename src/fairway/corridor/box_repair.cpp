@@ -10,7 +10,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kHair = 1e-3;  // [cells]
+constexpr double kHair = 1e-3;         // [cells]
+constexpr double kRound = 1.0;         // a radius whose arcs are more than a corner [cells]
+constexpr double kWorthKnowing = 0.2;  // how deep a further point has to be [cells]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::array<Vector2d, 4> turned_corners(const TurnedFrame& frame, CellIndex cell) noexcept {
@@ -36,6 +38,7 @@ struct Pull {
 struct DeepPoint {
   double depth;
   Vector2d point;
+  Vector2d center;
 };
 
 // The point of a disc that is furthest from the nearest side of the box, turned; negative depth
@@ -59,7 +62,8 @@ DeepPoint deepest_of_disc(const Vector2d& center, double radius, const Box& box)
   }
   const Vector2d inwards(from_low.x() < from_high.x() ? step.x() : -step.x(),
                          from_low.y() < from_high.y() ? step.y() : -step.y());
-  return {.depth = std::min(x + step.x(), y + step.y()), .point = center + inwards};
+  return {
+      .depth = std::min(x + step.x(), y + step.y()), .point = center + inwards, .center = center};
 }
 
 // One corner of a box with the inward directions of the two sides that meet there.
@@ -87,20 +91,34 @@ std::array<HalfPlane, 4> map_sides(const GridFrame& grid, double radius) noexcep
 
 }  // namespace
 
-Vector2d BoxRepair::point_inside(CellIndex cell, const Box& box) const noexcept {
+PointsInside BoxRepair::points_inside(CellIndex cell, const Box& box) const noexcept {
   const std::array<Vector2d, 4> corners = turned_corners(frame, cell);
-  double greatest = 0.0;
-  Vector2d deepest = Vector2d::Zero();
+  DeepPoint deepest{.depth = 0.0, .point = Vector2d::Zero(), .center = Vector2d::Zero()};
   for (const Vector2d& corner : corners) {
     const DeepPoint candidate = deepest_of_disc(corner, radius, box);
-    if (candidate.depth <= greatest) continue;
-    greatest = candidate.depth;
-    deepest = candidate.point;
+    if (candidate.depth > deepest.depth) deepest = candidate;
   }
-  if (greatest > kHair) return frame.offset(deepest);
+  if (deepest.depth <= kHair) return {.offsets = {point_of_side(corners, box)}, .count = 1};
+  PointsInside result{.offsets = {frame.offset(deepest.point)}, .count = 1};
+  if (radius < kRound) return result;
+  // On the arc, half-way to where each side would meet it.
+  const Vector2d inwards = (deepest.point - deepest.center) / radius;
+  for (int axis = 0; axis < 2; ++axis) {
+    Vector2d between = inwards;
+    between[axis] += std::copysign(1.0, inwards[axis]);
+    const Vector2d point = deepest.center + radius * between.normalized();
+    const double depth = std::min((point - box.min).minCoeff(), (box.max - point).minCoeff());
+    if (depth > kWorthKnowing) result.offsets[result.count++] = frame.offset(point);
+  }
+  return result;
+}
+
+// A point of the cell that lies in the box, which has none of the cell's corners inside.
+Vector2d BoxRepair::point_of_side(const std::array<Vector2d, 4>& corners,
+                                  const Box& box) const noexcept {
   // The box has a corner of its own in a side of the cell. From there the way to the core stays in
   // the box.
-  const Vector2d low = Vector2d(cell.x, cell.y) - frame.origin;
+  const Vector2d low = frame.offset(corners[0]);
   Vector2d in_box = box.nearest(0.5 * (corners[0] + corners[2]));
   Vector2d in_cell = in_box;
   for (int i = 0; i < 2; ++i) {

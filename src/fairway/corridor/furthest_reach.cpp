@@ -79,7 +79,8 @@ bool ReachSearch::fits(const TurnedFrame& frame, const PathPiece& piece) noexcep
   const BoxRepair repair{
       .grid = obstacles_->frame(), .frame = frame, .core = core, .radius = settings_.radius};
   for (std::size_t i = 0; i < blocked.count; ++i)
-    points_.add(repair.point_inside(found[i], box));
+    for (const Eigen::Vector2d& point : repair.points_inside(found[i], box))
+      points_.add(point);
   return false;
 }
 

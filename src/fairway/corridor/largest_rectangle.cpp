@@ -94,7 +94,8 @@ void RectangleSearch::learn(const BoxRepair& repair,
     if (std::any_of(taken.begin(), taken.begin() + static_cast<std::ptrdiff_t>(count), near))
       continue;
     taken[count++] = cell;
-    points_.add(repair.point_inside(cell, box));
+    for (const Eigen::Vector2d& point : repair.points_inside(cell, box))
+      points_.add(point);
   }
 }
 
@@ -120,7 +121,7 @@ void RectangleSearch::test(const BitGrid& obstacles, Candidate& candidate) noexc
   Box pulled = candidate.box;
   bool possible = !blocked.outside_map || repair.pull_into_map(pulled);
   for (std::size_t i = 0; i < cells.size() && possible; ++i)
-    possible = repair.pull_from(cells[i], pulled);
+    possible = repair.pull_from(cells[i], pulled) && pulled.area() > best_area_;
   if (possible) accept_if_free(obstacles, candidate, pulled);
   if (candidate.tests >= kTestsPerAngle) {
     accept_if_free(obstacles, candidate, candidate.core);

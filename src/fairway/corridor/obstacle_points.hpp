@@ -18,7 +18,7 @@ namespace fairway {
 /// full, further points are ignored.
 class ObstaclePoints {
  public:
-  static constexpr std::size_t kCapacity = 256;
+  static constexpr std::size_t kCapacity = 512;
   ObstaclePoints() noexcept { clear(); }
 
   void clear() noexcept;

@@ -132,7 +132,8 @@ class Growth {
                            .core = {.min = -core, .max = core},
                            .radius = radius_};
     for (const CellIndex& cell : cells)
-      points_.add(repair.point_inside(cell, box));
+      for (const Eigen::Vector2d& point : repair.points_inside(cell, box))
+        points_.add(point);
     if (outside_map) repair.add_outside_points(box, points_);
   }
 
