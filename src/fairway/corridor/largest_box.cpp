@@ -36,6 +36,29 @@ struct Staircase {
   std::size_t end = 0;
 };
 
+struct Range {
+  std::size_t least;
+  std::size_t most;
+};
+
+// The turned axes cut each of the points' quadrants in two: at which of its steps, least and most.
+Range where_cut(const ObstaclePoints& points, float c, float s) noexcept {
+  Range cut{.least = points.steps(), .most = 0};
+  for (std::size_t q = 0; q < 4; ++q) {
+    std::size_t first = 0;
+    for (std::size_t size = points.steps(); size > 0;) {
+      const std::size_t half = size / 2;
+      const std::size_t at = 4 * (first + half) + q;
+      // Before the axis; not what is not there, as it comes last and is NaN.
+      const bool before = c * points.aside()[at] < s * points.ahead()[at];
+      first = before ? first + half + 1 : first;
+      size = before ? size - half - 1 : half;
+    }
+    cut = {.least = std::min(cut.least, first), .most = std::max(cut.most, first)};
+  }
+  return cut;
+}
+
 // A corner in some direction must be short, in `ahead`, of all points before that direction, and in
 // `aside` of all behind it. So the running minimum of one from the one side and of the other from
 // the other side are all that is needed. A point straight beside the core has a negative `aside`:
@@ -63,13 +86,14 @@ class Staircases {
     // the beginning of the next.
     const auto c = static_cast<float>(along.x());
     const auto s = static_cast<float>(along.y());
-    for (std::size_t i = 0; i < points.steps(); ++i) {
+    const Range cut = where_cut(points, c, s);
+    for (std::size_t i = cut.least; i < points.steps(); ++i) {
       const Float4 u = load4(points.ahead() + 4 * i);
       const Float4 v = load4(points.aside() + 4 * i);
       const Float4 aside = c * v - s * u;
       take(c * u + s * v, aside, aside >= 0.0F);
     }
-    for (std::size_t i = 0; i < points.steps(); ++i) {
+    for (std::size_t i = 0; i < cut.most; ++i) {
       const Float4 u = of_next(load4(points.ahead() + 4 * i));
       const Float4 v = of_next(load4(points.aside() + 4 * i));
       const Float4 ahead = s * u - c * v;
