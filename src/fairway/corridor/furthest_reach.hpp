@@ -25,7 +25,7 @@ class ReachSearch {
     double radius = 0.0;        ///< of the disc that the rectangle is free for [cells]
     double longest_side = 0.0;  ///< [cells]
     double margin = 0.0;        ///< between the path and every side [cells]
-    int num_orientations = 32;  ///< turns tried at first, evenly over a quarter turn; at most 64
+    int num_orientations = 24;  ///< turns tried at first, evenly over a quarter turn; at most 64
     int refinements = 3;        ///< times the spacing is halved around the best
     double precision = 0.25;    ///< to which the reach is found [cells]
   };
