@@ -25,8 +25,9 @@ class ObstaclePoints {
 
   /// Forgets everything; then looks for obstacles along rays from `origin` [grid coordinates].
   ///
-  /// The rays are sampled ever more coarsely, so thin obstacles may be missed: this is a first
-  /// guess. `radius` is that of the disc, `reach` the length of the rays [cells].
+  /// A ray sees some of what stands up to a tile of 8 cells beside it, and ends at the first
+  /// obstacle close to it. What is between two rays may be missed: this is a first guess. `radius`
+  /// is that of the disc, `reach` the length of the rays [cells].
   /// @pre no blocked cell is at most `radius` from the origin.
   void look_around(const BitGrid& obstacles,
                    const Eigen::Vector2d& origin,
