@@ -157,7 +157,7 @@ FAIRWAY_LANES void linearise_elastic_rows(Workspace& w,
 /// What the Newton step does to elastic rows, Eq. (S12).
 template <typename Lanes>
 struct ElasticStep {
-  Lanes used = 0.0;     ///< greatest part of any s or e that it would use up
+  Lanes used = 0.0;     ///< greatest part of any s that it would use up
   Lanes slope = 0.0;    ///< derivative of the barrier and the price along it
   Lanes product = 0.0;  ///< sum of y hat dc
 
@@ -180,7 +180,7 @@ struct ElasticStep {
     row.dual_change = dy;
     row.slack_ratio = ds;
     row.excess_ratio = de;
-    used = greatest(used, -least(ds, de));
+    used = greatest(used, -ds);
     slope += price * excess * de - mu * (ds + de);
     product += (row.dual + target_change) * change;
   }

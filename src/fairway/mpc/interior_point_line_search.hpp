@@ -60,13 +60,14 @@ inline Progress progress(const Workspace& w, double mu, const Point& p) noexcept
 /// Finds the steps of all rows for the Newton step in `w.step`, and goes along it.
 /// @return Whether a trial point was accepted and became `w.now`.
 template <typename Lanes>
-[[nodiscard]] FAIRWAY_LANES bool search_line(Workspace& w, double mu, Filter& filter) noexcept {
+[[nodiscard]] FAIRWAY_LANES bool search_line(Workspace& w,
+                                             double mu,
+                                             double boundary,
+                                             Filter& filter) noexcept {
   constexpr double kSufficient = 1e-4;  // part of the promised decrease that is asked for
   constexpr double kRounding = 1e-12;   // of the barrier function, relative
-  constexpr double kBoundary = 0.99;    // part of the room that a step may use, at least
   constexpr int kMaxHalvings = 15;
 
-  const double boundary = std::max(kBoundary, 1.0 - mu);
   const double hard_used = step_hard_rows<Lanes>(w, mu);
   const auto elastic = step_elastic_rows<Lanes>(w, mu);
   const double used = std::max(hard_used, greatest_of(elastic.used));
@@ -96,9 +97,12 @@ template <typename Lanes>
 
 /// See Phases.
 template <typename Lanes>
-[[nodiscard]] FAIRWAY_LANES bool take_step(Workspace& w, double mu, Filter& filter) noexcept {
+[[nodiscard]] FAIRWAY_LANES bool take_step(Workspace& w,
+                                           double mu,
+                                           double boundary,
+                                           Filter& filter) noexcept {
   bool changed = false;  // whether the function that has to fall is another one now
-  if (search_line<Lanes>(w, mu, filter)) {
+  if (search_line<Lanes>(w, mu, boundary, filter)) {
     changed = admit_near_rows<Lanes>(w, mu);
   } else {
     if (w.now->residual_sum <= kNoResidual) return false;

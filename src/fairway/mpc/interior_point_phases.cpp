@@ -15,8 +15,8 @@ OptimalityError linearise_128(Workspace& w, double mu) noexcept {
 bool solve_newton_system_128(Workspace& w, double mu) noexcept {
   return solve_newton_system<Lanes128>(w, mu);
 }
-bool take_step_128(Workspace& w, double mu, Filter& filter) noexcept {
-  return take_step<Lanes128>(w, mu, filter);
+bool take_step_128(Workspace& w, double mu, double boundary, Filter& filter) noexcept {
+  return take_step<Lanes128>(w, mu, boundary, filter);
 }
 
 #ifdef FAIRWAY_HAS_LANES256
@@ -31,8 +31,8 @@ FAIRWAY_AVX2 OptimalityError linearise_256(Workspace& w, double mu) noexcept {
 FAIRWAY_AVX2 bool solve_newton_system_256(Workspace& w, double mu) noexcept {
   return solve_newton_system<Lanes256>(w, mu);
 }
-FAIRWAY_AVX2 bool take_step_256(Workspace& w, double mu, Filter& filter) noexcept {
-  return take_step<Lanes256>(w, mu, filter);
+FAIRWAY_AVX2 bool take_step_256(Workspace& w, double mu, double boundary, Filter& filter) noexcept {
+  return take_step<Lanes256>(w, mu, boundary, filter);
 }
 #endif
 

@@ -23,10 +23,11 @@ struct Phases {
   /// Solves the Newton system at `mu`: fills `w.step`. @return Whether there is a solution.
   bool (*solve_newton_system)(Workspace& w, double mu) noexcept;
 
-  /// Goes along the step as far as the filter of this barrier problem allows; the taken point
-  /// becomes `w.now`. Where no length will do, the residuals of the rows are absorbed by their
-  /// excesses instead, docs/solver.md section 5. @return False when there is nothing to absorb.
-  bool (*take_step)(Workspace& w, double mu, Filter& filter) noexcept;
+  /// Goes along the step as far as the filter of this barrier problem allows, using up at most the
+  /// part `boundary` of any room or slack; the taken point becomes `w.now`. Where no length will
+  /// do, the residuals of the rows are absorbed by their excesses instead, docs/solver.md
+  /// section 5. @return False when there is nothing to absorb.
+  bool (*take_step)(Workspace& w, double mu, double boundary, Filter& filter) noexcept;
 };
 
 /// For registers that every processor has.

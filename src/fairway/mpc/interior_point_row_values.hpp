@@ -64,11 +64,10 @@ FAIRWAY_LANES void admit_if_near(Workspace& w,
                                  std::size_t i,
                                  const Lanes& value,
                                  std::size_t& first_watched) noexcept {
-  constexpr double kFirstSlack = 0.05;  // at least
   if (!(least_of(value - w.elastic[i].near) < 0.0)) return;
   std::swap(w.elastic[i], w.elastic[first_watched]);
   const double price = w.problem->violation_weight;
-  const Lanes slack = greatest(value, Lanes(kFirstSlack));
+  const Lanes slack = greatest(value, Lanes(w.first_slack));
   const Lanes dual = least(mu / slack, Lanes(0.5 * price));
   ElasticRow& row = w.elastic[first_watched];
   row.dual = dual;
@@ -138,8 +137,9 @@ FAIRWAY_LANES void sum_elastic_rows(const Workspace& w,
   sums.store(point);
 }
 
-/// Value and slacks of one row of `w.trial` at `length` along the step; slacks that are too small
-/// for their row are reset, which lowers every merit function.
+/// Value and slacks of one row of `w.trial` at `length` along the step. Slacks that are too small
+/// for their row are reset, which lowers every merit function. Excesses are tiny as a rule, and no
+/// reason for shorter steps: one that would be used up keeps a part of itself.
 template <typename Lanes>
 FAIRWAY_LANES void move_row(Workspace& w,
                             double length,
@@ -147,7 +147,9 @@ FAIRWAY_LANES void move_row(Workspace& w,
                             const Lanes& value) noexcept {
   const RowState& now = w.now->rows[i];
   const ElasticRow& row = w.elastic[i];
-  const Lanes excess = now.excess * (1.0 + length * Lanes(row.excess_ratio));
+  constexpr double kLeastPart = 1e-3;
+  const Lanes part = greatest(1.0 + length * Lanes(row.excess_ratio), Lanes(kLeastPart));
+  const Lanes excess = now.excess * part;
   const Lanes slack = now.slack * (1.0 + length * Lanes(row.slack_ratio));
   RowState& trial = w.trial->rows[i];
   trial.value = value;

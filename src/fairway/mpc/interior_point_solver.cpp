@@ -20,8 +20,10 @@ constexpr double kSolvedEnough = 30.0;  // error of a barrier problem over mu
 constexpr double kLinearDecrease = 0.2;
 constexpr double kLastBarrier = 0.1;     // of the tolerance
 constexpr double kLeastBarrier = 1e-12;  // below it, the products of slacks and duals are rounding
-constexpr double kByViolation = 0.5;     // first mu by the price of the greatest violation [1/m]
-constexpr double kMostViolated = 0.1;
+constexpr double kMostViolated = 0.1;    // of the price [m or m^2]: more does not raise the first
+// Part of the room that a step may use, at least; more as far as mu falls.
+constexpr double kBoundary = 0.99;
+constexpr double kBoundaryByDecrease = 0.5;
 // Rows must close far below what counts as a violation.
 constexpr double kResidualTolerance = 1e-8;
 // A step of the commands that is only rounding.
@@ -29,10 +31,10 @@ constexpr double kRoundingStep = 1e-14;
 
 // The barrier parameter to begin with: greater where the start violates rows, because then the
 // duals have to go far, some up to the price itself.
-double first_barrier(const Workspace& w, double initial) noexcept {
-  const double worst = greatest_violation(w, *w.now);
-  return std::max(initial,
-                  std::min(kMostViolated, kByViolation * worst) * w.problem->violation_weight);
+double first_barrier(const Workspace& w, const InteriorPointSettings& settings) noexcept {
+  const double violated = settings.barrier_by_violation * greatest_violation(w, *w.now);
+  return std::max(settings.initial_barrier,
+                  std::min(kMostViolated, violated) * w.problem->violation_weight);
 }
 
 double next_barrier(double mu, double least, const OptimalityError& error) noexcept {
@@ -56,7 +58,8 @@ SolveStatus iterate(const Phases& phases,
                     int& iterations) noexcept {
   const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
   phases.evaluate(w, *w.now);
-  double mu = first_barrier(w, settings.initial_barrier);
+  double mu = first_barrier(w, settings);
+  w.first_slack = settings.first_slack;
   phases.start(w, mu);
   Filter filter;
   for (iterations = 0;; ++iterations) {
@@ -71,7 +74,10 @@ SolveStatus iterate(const Phases& phases,
     mu = next;
     if (!phases.solve_newton_system(w, mu)) return SolveStatus::Stalled;
     if (!lowered && is_rounding(w.step, w.horizon)) return SolveStatus::Stalled;
-    if (!phases.take_step(w, mu, filter)) return SolveStatus::Stalled;
+    // A slack that is left far less than mu over its dual would drive its dual up afterwards.
+    const double boundary =
+        std::max(kBoundary, 1.0 - kBoundaryByDecrease * mu / error.greatest_product);
+    if (!phases.take_step(w, mu, boundary, filter)) return SolveStatus::Stalled;
   }
 }
 

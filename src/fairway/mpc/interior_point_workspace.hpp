@@ -150,8 +150,9 @@ struct Workspace {
   const ControlProblem* problem = nullptr;
   std::size_t horizon = 0;
   std::size_t num_blocks = 0;
-  double half_turn = 0.0;   ///< d phi_k / d r_k: dt / 2 with midpoint integration, else 0
-  double full_turns = 0.0;  ///< taken off all headings [rad]
+  double half_turn = 0.0;    ///< d phi_k / d r_k: dt / 2 with midpoint integration, else 0
+  double full_turns = 0.0;   ///< taken off all headings [rad]
+  double first_slack = 0.0;  ///< least slack of an elastic row to begin with
   StepArray target_x, target_y, target_heading, weight_x, weight_y, weight_heading;
   std::array<StepArray, 2> command_weight;
   std::array<PoseArray, 2> change_weight;  ///< entry k is that of nu_k - nu_{k-1}

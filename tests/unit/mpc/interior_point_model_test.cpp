@@ -70,6 +70,7 @@ double begin(const ControlProblem& problem, test::Random& random, Workspace& w) 
   for (Twist2& command : guess.commands)
     command = test::random_command(random, problem);
   load_guess(guess, w, *w.now);
+  w.first_slack = 0.05;
   evaluate<Lanes>(w, *w.now);
   start_hard_rows<Lanes>(w, kMu);
   admit_near_rows<Lanes>(w, kMu);
