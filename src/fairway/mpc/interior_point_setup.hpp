@@ -9,9 +9,4 @@ namespace fairway::interior_point {
 /// some admissible command could violate; the others cannot matter. @pre the problem is valid.
 void load_problem(const ControlProblem& problem, Workspace& w) noexcept;
 
-/// Commands to start from, strictly inside every hard row: the guess, with its last command
-/// repeated, or without one a pursuit of the targets; drawn towards the middle of what can be
-/// reached, among obstacles all the way.
-void load_guess(const InitialGuess& guess, const Workspace& w, Point& point) noexcept;
-
 }  // namespace fairway::interior_point

@@ -3,16 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fairway/mpc/evaluation.hpp"
-#include "fairway/mpc/interior_point_elastic_rows.hpp"
-#include "fairway/mpc/interior_point_hard_rows.hpp"
-#include "fairway/mpc/interior_point_line_search.hpp"
-#include "fairway/mpc/interior_point_optimality.hpp"
+#include "fairway/mpc/interior_point_phases.hpp"
 #include "fairway/mpc/interior_point_report.hpp"
 #include "fairway/mpc/interior_point_setup.hpp"
-#include "fairway/mpc/interior_point_trajectory.hpp"
-#include "fairway/mpc/riccati.hpp"
+#include "fairway/mpc/interior_point_start.hpp"
 
 namespace fairway {
 namespace interior_point {
@@ -23,31 +20,21 @@ constexpr double kSolvedEnough = 30.0;  // error of a barrier problem over mu
 constexpr double kLinearDecrease = 0.2;
 constexpr double kLastBarrier = 0.1;     // of the tolerance
 constexpr double kLeastBarrier = 1e-12;  // below it, the products of slacks and duals are rounding
-constexpr double kByViolation = 0.5;     // first mu by the price of the greatest violation [1/m]
-constexpr double kMostViolated = 0.1;
+constexpr double kMostViolated = 0.1;    // of the price [m or m^2]: more does not raise the first
+// Part of the room that a step may use, at least; more as far as mu falls.
+constexpr double kBoundary = 0.99;
+constexpr double kBoundaryByDecrease = 0.5;
 // Rows must close far below what counts as a violation.
 constexpr double kResidualTolerance = 1e-8;
 // A step of the commands that is only rounding.
 constexpr double kRoundingStep = 1e-14;
-// For problems without curvature by the commands.
-constexpr double kLeastDamping = 1e-6;
-constexpr double kMostDamping = 1e12;
 
 // The barrier parameter to begin with: greater where the start violates rows, because then the
 // duals have to go far, some up to the price itself.
-double first_barrier(const Workspace& w, double initial) noexcept {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < w.elastic.count; ++i)
-    worst = std::max(worst, -w.now->value[i]);
-  return std::max(initial,
-                  std::min(kMostViolated, kByViolation * worst) * w.problem->violation_weight);
-}
-
-void start_iteration(Workspace& w, double mu) noexcept {
-  const double logs = measure_room(w.hard, w.horizon, *w.now);
-  start_hard_rows(*w.now, mu, w.hard);
-  start_elastic_rows(w, mu);
-  w.now->log_sum = logs + sum_elastic_rows(w, *w.now);
+double first_barrier(const Workspace& w, const InteriorPointSettings& settings) noexcept {
+  const double violated = settings.barrier_by_violation * greatest_violation(w, *w.now);
+  return std::max(settings.initial_barrier,
+                  std::min(kMostViolated, violated) * w.problem->violation_weight);
 }
 
 double next_barrier(double mu, double least, const OptimalityError& error) noexcept {
@@ -56,33 +43,27 @@ double next_barrier(double mu, double least, const OptimalityError& error) noexc
   return mu;
 }
 
-// The Newton system; without the curvature of rows and dynamics where it is not convex with it.
-bool factorise(Workspace& w) noexcept {
-  if (riccati_backward(w, 1.0, 0.0)) return true;
-  for (double damping = 0.0; damping < kMostDamping; damping = 10.0 * damping + kLeastDamping) {
-    if (riccati_backward(w, 0.0, damping)) return true;
+bool is_rounding(const NewtonStep& step, std::size_t horizon) noexcept {
+  for (const PoseArray& commands : step.commands) {
+    for (std::size_t k = 1; k <= horizon; ++k) {
+      if (!(std::abs(commands[k]) < kRoundingStep)) return false;
+    }
   }
-  return false;
+  return true;
 }
 
-double greatest_step(const Workspace& w) noexcept {
-  double greatest = 0.0;
-  for (std::size_t k = 0; k < w.horizon; ++k)
-    greatest = std::max({greatest, std::abs(w.model.step[0][k]), std::abs(w.model.step[1][k])});
-  return greatest;
-}
-
-SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& iterations) noexcept {
+SolveStatus iterate(const Phases& phases,
+                    const InteriorPointSettings& settings,
+                    Workspace& w,
+                    int& iterations) noexcept {
   const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
-  evaluate(w, *w.now);
-  double mu = first_barrier(w, settings.initial_barrier);
+  phases.evaluate(w, *w.now);
+  double mu = first_barrier(w, settings);
+  w.first_slack = settings.first_slack;
+  phases.start(w, mu);
   Filter filter;
-  start_iteration(w, mu);
   for (iterations = 0;; ++iterations) {
-    linearise_hard_rows(*w.now, mu, w.hard);
-    linearise_elastic_rows(w);
-    linearise_trajectory(w);
-    const OptimalityError error = optimality_error(w);
+    const OptimalityError error = phases.linearise(w, mu);
     if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
       return SolveStatus::Solved;
     if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
@@ -91,12 +72,12 @@ SolveStatus iterate(Workspace& w, const InteriorPointSettings& settings, int& it
     const bool lowered = next < mu;
     if (lowered) filter.clear();
     mu = next;
-    aim_elastic_rows(w, mu);
-    aim_hard_rows(w, mu);
-    if (!factorise(w)) return SolveStatus::Stalled;
-    riccati_forward(w);
-    if (!lowered && greatest_step(w) < kRoundingStep) return SolveStatus::Stalled;
-    if (!take_step(w, mu, filter)) return SolveStatus::Stalled;
+    if (!phases.solve_newton_system(w, mu)) return SolveStatus::Stalled;
+    if (!lowered && is_rounding(w.step, w.horizon)) return SolveStatus::Stalled;
+    // A slack that is left far less than mu over its dual would drive its dual up afterwards.
+    const double boundary =
+        std::max(kBoundary, 1.0 - kBoundaryByDecrease * mu / error.greatest_product);
+    if (!phases.take_step(w, mu, boundary, filter)) return SolveStatus::Stalled;
   }
 }
 
@@ -110,6 +91,10 @@ bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcep
 }  // namespace
 }  // namespace interior_point
 
+InteriorPointSolver::InteriorPointSolver() noexcept
+    : phases_(interior_point::phases_256() != nullptr ? interior_point::phases_256()
+                                                      : &interior_point::phases_128()) {}
+
 const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
                                               const InitialGuess& guess,
                                               const InteriorPointSettings& settings) noexcept {
@@ -120,14 +105,18 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
     return solution_;
   }
   interior_point::Workspace& w = workspace_;
+  const interior_point::Phases& phases = *phases_;
   interior_point::load_problem(problem, w);
   interior_point::load_guess(guess, w, *w.now);
-  solution_.status = interior_point::iterate(w, settings, solution_.iterations);
+  solution_.status = interior_point::iterate(phases, settings, w, solution_.iterations);
 
   // An unfinished answer must not be worse than the guess was.
+  interior_point::clip_commands(w, *w.now);
+  phases.evaluate(w, *w.now);
   if (solution_.status != SolveStatus::Solved) {
     interior_point::load_guess(guess, w, *w.trial);
-    interior_point::evaluate(w, *w.trial);
+    interior_point::clip_commands(w, *w.trial);
+    phases.evaluate(w, *w.trial);
     if (!(interior_point::penalised_cost(w, *w.now) <= interior_point::penalised_cost(w, *w.trial)))
       std::swap(w.now, w.trial);
   }

@@ -4,23 +4,12 @@
 #include <span>
 
 #include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/interior_point_phases.hpp"
+#include "fairway/mpc/interior_point_settings.hpp"
 #include "fairway/mpc/interior_point_workspace.hpp"
 #include "fairway/mpc/solution.hpp"
 
 namespace fairway {
-
-/// When the interior-point solver stops.
-struct InteriorPointSettings {
-  int max_iterations = 100;  ///< Newton steps of one start
-  double tolerance = 1e-6;   ///< on the optimality conditions, docs/solver.md Eq. (S14)
-  /// Barrier parameter mu of the first step. Smaller trusts the guess more.
-  double initial_barrier = 5.0;
-
-  /// For a guess that is the shifted answer of the cycle before.
-  [[nodiscard]] static constexpr InteriorPointSettings warm() noexcept {
-    return {.max_iterations = 100, .tolerance = 1e-3, .initial_barrier = 1e-2};
-  }
-};
 
 /// The real-time solver of Eq. (15): a structured elastic interior-point method, docs/solver.md.
 ///
@@ -33,6 +22,10 @@ struct InteriorPointSettings {
 /// approached as fast as it allows. The status is then LeastViolation.
 class InteriorPointSolver {
  public:
+  /// Uses the widest registers of this processor; the answers are the same with any.
+  InteriorPointSolver() noexcept;
+  explicit InteriorPointSolver(const interior_point::Phases& phases) noexcept : phases_(&phases) {}
+
   /// Solves from one start; without a guess, from one of its own (`load_guess`).
   /// The reference stays valid until the next call.
   const MpcSolution& solve(const ControlProblem& problem,
@@ -47,6 +40,7 @@ class InteriorPointSolver {
                                 const InteriorPointSettings& settings = {}) noexcept;
 
  private:
+  const interior_point::Phases* phases_;  // as this processor can best
   interior_point::Workspace workspace_;
   MpcSolution solution_;
   MpcSolution best_;

@@ -3,123 +3,175 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "fairway/mpc/command_limits.hpp"
 #include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/lanes.hpp"
 #include "fairway/mpc/solution.hpp"
 
-// The numbers that the interior-point solver works on, as plain arrays over the steps, so that its
-// loops become vector instructions. Entry k of a pose array belongs to pose k = 0..N, entry k of a
-// command array to command k = 0..N-1. Symbols as in docs/solver.md.
+// The numbers that the interior-point solver works on. Steps are computed four at a time: block b
+// holds commands 4 b .. 4 b + 3 and the poses that they lead to. Beyond the horizon commands, poses
+// and weights are zero, and rows are satisfied whatever happens. Symbols as in docs/solver.md.
 
 namespace fairway::interior_point {
 
 /// Greatest ratio of room * dual to mu, and back, (S13).
 inline constexpr double kCentrality = 100.0;
 
-inline constexpr std::size_t kSteps = kMaxHorizon;
-inline constexpr std::size_t kRowsPerStep = 4 * kMaxRectanglesPerStep + kMaxObstacles;
-inline constexpr std::size_t kMaxElasticRows = kSteps * kRowsPerStep;
-/// Worst case: every other step has rectangles.
-inline constexpr std::size_t kMaxSegments =
-    4 * kMaxRectanglesPerStep * ((kSteps + 1) / 2) + kMaxObstacles;
+inline constexpr std::size_t kMaxBlocks = (kMaxHorizon + kLanes - 1) / kLanes;
+inline constexpr std::size_t kMaxElasticRows =
+    kMaxBlocks * (4 * kMaxRectanglesPerStep + kMaxObstacles);
 
-using PoseArray = std::array<double, kSteps + 1>;
-using CommandArray = std::array<double, kSteps>;
-using HardArray = std::array<double, 4 * kSteps>;
-using ElasticArray = std::array<double, kMaxElasticRows>;
+/// Entry k belongs to command k = 0..N-1 and to the pose after it.
+using StepArray = std::array<double, kLanes * kMaxBlocks>;
+/// Entry k belongs to pose k = 0..N, or to command k - 1.
+using PoseArray = std::array<double, kLanes*(kMaxBlocks + 1)>;
+
+/// Indices of what there is one of for linear and one for angular commands.
+inline constexpr std::size_t kLinear = 0;
+inline constexpr std::size_t kAngular = 1;
+
+/// Four steps of one elastic row at one point. Slacks are not determined by the commands alone.
+struct RowState {
+  Four value;          ///< c
+  Four slack, excess;  ///< s and e
+};
 
 /// Commands and all that follows from them; the line search fills a second one.
 struct Point {
-  CommandArray linear, angular;  ///< u_k, r_k
-  PoseArray x, y, heading;       ///< relative to the start position; heading to its full turns
-  CommandArray cosine, sine;     ///< of phi_k, the heading that step k moves along
-  HardArray below, above;        ///< room of the hard rows: t - low, high - t
-  ElasticArray value;            ///< c of the elastic rows
-  ElasticArray slack, excess;    ///< s and e, not determined by the commands alone
-  double cost = 0.0;             ///< Eq. (S2)
-  double log_sum = 0.0;          ///< of all rooms, slacks and excesses
-  double excess_sum = 0.0;       ///< sum of e
-  double residual_sum = 0.0;     ///< sum of |c + e - s|
+  std::array<PoseArray, 2> commands;  ///< u_k or r_k is entry k + 1, entry 0 the previous command
+  PoseArray x, y, heading;            ///< relative to the start position; heading to its full turns
+  StepArray cosine, sine;             ///< of phi_k, the heading that step k moves along
+  std::array<RowState, kMaxElasticRows> rows;
+  double cost = 0.0;          ///< Eq. (S2)
+  double log_sum = 0.0;       ///< of all rooms, slacks and excesses
+  double excess_sum = 0.0;    ///< sum of e
+  double residual_sum = 0.0;  ///< sum of |c + e - s|
 };
 
-/// Rows  low < t < high  of the commands, strictly inside at all times. Four blocks of N:
-/// u_k, r_k, u_k - u_{k-1}, r_k - r_{k-1}; the last two only if `count` is 4 N. A row that
-/// is not needed has bounds so far away that it has no weight.
+/// Rows  low < t < high  of one coordinate, for its commands or for their changes; strictly inside
+/// at all times. A row that is not needed has bounds so far away that it has no weight.
 struct HardRows {
-  std::size_t count = 0;
-  HardArray low, high;
-  HardArray dual_low, dual_high;
-  HardArray inverse_below, inverse_above;
-  HardArray curvature;  ///< Sigma = dual_low / below + dual_high / above
+  struct Block {
+    Four low, high;
+    Four dual_low, dual_high;
+    Four inverse_below, inverse_above;  ///< 1 / (t - low), 1 / (high - t)
+  };
+  std::array<Block, kMaxBlocks> blocks;
+  // What they add to the model, by t:
+  PoseArray curvature;  ///< Sigma = dual_low / below + dual_high / above
+  PoseArray by_mu;      ///< gradient of the barrier over mu: 1 / above - 1 / below
+  PoseArray dual;       ///< gradient of the Lagrangian: dual_high - dual_low
 };
 
-/// Consecutive steps of one kind of elastic row: one side of one rectangle, or one obstacle.
-struct Segment {
+/// Four steps of one elastic row  c + e = s,  s >= 0, e >= 0, with price w e; y is the multiplier
+/// of the row, z = w - y that of e >= 0.
+struct ElasticRow {
   RowKind kind = RowKind::None;
-  std::size_t index = 0;       ///< as in RowName
-  std::size_t first_step = 0;  ///< of the pose that its first row restrains
-  std::size_t count = 0;
-  std::size_t row = 0;  ///< its first row
+  int index = 0;                          ///< as in RowName
+  int first_step = 0;                     ///< of the pose that its first lane restrains
+  Four offset;                            ///< Corridor: c = offset + normal . p_k
+  Four normal_x, normal_y;                ///< gradient of c by p_k
+  Four normal_before_x, normal_before_y;  ///< Barrier: gradient of c by p_{k-1}
+  Four centre_x, centre_y;                ///< Barrier: o_k
+  Four centre_before_x, centre_before_y;  ///< Barrier: o_{k-1}
+  Four retention;                         ///< Barrier: beta, 0 beyond the horizon
+  Four near;                              ///< watched while the value is above this
+  Four dual, excess_dual;                 ///< y, z
+  Four curvature;                         ///< sigma = y z / (s z + e y)
+  Four dual_by_mu;                        ///< derivative of y hat by mu, (z - y) / (s z + e y)
+  Four dual_change;                       ///< dy
+  Four slack_ratio, excess_ratio;         ///< ds / s and de / e
 };
 
-/// Rows  c + e = s,  s >= 0, e >= 0, with price w e; y is the multiplier of the row, z = w - y.
-struct ElasticRows {
-  std::size_t count = 0;
-  std::size_t num_segments = 0;
-  std::array<Segment, kMaxSegments> segments;
-  ElasticArray normal_x, normal_y, offset;        ///< Corridor: c = offset + normal . p_k
-  ElasticArray now_x, now_y, before_x, before_y;  ///< gradient of c by p_k and by p_{k-1}
-  ElasticArray dual, excess_dual;                 ///< y, z
-  ElasticArray inverse;                           ///< 1 / (s z + e y)
-  ElasticArray curvature;                         ///< sigma = y z / (s z + e y)
-  ElasticArray target_dual;                       ///< y hat
-  ElasticArray dual_change;                       ///< dy
-  ElasticArray slack_ratio, excess_ratio;         ///< ds / s and de / e
+/// The elastic rows of one block: its corridor sides, then its obstacles; of both first those that
+/// the iterates have come near, then those that are only watched.
+struct RowRange {
+  std::size_t corridor = 0, watched_corridor = 0;
+  std::size_t barrier = 0, watched_barrier = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] bool has_corridors() const noexcept { return corridor < watched_corridor; }
+  [[nodiscard]] bool has_barriers() const noexcept { return barrier < watched_barrier; }
 };
 
-/// Quadratic model of the problem around the present point, and the Newton step that solves it.
-struct StageModel {
-  PoseArray xx, xy, yy;                              ///< Hessian by p_k of what pose k costs
-  PoseArray bend;                                    ///< curvature of the rows: that times I
-  PoseArray cross_xx, cross_xy, cross_yx, cross_yy;  ///< by p_k (first) and p_{k-1} (second)
-  PoseArray gradient_x, gradient_y, gradient_heading;
-  PoseArray dual_gradient_x, dual_gradient_y;   ///< the same with y in place of y hat
-  CommandArray motion_x, motion_y;              ///< d p_{k+1} / d phi_k
-  CommandArray phi_phi, linear_phi;             ///< curvature of the dynamics times the costate
-  std::array<CommandArray, 2> hessian;          ///< by nu_k, of its cost and bounds
-  std::array<CommandArray, 2> change;           ///< Hessian of the change nu_k - nu_{k-1}
-  std::array<CommandArray, 2> gradient;         ///< by nu_k
-  std::array<CommandArray, 2> gradient_before;  ///< by nu_{k-1}, of what step k costs
-  double stationarity = 0.0;                    ///< greatest derivative of the Lagrangian
-
-  std::array<CommandArray, 2> step;        ///< the Newton step ...
-  PoseArray step_x, step_y, step_heading;  ///< ... and where it moves the poses, to first order
+/// What elastic rows add to the model by the position of four poses.
+struct PositionTerms {
+  Four xx, xy, yy;          ///< sum of sigma grad c grad c^T
+  Four bend;                ///< curvature of the rows: that times I
+  Four dual_x, dual_y;      ///< sum of y grad c
+  Four target_x, target_y;  ///< sum of y hat grad c, at mu = 0 ...
+  Four by_mu_x, by_mu_y;    ///< ... and its derivative by mu
 };
 
-/// Feedback of the Riccati recursion: dnu_k = forward + gain . (dx, dy, dheading, dnu_{k-1}).
+/// Second derivatives of elastic rows by p_k (first) and p_{k-1} (second).
+struct CouplingTerms {
+  Four xx, xy, yx, yy;
+};
+
+/// Quadratic model of the problem around the present point.
+struct Model {
+  /// By p_k, the pose after the step; zero where no row is near.
+  std::array<PositionTerms, kMaxBlocks> now;
+  // Only where there are obstacles near:
+  std::array<PositionTerms, kMaxBlocks> before;  ///< by p_{k-1}
+  std::array<CouplingTerms, kMaxBlocks> coupling;
+  PoseArray phi_phi, linear_phi;      ///< curvature of the dynamics times the costate, by step
+  std::array<StepArray, 2> gradient;  ///< of the cost by the commands
+};
+
+/// One step of the Newton system in the coordinates of section 3 of docs/solver.md: rows of
+/// matrices over (x, y, heading), with the gradient in the last lane.
+struct Stage {
+  Four pose_x, pose_y, pose_heading;  ///< Hessian by the pose after the step
+  Four linear, angular;               ///< Hessian by the command and the pose before the step
+  Four motion;                        ///< B: (x, y) by u, (x, y) by r
+  Four command;                       ///< Hessian by the command: (uu, ur, rr); B: heading by r
+  Four coupling;  ///< minus the Hessian by the command and the one before: (u, r), then that by
+                  ///< the one before: (u, r)
+};
+
+/// Feedback of the Riccati recursion, dnu_k = gain . (pose before step k - 1, 1) + change .
+/// dnu_{k-1}.
 struct Feedback {
-  std::array<double, 2> forward;
-  std::array<std::array<double, 5>, 2> gain;
+  std::array<Four, 2> gain;
+  std::array<std::array<double, 2>, 2> change;
+};
+
+/// Solution of the Newton system.
+struct NewtonStep {
+  std::array<PoseArray, 2> commands;  ///< indexed as in Point; entry 0 is zero
+  PoseArray x, y;                     ///< where it moves the positions, to first order
+  double slope = 0.0;                 ///< gradient of the model along it
 };
 
 struct Workspace {
   const ControlProblem* problem = nullptr;
   std::size_t horizon = 0;
-  double half_turn = 0.0;   ///< d phi_k / d r_k: dt / 2 with midpoint integration, else 0
-  double full_turns = 0.0;  ///< taken off all headings [rad]
-  double start_cosine = 1.0, start_sine = 0.0;
-  PoseArray target_x, target_y, target_heading, weight_x, weight_y, weight_heading;
-  std::array<PoseArray, kMaxObstacles> obstacle_x, obstacle_y;
-  std::array<PoseArray, kMaxObstacles> barrier_offset;  ///< d_k^2 - beta d_{k-1}^2
+  std::size_t num_blocks = 0;
+  double half_turn = 0.0;    ///< d phi_k / d r_k: dt / 2 with midpoint integration, else 0
+  double full_turns = 0.0;   ///< taken off all headings [rad]
+  double first_slack = 0.0;  ///< least slack of an elastic row to begin with
+  StepArray target_x, target_y, target_heading, weight_x, weight_y, weight_heading;
+  std::array<StepArray, 2> command_weight;
+  std::array<PoseArray, 2> change_weight;  ///< entry k is that of nu_k - nu_{k-1}
   std::array<CommandLimits, 2> limits;
+  std::array<StepArray, 2> is_free;     ///< 1, or 0 where the command is fixed
+  std::array<StepArray, 2> is_coupled;  ///< 1, or 0 where it or the one before is fixed
+
   std::array<Point, 2> points;
-  Point* now = nullptr;    ///< the iterate
-  Point* trial = nullptr;  ///< the other one
-  HardRows hard;
-  ElasticRows elastic;
-  StageModel model;
-  std::array<Feedback, kSteps> feedback;
+  Point* now = nullptr;          ///< the iterate
+  Point* trial = nullptr;        ///< the other one
+  std::array<HardRows, 4> hard;  ///< of u, r, and where there are any of their changes
+  std::size_t num_hard = 2;      ///< 2 without change bounds, else 4
+  std::array<ElasticRow, kMaxElasticRows> elastic;
+  std::array<RowRange, kMaxBlocks> row_ranges;
+  std::size_t num_elastic = 0;  ///< of those, each for four steps, watched ones included
+  Model model;
+  std::array<Stage, kMaxBlocks * kLanes> stages;
+  std::array<Feedback, kMaxHorizon> feedback;
+  NewtonStep step;
 };
 
 }  // namespace fairway::interior_point

@@ -88,6 +88,22 @@ TEST(InteriorPointSolver, GivesTheSameBitsForTheSameInput) {
   });
 }
 
+TEST(InteriorPointSolver, GivesTheSameBitsInRegistersOfAnyWidth) {
+  const interior_point::Phases* wide = interior_point::phases_256();
+  if (wide == nullptr) GTEST_SKIP() << "this processor or this build has none of 256 bits";
+  const auto other = std::make_unique<InteriorPointSolver>(interior_point::phases_128());
+  for (const RandomProblemOptions& options : {kPaper, RandomProblemOptions{}, kLong}) {
+    for_random_problems(75, 100, options, [&](const ControlProblem& problem, auto& solver) {
+      const MpcSolution& a = solver.solve(problem);
+      const MpcSolution& b = other->solve(problem);
+      EXPECT_EQ(a.iterations, b.iterations);
+      EXPECT_EQ(a.cost, b.cost);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(problem.horizon); ++k)
+        EXPECT_EQ(std::memcmp(&a.commands[k], &b.commands[k], sizeof(Twist2)), 0);
+    });
+  }
+}
+
 TEST(InteriorPointSolver, KeepsTheBestOfSeveralStarts) {
   for_random_problems(74, 200, {}, [](const ControlProblem& problem, auto& solver) {
     std::array<InitialGuess, 3> starts;

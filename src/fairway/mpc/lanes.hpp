@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+// Four doubles that are computed on at once. Loops over the steps of the horizon take four of them
+// at a time, and are templates over the kind of registers that hold the four: two of 128 bits, as
+// every x86-64 and ARM processor has, or one of 256. The operations and their order are the same,
+// hence the results, to the bit.
+
+// A function can be compiled for AVX2, whatever the rest is compiled for. All that it calls with
+// lanes has to become a part of it, because how they would be passed depends on the processor: so
+// what takes or returns lanes is inlined always, and is no lambda. Sanitizers make too much of such
+// a function, and do without it.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define FAIRWAY_HAS_LANES256
+#define FAIRWAY_LANES [[gnu::always_inline]] inline
+#else
+#define FAIRWAY_LANES inline
+#endif
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace fairway::interior_point {
+
+inline constexpr std::size_t kLanes = 4;
+
+/// Four doubles in memory. Assigned from lanes register by register: what is stored in other pieces
+/// than it is loaded again soon after, makes the processor wait.
+struct alignas(kLanes * sizeof(double)) Four {
+  std::array<double, kLanes> values;
+
+  template <typename Lanes>
+  FAIRWAY_LANES Four& operator=(const Lanes& lanes) noexcept {
+    lanes.store(values.data());
+    return *this;
+  }
+  [[nodiscard]] double operator[](std::size_t lane) const noexcept { return values[lane]; }
+  [[nodiscard]] double& operator[](std::size_t lane) noexcept { return values[lane]; }
+};
+
+/// Four doubles in registers of type `Register`, a vector type of the compiler, with `Integers` for
+/// their bits. A number stands for four equal ones, so that formulas read as usual.
+template <typename Register, typename Integers>
+class BasicLanes {
+ public:
+  using Bits = Integers;
+  static constexpr std::size_t kWidth = sizeof(Register) / sizeof(double);
+  static constexpr std::size_t kRegisters = kLanes / kWidth;
+
+  FAIRWAY_LANES BasicLanes() noexcept : BasicLanes(0.0) {}
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  FAIRWAY_LANES BasicLanes(double value) noexcept {
+    for (Register& r : registers_)
+      r = Register{} + value;
+  }
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  FAIRWAY_LANES BasicLanes(const Four& four) noexcept {
+    load(static_cast<const double*>(__builtin_assume_aligned(four.values.data(), alignof(Four))));
+  }
+  FAIRWAY_LANES BasicLanes(double a, double b, double c, double d) noexcept {
+    if constexpr (kRegisters == 1) {
+      registers_[0] = Register{a, b, c, d};
+    } else {
+      registers_ = {Register{a, b}, Register{c, d}};
+    }
+  }
+  FAIRWAY_LANES void load(const double* from) noexcept {
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      std::memcpy(&registers_[i], from + kWidth * i, sizeof(Register));
+  }
+  FAIRWAY_LANES void store(double* to) const noexcept {
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      std::memcpy(to + kWidth * i, &registers_[i], sizeof(Register));
+  }
+  [[nodiscard]] FAIRWAY_LANES double operator[](std::size_t lane) const noexcept {
+    return registers_[lane / kWidth][lane % kWidth];
+  }
+
+  // The registers themselves, and the bits of one.
+  [[nodiscard]] FAIRWAY_LANES const Register& part(std::size_t i) const noexcept {
+    return registers_[i];
+  }
+  [[nodiscard]] FAIRWAY_LANES Register& part(std::size_t i) noexcept { return registers_[i]; }
+  [[nodiscard]] FAIRWAY_LANES static Bits bits_of(const Register& numbers) noexcept {
+    Bits bits;
+    std::memcpy(&bits, &numbers, sizeof bits);
+    return bits;
+  }
+  [[nodiscard]] FAIRWAY_LANES static Register numbers_of(const Bits& bits) noexcept {
+    Register numbers;
+    std::memcpy(&numbers, &bits, sizeof numbers);
+    return numbers;
+  }
+
+  FAIRWAY_LANES friend BasicLanes operator+(const BasicLanes& a, const BasicLanes& b) noexcept {
+    BasicLanes result = a;
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      result.registers_[i] = a.registers_[i] + b.registers_[i];
+    return result;
+  }
+  FAIRWAY_LANES friend BasicLanes operator-(const BasicLanes& a, const BasicLanes& b) noexcept {
+    BasicLanes result = a;
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      result.registers_[i] = a.registers_[i] - b.registers_[i];
+    return result;
+  }
+  FAIRWAY_LANES friend BasicLanes operator*(const BasicLanes& a, const BasicLanes& b) noexcept {
+    BasicLanes result = a;
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      result.registers_[i] = a.registers_[i] * b.registers_[i];
+    return result;
+  }
+  FAIRWAY_LANES friend BasicLanes operator/(const BasicLanes& a, const BasicLanes& b) noexcept {
+    BasicLanes result = a;
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      result.registers_[i] = a.registers_[i] / b.registers_[i];
+    return result;
+  }
+  FAIRWAY_LANES friend BasicLanes operator-(const BasicLanes& a) noexcept {
+    BasicLanes result = a;
+    for (Register& r : result.registers_)
+      r = -r;
+    return result;
+  }
+  FAIRWAY_LANES BasicLanes& operator+=(const BasicLanes& b) noexcept { return *this = *this + b; }
+  FAIRWAY_LANES BasicLanes& operator-=(const BasicLanes& b) noexcept { return *this = *this - b; }
+  FAIRWAY_LANES BasicLanes& operator*=(const BasicLanes& b) noexcept { return *this = *this * b; }
+
+  FAIRWAY_LANES friend BasicLanes least(const BasicLanes& a, const BasicLanes& b) noexcept {
+    BasicLanes result = a;
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      result.registers_[i] = a.registers_[i] < b.registers_[i] ? a.registers_[i] : b.registers_[i];
+    return result;
+  }
+  FAIRWAY_LANES friend BasicLanes greatest(const BasicLanes& a, const BasicLanes& b) noexcept {
+    BasicLanes result = a;
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      result.registers_[i] = a.registers_[i] > b.registers_[i] ? a.registers_[i] : b.registers_[i];
+    return result;
+  }
+  /// Lanes of `yes` where a > b, of `no` elsewhere.
+  FAIRWAY_LANES friend BasicLanes where_greater(const BasicLanes& a,
+                                                const BasicLanes& b,
+                                                const BasicLanes& yes,
+                                                const BasicLanes& no) noexcept {
+    BasicLanes result = yes;
+    for (std::size_t i = 0; i < kRegisters; ++i)
+      result.registers_[i] =
+          a.registers_[i] > b.registers_[i] ? yes.registers_[i] : no.registers_[i];
+    return result;
+  }
+  FAIRWAY_LANES friend BasicLanes magnitude(const BasicLanes& a) noexcept {
+    return greatest(a, -a);
+  }
+
+  FAIRWAY_LANES friend double sum_of(const BasicLanes& a) noexcept {
+    return (a[0] + a[1]) + (a[2] + a[3]);
+  }
+  FAIRWAY_LANES friend double least_of(const BasicLanes& a) noexcept {
+    const double first = a[0] < a[1] ? a[0] : a[1];
+    const double last = a[2] < a[3] ? a[2] : a[3];
+    return first < last ? first : last;
+  }
+  FAIRWAY_LANES friend double greatest_of(const BasicLanes& a) noexcept { return -least_of(-a); }
+
+ private:
+  std::array<Register, kRegisters> registers_;
+};
+
+using Register128 [[gnu::vector_size(16)]] = double;
+using Integers128 [[gnu::vector_size(16)]] = std::uint64_t;
+using Register256 [[gnu::vector_size(32)]] = double;
+using Integers256 [[gnu::vector_size(32)]] = std::uint64_t;
+using Lanes128 = BasicLanes<Register128, Integers128>;
+using Lanes256 = BasicLanes<Register256, Integers256>;
+
+/// Entries k..k+3 of an array. @pre they exist.
+template <typename Lanes, std::size_t n>
+FAIRWAY_LANES Lanes lanes(const std::array<double, n>& array, std::size_t k) noexcept {
+  Lanes value;
+  value.load(array.data() + k);
+  return value;
+}
+template <typename Lanes, std::size_t n>
+FAIRWAY_LANES void put(std::array<double, n>& array, std::size_t k, const Lanes& value) noexcept {
+  value.store(array.data() + k);
+}
+
+/// Four times four numbers, turned: the first of each, the second of each, and so on.
+template <typename Lanes>
+struct Transposed {
+  Lanes first, second, third, fourth;
+};
+template <typename Lanes>
+FAIRWAY_LANES Transposed<Lanes> transposed(const Lanes& a,
+                                           const Lanes& b,
+                                           const Lanes& c,
+                                           const Lanes& d) noexcept {
+  Transposed<Lanes> t;
+  if constexpr (Lanes::kRegisters == 1) {
+    const auto ab02 = __builtin_shufflevector(a.part(0), b.part(0), 0, 4, 2, 6);
+    const auto ab13 = __builtin_shufflevector(a.part(0), b.part(0), 1, 5, 3, 7);
+    const auto cd02 = __builtin_shufflevector(c.part(0), d.part(0), 0, 4, 2, 6);
+    const auto cd13 = __builtin_shufflevector(c.part(0), d.part(0), 1, 5, 3, 7);
+    t.first.part(0) = __builtin_shufflevector(ab02, cd02, 0, 1, 4, 5);
+    t.second.part(0) = __builtin_shufflevector(ab13, cd13, 0, 1, 4, 5);
+    t.third.part(0) = __builtin_shufflevector(ab02, cd02, 2, 3, 6, 7);
+    t.fourth.part(0) = __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7);
+  } else {
+    for (std::size_t i = 0; i < 2; ++i) {
+      Lanes& even = i == 0 ? t.first : t.third;
+      Lanes& odd = i == 0 ? t.second : t.fourth;
+      even.part(0) = __builtin_shufflevector(a.part(i), b.part(i), 0, 2);
+      even.part(1) = __builtin_shufflevector(c.part(i), d.part(i), 0, 2);
+      odd.part(0) = __builtin_shufflevector(a.part(i), b.part(i), 1, 3);
+      odd.part(1) = __builtin_shufflevector(c.part(i), d.part(i), 1, 3);
+    }
+  }
+  return t;
+}
+
+}  // namespace fairway::interior_point
