@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/speed_picture.hpp"
 #include "fairway/io/world_picture.hpp"

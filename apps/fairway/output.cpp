@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <system_error>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/canvas.hpp"
 #include "fairway/io/whole_file.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "command.hpp"
 #include "corridor_choice.hpp"

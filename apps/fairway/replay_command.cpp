@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/recording/report.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "output.hpp"
 #include "progress.hpp"
