@@ -52,11 +52,10 @@ Expected<void> RunOutputs::close() {
   return report.empty() ? Expected<void>{} : write_output(name_of_run(report, run_), page());
 }
 
-void add_run_options(CLI::App& command, RunOutputs& outputs) {
-  command.add_option("--log", outputs.log, "Record all of the run, for Foxglove and `replay`")
-      ->type_name("FILE.mcap");
-  command.add_option("--report", outputs.report, "Write a page that plays the run")
-      ->type_name("FILE.html");
+void add_run_options(const Options& options, RunOutputs& outputs) {
+  options.add("--log", outputs.log, "Record all of the run, for Foxglove and `replay`")
+      .type_name("FILE.mcap");
+  options.add("--report", outputs.report, "Write a page that plays the run").type_name("FILE.html");
 }
 
 }  // namespace fairway::app

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "fairway/io/whole_file.hpp"
+#include "json_text.hpp"
 #include "output.hpp"
 #include "page.hpp"
 
