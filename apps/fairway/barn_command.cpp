@@ -150,15 +150,15 @@ Expected<void> BarnCommand::keep_trace(const std::string& run,
       progress.show(fmt::format("{}: {:.0f} % drawn", run, 100.0 * share));
     });
     if (!film) return tl::unexpected(film.error());
-    if (const auto done = write_output(film_dir + "/" + run + ".gif", *film); !done) return done;
+    if (auto done = write_output(film_dir + "/" + run + ".gif", *film); !done) return done;
   }
   if (trace_dir.empty()) return {};
   const std::string name = trace_dir + "/" + run;
-  if (const auto done = write_output(name + ".csv", io::trace_csv(result)); !done) return done;
+  if (auto done = write_output(name + ".csv", io::trace_csv(result)); !done) return done;
   if (score.success) return {};
   const Expected<std::string> bytes = world_picture(scenario, result, name + ".svg");
   if (!bytes) return tl::unexpected(bytes.error());
-  if (const auto done = write_output(name + ".svg", *bytes); !done) return done;
+  if (auto done = write_output(name + ".svg", *bytes); !done) return done;
   return write_output(name + ".html", outputs.page());
 }
 
@@ -189,7 +189,7 @@ Expected<BarnScore> BarnCommand::drive(const BarnWorld& world,
 
 Expected<void> BarnCommand::make_folders() const {
   if (!film_dir.empty()) {
-    if (const auto can = check_film(); !can) return can;
+    if (auto can = check_film(); !can) return can;
   }
   for (const auto& [option, folder] :
        {std::pair("--trace-dir", &trace_dir), std::pair("--film-dir", &film_dir)}) {

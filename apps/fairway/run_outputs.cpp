@@ -26,7 +26,7 @@ Expected<void> RunOutputs::open(const std::string& run) {
   page_.emplace();
   recording_.reset();
   made_page_.reset();
-  if (const auto possible = check_output(name_of_run(report, run)); !possible) return possible;
+  if (auto possible = check_output(name_of_run(report, run)); !possible) return possible;
   if (has_page()) observers_->add(page_->observer());
   if (log.empty()) return {};
   auto file = io::RecordingFile::create(name_of_run(log, run));
@@ -47,7 +47,7 @@ EpisodeObserver* RunOutputs::observer() noexcept {
 
 Expected<void> RunOutputs::close() {
   if (recording_) {
-    if (const auto closed = recording_->close(); !closed) return closed;
+    if (auto closed = recording_->close(); !closed) return closed;
   }
   return report.empty() ? Expected<void>{} : write_output(name_of_run(report, run_), page());
 }

@@ -123,18 +123,18 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
   if (!picture.empty()) {
     const Expected<std::string> bytes = world_picture(world, result, picture);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (const auto done = write_output(picture, *bytes); !done) return done;
+    if (auto done = write_output(picture, *bytes); !done) return done;
   }
   if (!speeds.empty()) {
     const Expected<std::string> bytes = speed_picture(world, result, speeds);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (const auto done = write_output(speeds, *bytes); !done) return done;
+    if (auto done = write_output(speeds, *bytes); !done) return done;
   }
   if (!trace.empty()) {
-    if (const auto done = write_output(trace, io::trace_csv(result)); !done) return done;
+    if (auto done = write_output(trace, io::trace_csv(result)); !done) return done;
   }
   if (!json.empty()) {
-    if (const auto done = write_output(json, episode_json(result)); !done) return done;
+    if (auto done = write_output(json, episode_json(result)); !done) return done;
   }
   // The table gives way to whatever was asked for on standard output.
   if (json == "-" || trace == "-") return {};
