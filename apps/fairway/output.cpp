@@ -13,12 +13,7 @@
 namespace fairway::app {
 
 void print_error(std::string_view message) {
-  std::string line = "fairway: ";
-  for (const char c : message) {
-    const auto code = static_cast<unsigned char>(c);
-    line += code < 0x20 || code == 0x7f ? ' ' : c;
-  }
-  line += '\n';
+  const std::string line = "fairway: " + one_line(std::string(message)) + '\n';
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 

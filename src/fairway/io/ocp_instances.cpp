@@ -70,7 +70,7 @@ class LineReader {
   }
 
   void complain(const std::string& message) {
-    if (!error_) error_ = Error{fmt::format("{}: {}", where_, message)};
+    if (!error_) error_ = fail(fmt::format("{}: {}", where_, message)).value();
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
