@@ -4,16 +4,16 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "episode_output.hpp"
 #include "fairway/io/barn_file.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/trace_file.hpp"
 #include "fairway/simulation/metrics.hpp"
 #include "film.hpp"
-#include "number_option.hpp"
+#include "json_text.hpp"
 #include "output.hpp"
 #include "physics_choice.hpp"
 #include "point_argument.hpp"
@@ -150,15 +150,15 @@ Expected<void> BarnCommand::keep_trace(const std::string& run,
       progress.show(fmt::format("{}: {:.0f} % drawn", run, 100.0 * share));
     });
     if (!film) return tl::unexpected(film.error());
-    if (const auto done = write_output(film_dir + "/" + run + ".gif", *film); !done) return done;
+    if (auto done = write_output(film_dir + "/" + run + ".gif", *film); !done) return done;
   }
   if (trace_dir.empty()) return {};
   const std::string name = trace_dir + "/" + run;
-  if (const auto done = write_output(name + ".csv", io::trace_csv(result)); !done) return done;
+  if (auto done = write_output(name + ".csv", io::trace_csv(result)); !done) return done;
   if (score.success) return {};
   const Expected<std::string> bytes = world_picture(scenario, result, name + ".svg");
   if (!bytes) return tl::unexpected(bytes.error());
-  if (const auto done = write_output(name + ".svg", *bytes); !done) return done;
+  if (auto done = write_output(name + ".svg", *bytes); !done) return done;
   return write_output(name + ".html", outputs.page());
 }
 
@@ -189,7 +189,7 @@ Expected<BarnScore> BarnCommand::drive(const BarnWorld& world,
 
 Expected<void> BarnCommand::make_folders() const {
   if (!film_dir.empty()) {
-    if (const auto can = check_film(); !can) return can;
+    if (auto can = check_film(); !can) return can;
   }
   for (const auto& [option, folder] :
        {std::pair("--trace-dir", &trace_dir), std::pair("--film-dir", &film_dir)}) {
@@ -282,52 +282,40 @@ Expected<int> BarnCommand::run() {
   return failures.empty() ? kDone : kFailed;
 }
 
-CLI::App* add_options(CLI::App& tool,
-                      const std::shared_ptr<BarnCommand>& command,
-                      const char* name,
-                      const char* help,
-                      const char* source) {
-  CLI::App* sub = tool.add_subcommand(name, help);
-  sub->add_option("SOURCE", command->source, source)->required();
-  sub->add_option("--worlds", command->worlds, "all, or numbers with commas between them");
-  sub->add_option("--sensing", command->sensing, "What the robot knows")
-      ->check(CLI::IsMember({"map", "lidar"}));
-  sub->add_option("--physics", command->physics, "What moves the robot")
-      ->check(CLI::IsMember({"unicycle", "mujoco"}));
-  sub->add_option("--noise", command->noise, "Errors of lidar and odometry")
-      ->check(CLI::IsMember({"none", "standard"}));
-  sub->add_option("--seed", command->seed, "Seed of everything random")
-      ->check(CLI::NonNegativeNumber);
-  sub->add_option("--trials", command->trials, "Runs per world")->check(CLI::Range(1, 1000));
-  sub->add_option(
-      "--trace-dir", command->trace_dir,
-      "Write the cycles of every run here, and a picture and a page of every failed one");
-  sub->add_option("--film-dir", command->film_dir,
-                  "Write a short film (GIF) of every run here, drawn by MuJoCo");
-  sub->add_option("--json", command->json, "Write the result as JSON; - is standard output")
-      ->type_name("FILE");
-  add_run_options(*sub, command->outputs);
-  add_settings_options(*sub, command->settings);
-  sub->footer(std::string("These are ") + kBarnNote + ".");
-  return sub;
+void add_command(
+    CommandLine& tool, const char* name, const char* help, const char* source, ReadWorlds read) {
+  const auto command = std::make_shared<BarnCommand>();
+  command->read = read;
+  const Options options = tool.add_command(name, help, [command] { return command->run(); });
+  options.add("SOURCE", command->source, source).required();
+  options.add("--worlds", command->worlds, "all, or numbers with commas between them");
+  options.add("--sensing", command->sensing, "What the robot knows").one_of({"map", "lidar"});
+  options.add("--physics", command->physics, "What moves the robot").one_of({"unicycle", "mujoco"});
+  options.add("--noise", command->noise, "Errors of lidar and odometry")
+      .one_of({"none", "standard"});
+  options.add("--seed", command->seed, "Seed of everything random").not_negative();
+  options.add("--trials", command->trials, "Runs per world").between(1, 1000);
+  options.add("--trace-dir", command->trace_dir,
+              "Write the cycles of every run here, and a picture and a page of every failed one");
+  options.add("--film-dir", command->film_dir,
+              "Write a short film (GIF) of every run here, drawn by MuJoCo");
+  options.add("--json", command->json, "Write the result as JSON; - is standard output")
+      .type_name("FILE");
+  add_run_options(options, command->outputs);
+  add_settings_options(options, command->settings);
+  options.footer(std::string("These are ") + kBarnNote + ".");
 }
 
 }  // namespace
 
-void add_barn_command(CLI::App& tool, Command& chosen) {
-  const auto command = std::make_shared<BarnCommand>();
-  command->read = io::read_barn;
-  CLI::App* sub = add_options(tool, command, "barn", "Drive through the worlds of BARN",
-                              "Folder with barn.json and its maps");
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+void add_barn_command(CommandLine& tool) {
+  add_command(tool, "barn", "Drive through the worlds of BARN",
+              "Folder with barn.json and its maps", io::read_barn);
 }
 
-void add_dynabarn_command(CLI::App& tool, Command& chosen) {
-  const auto command = std::make_shared<BarnCommand>();
-  command->read = io::read_dynabarn;
-  CLI::App* sub = add_options(tool, command, "dynabarn", "Drive through the worlds of DynaBARN",
-                              "File like dynabarn.json");
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+void add_dynabarn_command(CommandLine& tool) {
+  add_command(tool, "dynabarn", "Drive through the worlds of DynaBARN", "File like dynabarn.json",
+              io::read_dynabarn);
 }
 
 }  // namespace fairway::app

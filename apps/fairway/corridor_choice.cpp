@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "corridor_choice.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/number_text.hpp"
 #include "sound_baselines.hpp"

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/speed_picture.hpp"
 #include "fairway/io/world_picture.hpp"
 #include "fairway/simulation/metrics.hpp"
+#include "json_text.hpp"
 
 namespace fairway::app {
 
@@ -42,7 +43,7 @@ const char* outcome(const RobotResult& robot) {
 
 }  // namespace
 
-Json episode_json(const EpisodeResult& result) {
+std::string episode_json(const EpisodeResult& result) {
   Json json;
   json["success"] = result.success;
   json["time"] = result.time;
@@ -63,7 +64,7 @@ Json episode_json(const EpisodeResult& result) {
                           {"plan_us", microseconds_json(robot.plan_seconds)}});
   }
   json["robots"] = std::move(robots);
-  return json;
+  return json_text(json);
 }
 
 std::string episode_table(const EpisodeResult& result) {

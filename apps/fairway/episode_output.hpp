@@ -5,12 +5,11 @@
 
 #include "fairway/base/error.hpp"
 #include "fairway/simulation/episode.hpp"
-#include "output.hpp"
 
 namespace fairway::app {
 
-/// The result as INTERFACE.md's JSON object. An infinite distance is null.
-[[nodiscard]] Json episode_json(const EpisodeResult& result);
+/// The result as INTERFACE.md's JSON object, as text. An infinite distance is null.
+[[nodiscard]] std::string episode_json(const EpisodeResult& result);
 
 /// The result as a short table for a person.
 [[nodiscard]] std::string episode_table(const EpisodeResult& result);

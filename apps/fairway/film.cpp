@@ -7,6 +7,8 @@
 
 #include "fairway/io/film_file.hpp"
 #include "fairway/physics/mujoco_camera.hpp"
+#else
+#include "left_out.hpp"
 #endif
 
 namespace fairway::app {
@@ -50,9 +52,8 @@ Expected<std::string> run_film(const Scenario& scenario,
 #else
 
 Expected<void> check_film() {
-  return fail(
-      "--film-dir: expected MuJoCo and OSMesa, found neither or one of them (this tool was built "
-      "without libmujoco-dev, libqhull-dev or libosmesa6-dev)");
+  return fail("--film-dir: expected MuJoCo with OSMesa, " +
+              left_out("libmujoco-dev libqhull-dev libosmesa6-dev"));
 }
 
 Expected<std::string> run_film(const Scenario& /*scenario*/,

@@ -2,6 +2,7 @@
 #include "instance_solver.hpp"
 
 #include "fairway/mpc/interior_point_solver.hpp"
+#include "left_out.hpp"
 
 #ifdef FAIRWAY_HAS_IPOPT
 #include "fairway/mpc/ipopt_solver.hpp"
@@ -66,8 +67,8 @@ Expected<std::unique_ptr<InstanceSolver>> make_instance_solver(const std::string
   if (name == "ipopt") return std::make_unique<Ipopt>(IpoptRows::Elastic);
   if (name == "ipopt_hard") return std::make_unique<Ipopt>(IpoptRows::Hard);
 #endif
-  return fail("--solver: expected interior_point, found " + name +
-              ", which this build lacks (coinor-libipopt-dev)");
+  return fail("--solver: expected interior_point, found " + name + ", " +
+              left_out("coinor-libipopt-dev"));
 }
 
 }  // namespace fairway::app

@@ -2,57 +2,26 @@
 #include <csignal>
 #include <exception>
 #include <new>
-#include <string>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "output.hpp"
-#include "replay_command.hpp"
-#ifdef FAIRWAY_HAS_REPRODUCTION
-#include "reproduce_command.hpp"
-#endif
-#ifdef FAIRWAY_HAS_SERVER
-#include "serve_command.hpp"
-#endif
 
 namespace {
 
 using namespace fairway::app;
 
 int run(int argc, char** argv) {
-  CLI::App tool("Safe corridors and model predictive control for wheeled robots.", "fairway");
-  tool.set_version_flag("--version", "fairway " FAIRWAY_VERSION);
-  tool.require_subcommand(1);
-  tool.footer("Exit codes: 0 done, 1 the task failed, 2 bad usage or bad input.");
-  Command chosen;
-  add_plan_command(tool, chosen);
-  add_simulate_command(tool, chosen);
-  add_solve_command(tool, chosen);
-  add_replay_command(tool, chosen);
-#ifdef FAIRWAY_HAS_REPRODUCTION
-  add_reproduce_command(tool, chosen);
-#endif
-#ifdef FAIRWAY_HAS_SERVER
-  add_serve_command(tool, chosen);
-#endif
-  add_settings_command(tool, chosen);
-  add_barn_command(tool, chosen);
-  add_dynabarn_command(tool, chosen);
-  if (argc > 1 && names_no_command(tool, argv[1])) {
-    print_error(std::string("expected a command, see fairway --help; found ") + argv[1]);
-    return kBadInput;
-  }
-  try {
-    tool.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // --help, --version
-    return tool.exit(success);
-  } catch (const CLI::ParseError& error) {
-    print_error(error.what());
-    return kBadInput;
-  }
-  const fairway::Expected<int> code = chosen();
-  if (code) return *code;
-  print_error(code.error().message);
-  return kBadInput;
+  CommandLine tool;
+  add_plan_command(tool);
+  add_simulate_command(tool);
+  add_solve_command(tool);
+  add_replay_command(tool);
+  add_reproduce_command(tool);
+  add_serve_command(tool);
+  add_settings_command(tool);
+  add_barn_command(tool);
+  add_dynabarn_command(tool);
+  return tool.run(argc, argv);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/base/error.hpp"
 #include "fairway/map/occupancy_grid.hpp"

@@ -5,50 +5,15 @@
 #include <cstdio>
 #include <system_error>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/canvas.hpp"
 #include "fairway/io/whole_file.hpp"
 
 namespace fairway::app {
 
-namespace {
-
-bool is_scalar_list(const Json& json) {
-  for (const auto& item : json) {
-    if (item.is_structured()) return false;
-  }
-  return true;
-}
-
-void append(std::string& text, const Json& json, std::size_t indent) {
-  if (!json.is_structured() || json.empty() || (json.is_array() && is_scalar_list(json))) {
-    text += json.dump();
-    return;
-  }
-  text += json.is_object() ? "{\n" : "[\n";
-  bool first = true;
-  for (const auto& [key, value] : json.items()) {
-    if (!first) text += ",\n";
-    first = false;
-    text.append(indent + 2, ' ');
-    if (json.is_object()) text += Json(key).dump() + ": ";
-    append(text, value, indent + 2);
-  }
-  text += '\n';
-  text.append(indent, ' ');
-  text += json.is_object() ? '}' : ']';
-}
-
-}  // namespace
-
 void print_error(std::string_view message) {
-  std::string line = "fairway: ";
-  for (const char c : message) {
-    const auto code = static_cast<unsigned char>(c);
-    line += code < 0x20 || code == 0x7f ? ' ' : c;
-  }
-  line += '\n';
+  const std::string line = "fairway: " + one_line(std::string(message)) + '\n';
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 
@@ -73,12 +38,6 @@ Expected<void> check_picture_output(const std::string& path) {
   if (path.empty()) return {};
   if (const auto format = io::picture_format(path); !format) return tl::unexpected(format.error());
   return io::check_writable(path);
-}
-
-std::string json_text(const Json& json) {
-  std::string text;
-  append(text, json, 0);
-  return text + "\n";
 }
 
 }  // namespace fairway::app

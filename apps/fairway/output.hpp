@@ -4,14 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "fairway/base/error.hpp"
 
 namespace fairway::app {
-
-/// Objects keep the order in which their fields are written.
-using Json = nlohmann::ordered_json;
 
 /// Prints `fairway: message` on standard error, on one line whatever the message holds.
 void print_error(std::string_view message);
@@ -27,8 +22,5 @@ void print_error(std::string_view message);
 
 /// The same for a picture, whose name must end in .svg, .png or .pdf.
 [[nodiscard]] Expected<void> check_picture_output(const std::string& path);
-
-/// `json` as text that a person can read too: rows of numbers stay on one line.
-[[nodiscard]] std::string json_text(const Json& json);
 
 }  // namespace fairway::app

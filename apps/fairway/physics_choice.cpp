@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "physics_choice.hpp"
 
+#include "left_out.hpp"
+
 #ifdef FAIRWAY_WITH_MUJOCO
 #include "fairway/physics/mujoco_physics.hpp"
 #endif
@@ -12,8 +14,8 @@ Expected<PhysicsMaker> choose_physics(const std::string& name) {
 #ifdef FAIRWAY_WITH_MUJOCO
   if (name == "mujoco") return PhysicsMaker(make_mujoco_physics);
 #endif
-  return fail("--physics: expected unicycle, found " + name +
-              " (this tool was built without MuJoCo: libmujoco-dev, libqhull-dev)");
+  return fail("--physics: expected unicycle, found " + name + ", " +
+              left_out("libmujoco-dev libqhull-dev libosmesa6-dev"));
 }
 
 }  // namespace fairway::app

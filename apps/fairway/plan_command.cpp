@@ -4,9 +4,9 @@
 #include <memory>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "corridor_choice.hpp"
 #include "fairway/io/map_file.hpp"
 #include "fairway/navigation/planner.hpp"
@@ -141,7 +141,7 @@ Expected<int> PlanCommand::run() const {
   if (const auto drawn = write_plan_picture(picture, *grid, query, found.plan); !drawn) {
     return tl::unexpected(drawn.error());
   }
-  const std::string text = json_text(plan_json(found, query, choice->name));
+  const std::string text = plan_json(found, query, choice->name);
   if (const auto written = write_output(json, text); !written) {
     return tl::unexpected(written.error());
   }
@@ -158,37 +158,40 @@ Expected<int> PlanCommand::run() const {
 
 }  // namespace
 
-void add_plan_command(CLI::App& tool, Command& chosen) {
+void add_plan_command(CommandLine& tool) {
   const auto command = std::make_shared<PlanCommand>();
-  CLI::App* sub = tool.add_subcommand("plan", "Find a path and the safe corridor along it");
-  sub->add_option("MAP", command->map, "map_server YAML file")->required();
-  sub->add_option("--start", command->start, "Where the robot is [m, rad]")
-      ->required()
-      ->type_name("X,Y[,HEADING]");
-  sub->add_option("--goal", command->goal, "Where it shall go [m, rad]")
-      ->required()
-      ->type_name("X,Y[,HEADING]");
-  sub->add_option("--corridor", command->corridor,
-                  "src, fsrc, mdsrc (the paper's, made sound) or fewest (the default)");
-  sub->add_option("--clearance", command->clearance,
-                  "Distance that the path keeps from every obstacle, the robot's radius included "
-                  "[m]; without it the radius and path.margin, which gives way in narrow places")
-      ->check(number_between(0.0, 20.0));
-  sub->add_option("--inward-offset", command->inward_offset,
-                  "Build rectangles in the workspace, for a robot that stays this far inside [m]")
-      ->check(number_between(0.0, 10.0));
-  sub->add_option("--robot-radius", command->robot_radius,
-                  "Build rectangles in configuration space, for the centre of a disc [m]")
-      ->check(number_between(0.01, 10.0));
-  sub->add_option("--repeat", command->repeats,
-                  "Times are those of the fastest of N runs; else as many as fit in 0.4 s")
-      ->check(CLI::Range(1, 1000));
-  sub->add_option("--json", command->json, "Write the plan as JSON; - is standard output")
-      ->type_name("FILE");
-  sub->add_option("--picture", command->picture, "Draw the plan; .svg, .png or .pdf")
-      ->type_name("FILE");
-  add_settings_options(*sub, command->settings);
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+  const Options options = tool.add_command("plan", "Find a path and the safe corridor along it",
+                                           [command] { return command->run(); });
+  options.add("MAP", command->map, "map_server YAML file").required();
+  options.add("--start", command->start, "Where the robot is [m, rad]")
+      .required()
+      .type_name("X,Y[,HEADING]");
+  options.add("--goal", command->goal, "Where it shall go [m, rad]")
+      .required()
+      .type_name("X,Y[,HEADING]");
+  options.add("--corridor", command->corridor,
+              "src, fsrc, mdsrc (the paper's, made sound) or fewest (the default)");
+  options
+      .add("--clearance", command->clearance,
+           "Distance that the path keeps from every obstacle, the robot's radius included "
+           "[m]; without it the radius and path.margin, which gives way in narrow places")
+      .check(number_between(0.0, 20.0));
+  options
+      .add("--inward-offset", command->inward_offset,
+           "Build rectangles in the workspace, for a robot that stays this far inside [m]")
+      .check(number_between(0.0, 10.0));
+  options
+      .add("--robot-radius", command->robot_radius,
+           "Build rectangles in configuration space, for the centre of a disc [m]")
+      .check(number_between(0.01, 10.0));
+  options
+      .add("--repeat", command->repeats,
+           "Times are those of the fastest of N runs; else as many as fit in 0.4 s")
+      .between(1, 1000);
+  options.add("--json", command->json, "Write the plan as JSON; - is standard output")
+      .type_name("FILE");
+  options.add("--picture", command->picture, "Draw the plan; .svg, .png or .pdf").type_name("FILE");
+  add_settings_options(options, command->settings);
 }
 
 }  // namespace fairway::app

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/world_picture.hpp"
+#include "json_text.hpp"
+#include "output.hpp"
 
 namespace fairway::app {
 
@@ -16,7 +18,7 @@ Json point_json(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); 
 
 }  // namespace
 
-Json plan_json(const PlanAnswer& answer, const PlanQuery& query, const char* method) {
+std::string plan_json(const PlanAnswer& answer, const PlanQuery& query, const char* method) {
   const Plan& plan = answer.plan;
   Json json;
   json["success"] = plan.usable();
@@ -49,7 +51,7 @@ Json plan_json(const PlanAnswer& answer, const PlanQuery& query, const char* met
   json["seconds"] = Json{{"prepare", answer.prepare_seconds},
                          {"path", plan.path_seconds},
                          {"corridor", plan.corridor_seconds}};
-  return json;
+  return json_text(json);
 }
 
 std::string plan_summary(const PlanAnswer& answer) {

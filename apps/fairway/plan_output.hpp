@@ -4,7 +4,6 @@
 #include <string>
 
 #include "fairway/navigation/planner.hpp"
-#include "output.hpp"
 #include "point_argument.hpp"
 
 namespace fairway::app {
@@ -23,8 +22,10 @@ struct PlanAnswer {
   double prepare_seconds = 0.0;  ///< making obstacles and distances of the map's cells [s]
 };
 
-/// The plan as INTERFACE.md's JSON object; `method` is the corridor's.
-[[nodiscard]] Json plan_json(const PlanAnswer& answer, const PlanQuery& query, const char* method);
+/// The plan as INTERFACE.md's JSON object, as text; `method` is the corridor's.
+[[nodiscard]] std::string plan_json(const PlanAnswer& answer,
+                                    const PlanQuery& query,
+                                    const char* method);
 
 /// The plan in three lines for a person; empty when there is none.
 [[nodiscard]] std::string plan_summary(const PlanAnswer& answer);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "replay_command.hpp"
-
 #include <memory>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "commands.hpp"
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/recording/report.hpp"
 #include "fairway/simulation/observer_list.hpp"
 #include "fairway/simulation/replay_check.hpp"
+#include "json_text.hpp"
 #include "output.hpp"
 
 namespace fairway::app {
@@ -84,18 +84,18 @@ Expected<int> ReplayCommand::run() const {
 
 }  // namespace
 
-void add_replay_command(CLI::App& tool, Command& chosen) {
+void add_replay_command(CommandLine& tool) {
   const auto command = std::make_shared<ReplayCommand>();
-  CLI::App* sub = tool.add_subcommand(
-      "replay", "Run the navigators of a recording again and compare their commands");
-  sub->add_option("FILE", command->recording, "Recording made by --log")
-      ->required()
-      ->type_name("FILE.mcap");
-  sub->add_option("--json", command->json, "Write the result as JSON; - is standard output")
-      ->type_name("FILE");
-  sub->add_option("--report", command->report, "Write a page that plays the recorded run")
-      ->type_name("FILE.html");
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+  const Options options = tool.add_command(
+      "replay", "Run the navigators of a recording again and compare their commands",
+      [command] { return command->run(); });
+  options.add("FILE", command->recording, "Recording made by --log")
+      .required()
+      .type_name("FILE.mcap");
+  options.add("--json", command->json, "Write the result as JSON; - is standard output")
+      .type_name("FILE");
+  options.add("--report", command->report, "Write a page that plays the recorded run")
+      .type_name("FILE.html");
 }
 
 }  // namespace fairway::app

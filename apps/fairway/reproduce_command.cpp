@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reproduce_command.hpp"
-
 #include <memory>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "commands.hpp"
+#include "left_out.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "reproduction/case1.hpp"
@@ -45,8 +45,8 @@ Expected<StudyOptions> ReproduceCommand::options() const {
   options.threads = 1;  // MUMPS is not thread-safe
   return options;
 #else
-  return fail("--solver: expected interior_point, found " + solver +
-              ", which this build lacks (coinor-libipopt-dev)");
+  return fail("--solver: expected interior_point, found " + solver + ", " +
+              left_out("coinor-libipopt-dev"));
 #endif
 }
 
@@ -74,7 +74,7 @@ Expected<int> ReproduceCommand::run() const {
     if (maps > 0) command += fmt::format(" --maps {}", maps);
     if (solver != "interior_point") command += " --solver " + solver;
     const reproduction::ReportInfo info{.command = command + " --out DIR",
-                                        .version = FAIRWAY_VERSION,
+                                        .version = tool_version(),
                                         .solver = solver,
                                         .seed = options->seed};
     if (const auto done = reproduction::write_report(folder, chapters, info); !done) {
@@ -94,32 +94,32 @@ Expected<int> ReproduceCommand::run() const {
 
 }  // namespace
 
-void add_reproduce_command(CLI::App& tool, Command& chosen) {
+void add_reproduce_command(CommandLine& tool) {
   const auto command = std::make_shared<ReproduceCommand>();
-  CLI::App* sub =
-      tool.add_subcommand("reproduce", "Write the paper's tables and figures beside ours");
-  sub->add_option("CASE", command->which, "Which of the paper's cases")
-      ->required()
-      ->check(CLI::IsMember({"case1", "case2", "case3", "all"}));
-  sub->add_option("--out", command->folder, "Folder for pictures, results.json and index.html")
-      ->required()
-      ->type_name("DIR");
-  sub->add_option("--solver", command->solver,
-                  "Of the optimal control problems; ipopt: the paper's")
-      ->check(CLI::IsMember({"interior_point", "ipopt"}))
-      ->capture_default_str();
-  sub->add_option("--seed", command->seed, "Of the maps that the figures show; others follow it")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
-  sub->add_option("--maps", command->maps,
-                  "How many maps the means are taken over; 0: as many as each case likes")
-      ->check(CLI::Range(0, 10000))
-      ->capture_default_str();
-  sub->add_option("--threads", command->threads, "Threads; the results do not depend on it")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  sub->footer("Exit code 1: something happened that never may, such as a contact.");
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+  const Options options =
+      tool.add_command("reproduce", "Write the paper's tables and figures beside ours",
+                       [command] { return command->run(); });
+  options.add("CASE", command->which, "Which of the paper's cases")
+      .required()
+      .one_of({"case1", "case2", "case3", "all"});
+  options.add("--out", command->folder, "Folder for pictures, results.json and index.html")
+      .required()
+      .type_name("DIR");
+  options.add("--solver", command->solver, "Of the optimal control problems; ipopt: the paper's")
+      .one_of({"interior_point", "ipopt"})
+      .shows_default();
+  options.add("--seed", command->seed, "Of the maps that the figures show; others follow it")
+      .between(0, 1000000)
+      .shows_default();
+  options
+      .add("--maps", command->maps,
+           "How many maps the means are taken over; 0: as many as each case likes")
+      .between(0, 10000)
+      .shows_default();
+  options.add("--threads", command->threads, "Threads; the results do not depend on it")
+      .between(1, 64)
+      .shows_default();
+  options.footer("Exit code 1: something happened that never may, such as a contact.");
 }
 
 }  // namespace fairway::app

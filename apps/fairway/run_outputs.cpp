@@ -26,7 +26,7 @@ Expected<void> RunOutputs::open(const std::string& run) {
   page_.emplace();
   recording_.reset();
   made_page_.reset();
-  if (const auto possible = check_output(name_of_run(report, run)); !possible) return possible;
+  if (auto possible = check_output(name_of_run(report, run)); !possible) return possible;
   if (has_page()) observers_->add(page_->observer());
   if (log.empty()) return {};
   auto file = io::RecordingFile::create(name_of_run(log, run));
@@ -47,16 +47,15 @@ EpisodeObserver* RunOutputs::observer() noexcept {
 
 Expected<void> RunOutputs::close() {
   if (recording_) {
-    if (const auto closed = recording_->close(); !closed) return closed;
+    if (auto closed = recording_->close(); !closed) return closed;
   }
   return report.empty() ? Expected<void>{} : write_output(name_of_run(report, run_), page());
 }
 
-void add_run_options(CLI::App& command, RunOutputs& outputs) {
-  command.add_option("--log", outputs.log, "Record all of the run, for Foxglove and `replay`")
-      ->type_name("FILE.mcap");
-  command.add_option("--report", outputs.report, "Write a page that plays the run")
-      ->type_name("FILE.html");
+void add_run_options(const Options& options, RunOutputs& outputs) {
+  options.add("--log", outputs.log, "Record all of the run, for Foxglove and `replay`")
+      .type_name("FILE.mcap");
+  options.add("--report", outputs.report, "Write a page that plays the run").type_name("FILE.html");
 }
 
 }  // namespace fairway::app

@@ -5,8 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "command_line.hpp"
 #include "fairway/base/error.hpp"
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/recording/report.hpp"
@@ -16,7 +15,7 @@ namespace fairway::app {
 
 /// What --log and --report ask for: files that are made while a run goes on.
 ///
-///     RunOutputs outputs;  add_run_options(*sub, outputs);
+///     RunOutputs outputs;  add_run_options(options, outputs);
 ///     if (auto opened = outputs.open(); !opened) ...
 ///     run_episode(scenario, {.observer = outputs.observer()});
 ///     if (auto closed = outputs.close(); !closed) ...
@@ -55,6 +54,6 @@ class RunOutputs {
 };
 
 /// Adds --log and --report to a command.
-void add_run_options(CLI::App& command, RunOutputs& outputs);
+void add_run_options(const Options& options, RunOutputs& outputs);
 
 }  // namespace fairway::app

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "serve_command.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "commands.hpp"
 #include "fairway/io/scenario_file.hpp"
 #include "output.hpp"
 #include "server/live_server.hpp"
@@ -42,30 +41,31 @@ Expected<int> ServeCommand::run() const {
 
 }  // namespace
 
-void add_serve_command(CLI::App& tool, Command& chosen) {
+void add_serve_command(CommandLine& tool) {
   const auto command = std::make_shared<ServeCommand>();
-  CLI::App* sub = tool.add_subcommand("serve", "Show a world that can be played with, as a page");
-  sub->add_option("SCENARIO", command->scenarios, "Scenario YAML files to choose from")
-      ->type_name("SCENARIO.yaml");
-  sub->add_option("--port", command->server.port, "Port; 0 takes a free one")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  sub->add_option("--address", command->server.address,
-                  "Address to listen at; others than this machine's own reach the page only if it "
-                  "is not 127.0.0.1")
-      ->capture_default_str();
-  sub->add_option("--allow-host", command->server.check.hosts,
-                  "Further name by which the page may be addressed")
-      ->type_name("NAME");
-  sub->add_option("--allow-origin", command->server.check.origins,
-                  "Further site whose pages may connect, as https://app.foxglove.dev")
-      ->type_name("ORIGIN");
-  sub->callback([&chosen, command] {
-    chosen = [command] {
-      command->server.check.any_address = command->server.address != "127.0.0.1";
-      return command->run();
-    };
-  });
+  const Options options =
+      tool.add_command("serve", "Show a world that can be played with, as a page", [command] {
+        command->server.check.any_address = command->server.address != "127.0.0.1";
+        return command->run();
+      });
+  options.add("SCENARIO", command->scenarios, "Scenario YAML files to choose from")
+      .type_name("SCENARIO.yaml");
+  options.add("--port", command->server.port, "Port; 0 takes a free one")
+      .between(0, 65535)
+      .shows_default();
+  options
+      .add("--address", command->server.address,
+           "Address to listen at; others than this machine's own reach the page only if it "
+           "is not 127.0.0.1")
+      .shows_default();
+  options
+      .add("--allow-host", command->server.check.hosts,
+           "Further name by which the page may be addressed")
+      .type_name("NAME");
+  options
+      .add("--allow-origin", command->server.check.origins,
+           "Further site whose pages may connect, as https://app.foxglove.dev")
+      .type_name("ORIGIN");
 }
 
 }  // namespace fairway::app

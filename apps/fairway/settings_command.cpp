@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "fairway/io/settings_file.hpp"
 #include "output.hpp"
 #include "settings_options.hpp"
@@ -26,13 +26,13 @@ struct SettingsCommand {
 
 }  // namespace
 
-void add_settings_command(CLI::App& tool, Command& chosen) {
+void add_settings_command(CommandLine& tool) {
   const auto command = std::make_shared<SettingsCommand>();
-  CLI::App* sub =
-      tool.add_subcommand("settings", "Print every setting as YAML that --settings reads back");
-  add_settings_options(*sub, command->settings);
-  sub->add_flag("--markdown", command->markdown, "Print the page docs/settings.md instead");
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+  const Options options =
+      tool.add_command("settings", "Print every setting as YAML that --settings reads back",
+                       [command] { return command->run(); });
+  add_settings_options(options, command->settings);
+  options.add_flag("--markdown", command->markdown, "Print the page docs/settings.md instead");
 }
 
 }  // namespace fairway::app

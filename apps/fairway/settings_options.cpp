@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings_options.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/settings_file.hpp"
 
 namespace fairway::app {
 
-void add_settings_options(CLI::App& command, SettingsOptions& options) {
-  command.add_option("--preset", options.preset, "Start from 'default' or 'paper' (Table I)");
-  command.add_option("--settings", options.file, "Read settings from a YAML file")
-      ->type_name("FILE.yaml");
-  command
-      .add_option("--set", options.assignments,
-                  "Set one setting, e.g. robot.radius=0.3; may be given several times")
-      ->type_name("GROUP.NAME=VALUE")
-      ->allow_extra_args(false);
+void add_settings_options(const Options& options, SettingsOptions& chosen) {
+  options.add("--preset", chosen.preset, "Start from 'default' or 'paper' (Table I)");
+  options.add("--settings", chosen.file, "Read settings from a YAML file").type_name("FILE.yaml");
+  options
+      .add("--set", chosen.assignments,
+           "Set one setting, e.g. robot.radius=0.3; may be given several times")
+      .type_name("GROUP.NAME=VALUE")
+      .one_at_a_time();
 }
 
 Expected<Settings> load_settings(const SettingsOptions& options, const Settings& base) {

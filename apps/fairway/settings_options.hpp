@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "command_line.hpp"
 #include "fairway/base/error.hpp"
 #include "fairway/navigation/settings.hpp"
 
@@ -18,7 +17,7 @@ struct SettingsOptions {
   std::vector<std::string> assignments;
 };
 
-void add_settings_options(CLI::App& command, SettingsOptions& options);
+void add_settings_options(const Options& options, SettingsOptions& chosen);
 
 /// The settings that the options ask for: preset, then file, then assignments over `base`. Checks
 /// that each exists and lies in its range; whether they agree is for `validate`, when the command

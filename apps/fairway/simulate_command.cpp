@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "episode_output.hpp"
 #include "fairway/io/map_file.hpp"
 #include "fairway/io/number_text.hpp"
@@ -123,18 +123,18 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
   if (!picture.empty()) {
     const Expected<std::string> bytes = world_picture(world, result, picture);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (const auto done = write_output(picture, *bytes); !done) return done;
+    if (auto done = write_output(picture, *bytes); !done) return done;
   }
   if (!speeds.empty()) {
     const Expected<std::string> bytes = speed_picture(world, result, speeds);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (const auto done = write_output(speeds, *bytes); !done) return done;
+    if (auto done = write_output(speeds, *bytes); !done) return done;
   }
   if (!trace.empty()) {
-    if (const auto done = write_output(trace, io::trace_csv(result)); !done) return done;
+    if (auto done = write_output(trace, io::trace_csv(result)); !done) return done;
   }
   if (!json.empty()) {
-    if (const auto done = write_output(json, json_text(episode_json(result))); !done) return done;
+    if (auto done = write_output(json, episode_json(result)); !done) return done;
   }
   // The table gives way to whatever was asked for on standard output.
   if (json == "-" || trace == "-") return {};
@@ -175,40 +175,38 @@ Expected<int> SimulateCommand::run() {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& tool, Command& chosen) {
+void add_simulate_command(CommandLine& tool) {
   const auto command = std::make_shared<SimulateCommand>();
-  CLI::App* sub = tool.add_subcommand("simulate", "Drive through a scenario and judge the run");
-  sub->add_option("SCENARIO", command->scenario, "Scenario YAML file; or give the three below");
-  sub->add_option("--map", command->map, "map_server YAML file")->type_name("FILE.yaml");
-  sub->add_option("--start", command->start, "Where the robot starts [m, rad]")
-      ->type_name("X,Y[,HEADING]");
-  sub->add_option("--goal", command->goal, "Where it shall go [m, rad]")
-      ->type_name("X,Y[,HEADING]");
-  sub->add_option("--swap", command->swap,
-                  "Robots on a circle in the open exchange places with their opposites [-, m]; "
-                  "--seed moves their starts a little, 0 not at all")
-      ->type_name("N[,RADIUS]");
-  sub->add_option("--sensing", command->sensing, "What the robots know, whatever the scenario says")
-      ->check(CLI::IsMember({"map", "lidar"}));
-  sub->add_option("--noise", command->noise, "Errors of lidar and odometry, likewise")
-      ->check(CLI::IsMember({"none", "standard"}));
-  sub->add_option("--physics", command->physics, "What moves the robots, likewise")
-      ->check(CLI::IsMember({"unicycle", "mujoco"}));
-  sub->add_option("--seed", command->seed, "Seed of everything random")
-      ->check(CLI::NonNegativeNumber);
-  sub->add_option("--time-limit", command->time_limit, "Longest run [s]")
-      ->check(number_between(0.001, 1e5));
-  sub->add_option("--json", command->json, "Write the result as JSON; - is standard output")
-      ->type_name("FILE");
-  sub->add_option("--trace", command->trace, "Write every cycle as CSV; - is standard output")
-      ->type_name("FILE.csv");
-  sub->add_option("--picture", command->picture, "Draw the run; .svg, .png or .pdf")
-      ->type_name("FILE");
-  sub->add_option("--speeds", command->speeds, "Draw speeds over time; .svg, .png or .pdf")
-      ->type_name("FILE");
-  add_run_options(*sub, command->outputs);
-  add_settings_options(*sub, command->settings);
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+  const Options options = tool.add_command("simulate", "Drive through a scenario and judge the run",
+                                           [command] { return command->run(); });
+  options.add("SCENARIO", command->scenario, "Scenario YAML file; or give the three below");
+  options.add("--map", command->map, "map_server YAML file").type_name("FILE.yaml");
+  options.add("--start", command->start, "Where the robot starts [m, rad]")
+      .type_name("X,Y[,HEADING]");
+  options.add("--goal", command->goal, "Where it shall go [m, rad]").type_name("X,Y[,HEADING]");
+  options
+      .add("--swap", command->swap,
+           "Robots on a circle in the open exchange places with their opposites [-, m]; "
+           "--seed moves their starts a little, 0 not at all")
+      .type_name("N[,RADIUS]");
+  options.add("--sensing", command->sensing, "What the robots know, whatever the scenario says")
+      .one_of({"map", "lidar"});
+  options.add("--noise", command->noise, "Errors of lidar and odometry, likewise")
+      .one_of({"none", "standard"});
+  options.add("--physics", command->physics, "What moves the robots, likewise")
+      .one_of({"unicycle", "mujoco"});
+  options.add("--seed", command->seed, "Seed of everything random").not_negative();
+  options.add("--time-limit", command->time_limit, "Longest run [s]")
+      .check(number_between(0.001, 1e5));
+  options.add("--json", command->json, "Write the result as JSON; - is standard output")
+      .type_name("FILE");
+  options.add("--trace", command->trace, "Write every cycle as CSV; - is standard output")
+      .type_name("FILE.csv");
+  options.add("--picture", command->picture, "Draw the run; .svg, .png or .pdf").type_name("FILE");
+  options.add("--speeds", command->speeds, "Draw speeds over time; .svg, .png or .pdf")
+      .type_name("FILE");
+  add_run_options(options, command->outputs);
+  add_settings_options(options, command->settings);
 }
 
 }  // namespace fairway::app

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "command.hpp"
-#include "fairway/io/number_text.hpp"
+#include "commands.hpp"
 #include "fairway/io/ocp_instances.hpp"
 #include "fairway/mpc/evaluation.hpp"
 #include "instance_solver.hpp"
@@ -24,26 +23,6 @@ namespace {
 
 using io::OcpInstance;
 using io::OcpResult;
-
-// Accepts an integer from 1 to `most`.
-CLI::Validator count_up_to(int most) {
-  return CLI::Validator(
-      [most](std::string& text) {
-        const std::optional<int> value = io::parse_integer(text);
-        if (value && *value >= 1 && *value <= most) return std::string();
-        return fmt::format("expected an integer from 1 to {}, found {}", most, io::excerpt(text));
-      },
-      "");
-}
-
-CLI::Validator solver_name() {
-  return CLI::Validator(
-      [](std::string& text) {
-        if (text == "interior_point" || text == "ipopt") return std::string();
-        return "expected interior_point or ipopt, found " + io::excerpt(text);
-      },
-      "");
-}
 
 // The guess for instance `index`: the result at the same place if it has the same id, else the
 // first result with this id; cold where there is none.
@@ -148,8 +127,8 @@ Expected<int> SolveCommand::run() const {
   }
   if (const auto written = write_output(out, io::format_ocp_results(results)); !written)
     return tl::unexpected(written.error());
-  const Json report = solve_report(solver, starts, repeat, solved);
-  if (const auto written = write_output(json, json_text(report)); !written)
+  const std::string report = solve_report(solver, starts, repeat, solved);
+  if (const auto written = write_output(json, report); !written)
     return tl::unexpected(written.error());
   if (out == "-" || json == "-") return kDone;
   if (const auto printed = print(solve_table(solved)); !printed)
@@ -159,27 +138,28 @@ Expected<int> SolveCommand::run() const {
 
 }  // namespace
 
-void add_solve_command(CLI::App& tool, Command& chosen) {
+void add_solve_command(CommandLine& tool) {
   const auto command = std::make_shared<SolveCommand>();
-  CLI::App* sub = tool.add_subcommand(
-      "solve", "Solve instances of the optimal control problem (Eq. 15) and write the commands");
-  sub->add_option("INSTANCES", command->instances_file,
-                  "File with one instance a line: id class nobs pose targets rectangle obstacles")
-      ->required();
-  sub->add_option("--out", command->out, "Result file: id status iterations time_us u0 r0 ...")
-      ->required();
-  sub->add_option("--solver", command->solver, "interior_point or ipopt")
-      ->capture_default_str()
-      ->check(solver_name());
-  sub->add_option("--warm", command->warm_file, "Result file whose commands to start from");
-  sub->add_option("--starts", command->starts, "Different starts per instance; the best is kept")
-      ->capture_default_str()
-      ->check(count_up_to(1000));
-  sub->add_option("--repeat", command->repeat, "Solve as often and write the fastest time")
-      ->capture_default_str()
-      ->check(count_up_to(1000000));
-  sub->add_option("--json", command->json, "Write a report as JSON; - is standard output");
-  sub->callback([&chosen, command] { chosen = [command] { return command->run(); }; });
+  const Options options = tool.add_command(
+      "solve", "Solve instances of the optimal control problem (Eq. 15) and write the commands",
+      [command] { return command->run(); });
+  options
+      .add("INSTANCES", command->instances_file,
+           "File with one instance a line: id class nobs pose targets rectangle obstacles")
+      .required();
+  options.add("--out", command->out, "Result file: id status iterations time_us u0 r0 ...")
+      .required();
+  options.add("--solver", command->solver, "interior_point or ipopt")
+      .shows_default()
+      .one_of({"interior_point", "ipopt"});
+  options.add("--warm", command->warm_file, "Result file whose commands to start from");
+  options.add("--starts", command->starts, "Different starts per instance; the best is kept")
+      .shows_default()
+      .between(1, 1000);
+  options.add("--repeat", command->repeat, "Solve as often and write the fastest time")
+      .shows_default()
+      .between(1, 1000000);
+  options.add("--json", command->json, "Write a report as JSON; - is standard output");
 }
 
 }  // namespace fairway::app

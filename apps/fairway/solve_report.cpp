@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
+
+#include "json_text.hpp"
 
 namespace fairway::app {
 
@@ -80,10 +82,10 @@ std::vector<ClassSummary> summarise(std::span<const SolvedInstance> instances) {
   return summaries;
 }
 
-Json solve_report(const std::string& solver,
-                  int starts,
-                  int repeat,
-                  std::span<const SolvedInstance> instances) {
+std::string solve_report(const std::string& solver,
+                         int starts,
+                         int repeat,
+                         std::span<const SolvedInstance> instances) {
   Json report{{"solver", solver}, {"starts", starts}, {"repeat", repeat}};
   report["classes"] = Json::array();
   for (const ClassSummary& summary : summarise(instances))
@@ -91,7 +93,7 @@ Json solve_report(const std::string& solver,
   report["instances"] = Json::array();
   for (const SolvedInstance& instance : instances)
     report["instances"].push_back(as_json(instance));
-  return report;
+  return json_text(report);
 }
 
 std::string solve_table(std::span<const SolvedInstance> instances) {

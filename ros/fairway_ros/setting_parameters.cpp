@@ -44,7 +44,7 @@ Expected<void> assign_group(XmlRpcValue& group, const std::string& name, Setting
   for (auto& [key, value] : group) {
     std::string assignment = name;
     assignment += "." + key + "=" + text_of(value);
-    if (const Expected<void> done = io::assign_setting(settings, assignment); !done) return done;
+    if (Expected<void> done = io::assign_setting(settings, assignment); !done) return done;
   }
   return {};
 }
@@ -195,7 +195,7 @@ Expected<void> read_parameters(const ros::NodeHandle& node,
                                     : assign_option(key, value, options);
     if (!done) return done;
   }
-  if (const Expected<void> valid = validate(settings); !valid) return valid;
+  if (Expected<void> valid = validate(settings); !valid) return valid;
   return bridge::validate(options.pilot);
 }
 

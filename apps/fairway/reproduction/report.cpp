@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/whole_file.hpp"
+#include "json_text.hpp"
 #include "output.hpp"
 #include "page.hpp"
 
@@ -74,7 +75,7 @@ Expected<void> make_report_folder(const std::string& folder) {
   std::filesystem::create_directories(folder + "/figures", failed);
   if (failed) return fail("--out: expected a folder that can be made, found " + folder);
   for (const char* file : {"results.json", "index.html", "timing.html", "figures/probe"}) {
-    if (const auto writable = io::check_writable(folder + "/" + file); !writable) return writable;
+    if (auto writable = io::check_writable(folder + "/" + file); !writable) return writable;
   }
   return {};
 }
@@ -82,7 +83,7 @@ Expected<void> make_report_folder(const std::string& folder) {
 Expected<void> write_report(const std::string& folder,
                             const std::vector<Chapter>& chapters,
                             const ReportInfo& info) {
-  if (const auto made = make_report_folder(folder); !made) return made;
+  if (auto made = make_report_folder(folder); !made) return made;
   std::vector<PageChapter> pages;
   for (const Chapter& chapter : chapters) {
     PageChapter page{.chapter = &chapter, .figures = {}};
@@ -98,7 +99,7 @@ Expected<void> write_report(const std::string& folder,
       std::pair{"/timing.html", timing_html(pages)},
       std::pair{"/index.html", page_html(pages, info.command)}};
   for (const auto& [name, text] : files) {
-    if (const auto done = io::write_file_atomically(folder + name, text); !done) return done;
+    if (auto done = io::write_file_atomically(folder + name, text); !done) return done;
   }
   return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -19,9 +20,20 @@ struct Error {
 template <typename T>
 using Expected = tl::expected<T, Error>;
 
-/// The failed form of every Expected: `return fail("...");`
+/// `text` with a space for every control character: what was found in a file, or a file's name, may
+/// hold line breaks.
+[[nodiscard]] inline std::string one_line(std::string text) {
+  const auto is_control = [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return code < 0x20 || code == 0x7f;
+  };
+  std::replace_if(text.begin(), text.end(), is_control, ' ');
+  return text;
+}
+
+/// The failed form of every Expected: `return fail("...");` Makes one line of the message.
 [[nodiscard]] inline tl::unexpected<Error> fail(std::string message) {
-  return tl::unexpected<Error>(Error{std::move(message)});
+  return tl::unexpected<Error>(Error{one_line(std::move(message))});
 }
 
 }  // namespace fairway

@@ -56,7 +56,7 @@ struct Corridor {
 /// How building a corridor ended.
 enum class CorridorStatus : std::uint8_t {
   Built,        ///< start and goal inside, consecutive admissible rectangles overlap
-  EmptyPath,    ///< the path has no waypoint, or one that is not finite
+  EmptyPath,    ///< the path has no waypoint, or its length is not finite
   SeedBlocked,  ///< no rectangle can hold the path at `stuck_at`
   NoOverlap,    ///< no rectangle there overlaps the chain so far in a patch large enough
 };

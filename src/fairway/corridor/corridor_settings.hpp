@@ -15,11 +15,11 @@ enum class CorridorMethod : std::uint8_t {
   Fewest,  ///< the fewest largest rectangles, our default
 };
 
-[[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorMethod) noexcept {
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorMethod /*type*/) noexcept {
   return {"mdsrc", "fewest"};
 }
 
-[[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorSpace) noexcept {
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(CorridorSpace /*type*/) noexcept {
   return {"workspace", "configuration"};
 }
 

@@ -30,7 +30,8 @@ bool PathTrack::assign(const Path& path, const GridFrame& grid) {
     points_.push_back(p);
   }
   for (std::size_t i = 0; i < points_.size(); ++i)
-    arc_.push_back(i == 0 ? 0.0 : arc_[i - 1] + (points_[i] - points_[i - 1]).norm());
+    arc_.push_back(i == 0 ? 0.0 : arc_[i - 1] + line_length(points_[i] - points_[i - 1]));
+  if (!arc_.empty() && !std::isfinite(arc_.back())) points_.clear();
   return !points_.empty();
 }
 
@@ -51,7 +52,7 @@ std::size_t waypoint_before(const Path& path, double s) noexcept {
   double along = 0.0;
   std::size_t last = 0;
   for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
-    along += (path.waypoints[i] - path.waypoints[i - 1]).norm();
+    along += line_length(path.waypoints[i] - path.waypoints[i - 1]);
     if (!(along <= s)) break;
     last = i;
   }

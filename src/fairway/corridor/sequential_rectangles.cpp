@@ -21,18 +21,21 @@ struct SeedPoint {
   double along;  // distance along the path [m]
 };
 
-// Points at most `spacing` apart, corners included.
-std::vector<SeedPoint> seed_points(const Path& path, double spacing) {
+// Points at most `spacing` apart, corners included. None but the end of a straight piece is further
+// along it than the map's diagonal: there it has left the map.
+std::vector<SeedPoint> seed_points(const Path& path, double spacing, const GridFrame& map) {
+  const double longest = map.resolution * std::hypot(map.width, map.height);
   std::vector<SeedPoint> seeds{{path.waypoints.front(), 0.0}};
   for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
     const Vector2d from = path.waypoints[i - 1];
     const Vector2d way = path.waypoints[i] - from;
-    const double length = way.norm();
+    const double length = line_length(way);
     if (length == 0.0) continue;
     const double start = seeds.back().along;
-    const int pieces = static_cast<int>(std::ceil(length / spacing));
-    for (int k = 1; k < pieces; ++k) {
-      const double share = static_cast<double>(k) / pieces;
+    const double pieces = std::ceil(length / spacing);
+    const int inner = static_cast<int>(std::min(pieces - 1.0, std::ceil(longest / spacing)));
+    for (int k = 1; k <= inner; ++k) {
+      const double share = k / pieces;
       seeds.push_back({from + share * way, start + share * length});
     }
     seeds.push_back({path.waypoints[i], start + length});
@@ -167,12 +170,14 @@ CorridorResult build_sequential(const BitGrid& obstacles,
   result.corridor.space = settings.space;
   result.corridor.robot_radius = robot_radius;
   result.corridor.inward_offset = workspace ? settings.inward_offset : 0.0;
-  const bool usable =
-      !path.waypoints.empty() && std::all_of(path.waypoints.begin(), path.waypoints.end(),
-                                             [](const Vector2d& p) { return is_finite(p); });
+  const bool usable = !path.waypoints.empty() &&
+                      std::all_of(path.waypoints.begin(), path.waypoints.end(),
+                                  [](const Vector2d& p) { return is_finite(p); }) &&
+                      std::isfinite(path.length());
   if (!usable) return result;
   Chain chain(obstacles, workspace ? 0.0 : robot_radius, settings,
-              seed_points(path, settings.waypoint_spacing), grow, result.corridor);
+              seed_points(path, settings.waypoint_spacing, obstacles.frame()), grow,
+              result.corridor);
   result.status = chain.run();
   if (result.status == CorridorStatus::Built) return result;
   result.stuck_at = chain.reached();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "fairway/io/map_file.hpp"
@@ -26,10 +26,9 @@ class Reader {
 
   double number(const Json& object, const char* key, double low, double high) {
     const double value = as_number(find(object, key));
-    if (!(value >= low && value <= high)) {
-      complain(key, fmt::format("expected a number from {} to {}", low, high));
-    }
-    return value;
+    if (value >= low && value <= high) return value;
+    complain(key, fmt::format("expected a number from {} to {}", low, high));
+    return low;
   }
 
   // Exactly `count` finite numbers.

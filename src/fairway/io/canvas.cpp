@@ -12,7 +12,7 @@
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace fairway::io {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml_document.hpp"

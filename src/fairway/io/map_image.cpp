@@ -2,7 +2,7 @@
 #include "fairway/io/map_image.hpp"
 
 #include <Magick++.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/graphics_magick.hpp"
 #include "fairway/io/map_image_format.hpp"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/map_image.hpp"
 #include "fairway/map/occupancy_grid.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/whole_file.hpp"
@@ -70,7 +70,7 @@ class LineReader {
   }
 
   void complain(const std::string& message) {
-    if (!error_) error_ = Error{fmt::format("{}: {}", where_, message)};
+    if (!error_) error_ = fail(fmt::format("{}: {}", where_, message)).value();
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 

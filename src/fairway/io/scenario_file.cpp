@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/map_file.hpp"
 #include "fairway/io/number_text.hpp"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/setting_text.hpp"
 #include "fairway/io/settings_mapping.hpp"

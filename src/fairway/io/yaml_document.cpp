@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <yaml-cpp/eventhandler.h>
 
 namespace fairway::io {
@@ -15,7 +15,11 @@ namespace {
 // What a document must not contain before nodes are built from it.
 class Inspection : public YAML::EventHandler {
  public:
-  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  // The parser makes empty documents without end in front of a token that belongs to none.
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (mark.pos == start_) throw YAML::ParserException(mark, "what belongs to no document");
+    start_ = mark.pos;
+  }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
@@ -35,6 +39,9 @@ class Inspection : public YAML::EventHandler {
                   YAML::anchor_t /*anchor*/,
                   YAML::EmitterStyle::value /*style*/) override {}
   void OnMapEnd() override {}
+
+ private:
+  int start_ = -1;  // of the document before
 };
 
 void inspect(const std::string& text) {

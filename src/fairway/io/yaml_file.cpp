@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/number_text.hpp"
 
@@ -22,7 +22,7 @@ void YamlFile::complain(int line, const std::string& key, const std::string& mes
   if (error) return;
   const std::string where = line > 0 ? fmt::format("{}:{}", name, line) : name;
   const std::string what = key.empty() ? message : fmt::format("{}: {}", key, message);
-  error = Error{where.empty() ? what : fmt::format("{}: {}", where, what)};
+  error = fail(where.empty() ? what : fmt::format("{}: {}", where, what)).value();
 }
 
 std::string describe(const char* kind, const NumberRange& range) {

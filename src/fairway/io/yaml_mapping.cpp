@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/yaml_mapping.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fairway/io/number_text.hpp"
 

@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Integration) noexcept {
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Integration /*type*/) noexcept {
   return {"euler", "midpoint"};
 }
 

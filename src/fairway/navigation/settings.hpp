@@ -50,7 +50,7 @@ enum class TargetMode : std::uint8_t {
   OverlapCentroid,  ///< one target, the centroid of the next overlap: SMPC [17]
 };
 
-[[nodiscard]] constexpr std::array<const char*, 3> setting_names(TargetMode) noexcept {
+[[nodiscard]] constexpr std::array<const char*, 3> setting_names(TargetMode /*type*/) noexcept {
   return {"timed_string", "dual_waypoints", "overlap_centroid"};
 }
 

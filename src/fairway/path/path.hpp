@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
 
 namespace fairway {
+
+/// The length of a straight line; finite also where the square of it is not [m].
+[[nodiscard]] inline double line_length(const Eigen::Vector2d& way) noexcept {
+  const double length = way.norm();
+  return std::isfinite(length) ? length : way.stableNorm();
+}
 
 /// Geometry without time: straight lines between waypoints, from start to goal, world frame [m].
 struct Path {
@@ -16,7 +23,7 @@ struct Path {
   [[nodiscard]] double length() const noexcept {
     double sum = 0.0;
     for (std::size_t i = 1; i < waypoints.size(); ++i)
-      sum += (waypoints[i] - waypoints[i - 1]).norm();
+      sum += line_length(waypoints[i] - waypoints[i - 1]);
     return sum;
   }
 };

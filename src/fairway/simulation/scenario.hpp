@@ -27,7 +27,7 @@ enum class Engine : std::uint8_t {
   Mujoco,    ///< rigid bodies on wheels that slip; optional, see docs/physics.md
 };
 
-[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Engine) noexcept {
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Engine /*type*/) noexcept {
   return {"unicycle", "mujoco"};
 }
 

@@ -14,7 +14,7 @@ enum class Sensing : std::uint8_t {
   Lidar,  ///< what its lidar and its wheels tell, from the start on
 };
 
-[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Sensing) noexcept {
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(Sensing /*type*/) noexcept {
   return {"map", "lidar"};
 }
 
@@ -24,7 +24,7 @@ enum class SensorNoise : std::uint8_t {
   Standard,  ///< use_standard_noise
 };
 
-[[nodiscard]] constexpr std::array<const char*, 2> setting_names(SensorNoise) noexcept {
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(SensorNoise /*type*/) noexcept {
   return {"none", "standard"};
 }
 

@@ -49,6 +49,29 @@ TEST(CorridorBuilder, ACornerTakesTwo) {
   test::expect_a_sound_chain(obstacles, path, result.corridor, settings, true);
 }
 
+// Found by tests/fuzz: Mdsrc asked for a point every 0.1 m, and Fewest went on along the last one
+// without end.
+TEST(CorridorBuilder, APathThatLeavesTheMapForFarAwayIsCutOffThere) {
+  for (const CorridorMethod method : kMethods) {
+    const CorridorSettings settings = with(method, CorridorSpace::Configuration);
+    for (const double far : {1e3, 1e9, 1e100, 1e300}) {
+      const Path path{.waypoints = {{5, 5}, {far, 5}}};
+      const CorridorResult result = build_corridor(hall(), path, 0.3, settings);
+      EXPECT_EQ(result.status, CorridorStatus::SeedBlocked) << far;
+      EXPECT_NEAR(result.stuck_at, 20.0 - 5.0 - 0.3, 2.0 * settings.waypoint_spacing) << far;
+      EXPECT_EQ(result.stuck_waypoint, 0U);
+    }
+  }
+}
+
+TEST(CorridorBuilder, APathTooLongToBeMeasuredIsNone) {
+  for (const CorridorMethod method : kMethods) {
+    const Path path{.waypoints = {{5, 5}, {1.7e308, 5}, {-1.7e308, 5}}};
+    const CorridorSettings settings = with(method, CorridorSpace::Configuration);
+    EXPECT_EQ(build_corridor(hall(), path, 0.3, settings).status, CorridorStatus::EmptyPath);
+  }
+}
+
 TEST(CorridorBuilder, APathOfOnePointIsCovered) {
   for (const CorridorMethod method : kMethods) {
     for (const CorridorSpace space : kSpaces) {

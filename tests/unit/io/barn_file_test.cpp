@@ -66,6 +66,9 @@ TEST(BarnFile, WhatIsWrongIsAnErrorThatNamesFileAndKey) {
       names(R"({"start":[0,0,0],"goal":[5,0],"goal_radius":1,"timeout_s":9,"worlds":[{"world":1,
         "obstacles":[{"name":"a","radius":0.5,"keys":[[1,0,0],[1,2,2]]}]}]})",
             "increasing times"));
+  EXPECT_TRUE(names(
+      R"({"start":[0,0,0],"goal":[5,0],"goal_radius":1,"timeout_s":9,"worlds":[{"obstacles":[]}]})",
+      "world: expected a number"));
   EXPECT_FALSE(read_barn(folder.path("nothing"), {}));
 }
 

@@ -162,6 +162,13 @@ TEST(ScenarioFile, TakesDefaultsForWhatItLeavesOut) {
   EXPECT_EQ(scenario->robots[0].name, "robot 1");
 }
 
+TEST(ScenarioFile, ItsErrorsAreOneLineWhateverItHolds) {
+  const TemporaryFolder folder;
+  const auto scenario = read_scenario(folder.write("s.yaml", "map: \"a\\nb.yaml\"\nrobots: []\n"));
+  ASSERT_FALSE(scenario);
+  EXPECT_EQ(scenario.error().message.find('\n'), std::string::npos) << scenario.error().message;
+}
+
 TEST(ScenarioFile, RefusesTwoRobotsOfOneName) {
   const TemporaryFolder folder;
   write_map(folder);

@@ -101,6 +101,21 @@ TEST(SettingsFile, NamesFileLineKeyRangeAndWhatWasFound) {
   EXPECT_NE(complaint("mpc:\n  dt:"), "none");
 }
 
+// Found by tests/fuzz: yaml-cpp makes empty documents of these without end.
+TEST(SettingsFile, RefusesWhatNeverBecomesADocument) {
+  for (const char* text : {",\nf\n", ",\xff'", "]", "}", "robot: {}\n...\n,", "a\n---\n]"})
+    EXPECT_NE(complaint(text), "none") << text;
+}
+
+TEST(SettingsFile, ItsErrorsAreOneLineWhateverItHolds) {
+  for (const std::string& text : {std::string("?\n\0\n", 4), std::string("\"\\\n\""),
+                                  std::string("\"a\\nb\": 1"), std::string("robot: \"a\\nb\"")}) {
+    const std::string message = complaint(text);
+    EXPECT_NE(message, "none") << text;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
 TEST(SettingsFile, AssignsOneSetting) {
   Settings settings;
   ASSERT_TRUE(assign_setting(settings, "mpc.linear_max=1.25"));

@@ -40,6 +40,11 @@ std::string compress(std::string_view content) {
 }
 
 std::optional<std::string> decompress(std::string_view compressed, std::uint64_t size) {
+  // What is no frame, or of another size, is refused before memory for it is taken. A frame may
+  // keep its size to itself, and others may follow it.
+  const auto told = ZSTD_getFrameContentSize(compressed.data(), compressed.size());
+  if (told == ZSTD_CONTENTSIZE_ERROR || (told != ZSTD_CONTENTSIZE_UNKNOWN && told > size))
+    return std::nullopt;
   std::string content(size, '\0');
   const std::size_t got =
       ZSTD_decompress(content.data(), content.size(), compressed.data(), compressed.size());

@@ -26,7 +26,7 @@ class Reader {
 
   Expected<void> read() {
     if (!bytes_.starts_with(mcap::kMagic)) return fail(name_ + ": expected an MCAP file");
-    if (const Expected<void> data = records(bytes_.substr(mcap::kMagic.size()), false); !data) {
+    if (Expected<void> data = records(bytes_.substr(mcap::kMagic.size()), false); !data) {
       return data;
     }
     if (!ended_ || !bytes_.ends_with(mcap::kMagic)) {

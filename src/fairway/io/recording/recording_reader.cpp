@@ -31,10 +31,11 @@ Enumeration checked(const Json& json, Enumeration last) {
 
 OccupancyGrid occupancy(const GridFrame& frame, const Json& grid) {
   const auto cells = from_base64(grid.at("data").get_ref<const std::string&>());
-  OccupancyGrid map(frame);
-  if (!cells || cells->size() != map.cells().size()) {
+  if (!cells || cells->size() != static_cast<std::size_t>(frame.width) *
+                                     static_cast<std::size_t>(frame.height)) {
     throw std::invalid_argument("expected as many cells as the map's size says");
   }
+  OccupancyGrid map(frame);
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
       const char cell =
@@ -150,6 +151,7 @@ class Player {
     if (json.contains("sensing")) scenario.sensing = sensing(json.at("sensing"));
     if (json.value("physics", "unicycle") == "mujoco") scenario.engine = Engine::Mujoco;
     lidar_ = scenario.sensing.sensing == Sensing::Lidar;
+    frame_ = scenario.map.frame();
     robots_ = scenario.robots.size();
     started_ = true;
     observer_.on_start(scenario);
@@ -276,7 +278,9 @@ class Player {
     }
     if (robots.size() != robots_) throw std::invalid_argument("expected every robot");
     const BitGrid* obstacles = map(json);
-    if (obstacles == nullptr) throw std::invalid_argument("expected a map");
+    if (obstacles == nullptr || !exact::same_frame(obstacles->frame(), frame_)) {
+      throw std::invalid_argument("expected cells of the scenario's map");
+    }
     observer_.on_world({.time = exact::to_number(json.at("time")),
                         .obstacles = obstacles,
                         .bodies = bodies,
@@ -288,6 +292,7 @@ class Player {
   EpisodeObserver& observer_;
   Json map_message_;
   std::map<int, BitGrid> grids_;
+  GridFrame frame_;  // of the scenario's map
   FleetReader fleet_;
   std::vector<float> ranges_;  // of the scan that is told next
   std::size_t robots_ = 0;

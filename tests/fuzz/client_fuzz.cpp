@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as what a client of the live page sends, a command or a map.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "server/live_command.hpp"
+#include "server/uploaded_map.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(data, data + size);
+  static_cast<void>(fairway::app::parse_command(text));
+  const auto map = fairway::app::read_uploaded_map(text);
+  if (map && (map->name.empty() || map->map.frame().width < 1)) std::abort();
+  return 0;
+}
