@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/mpc/interior_point_phases.hpp"
 
+#include "fairway/mpc/interior_point_drive.hpp"
 #include "fairway/mpc/interior_point_line_search.hpp"
 #include "fairway/mpc/interior_point_newton.hpp"
 
 namespace fairway::interior_point {
 namespace {
 
+void drive_to_targets_128(const Workspace& w, Point& point) noexcept {
+  drive_to_targets<Lanes128>(w, point);
+}
 void evaluate_128(const Workspace& w, Point& point) noexcept { evaluate<Lanes128>(w, point); }
 void start_128(Workspace& w, double mu) noexcept { start<Lanes128>(w, mu); }
 OptimalityError linearise_128(Workspace& w, double mu) noexcept {
@@ -21,6 +25,9 @@ bool take_step_128(Workspace& w, double mu, double boundary, Filter& filter) noe
 
 #ifdef FAIRWAY_HAS_LANES256
 #define FAIRWAY_AVX2 [[gnu::target("avx2")]]
+FAIRWAY_AVX2 void drive_to_targets_256(const Workspace& w, Point& point) noexcept {
+  drive_to_targets<Lanes256>(w, point);
+}
 FAIRWAY_AVX2 void evaluate_256(const Workspace& w, Point& point) noexcept {
   evaluate<Lanes256>(w, point);
 }
@@ -39,7 +46,8 @@ FAIRWAY_AVX2 bool take_step_256(Workspace& w, double mu, double boundary, Filter
 }  // namespace
 
 const Phases& phases_128() noexcept {
-  static constexpr Phases kPhases = {.evaluate = evaluate_128,
+  static constexpr Phases kPhases = {.drive_to_targets = drive_to_targets_128,
+                                     .evaluate = evaluate_128,
                                      .start = start_128,
                                      .linearise = linearise_128,
                                      .solve_newton_system = solve_newton_system_128,
@@ -49,7 +57,8 @@ const Phases& phases_128() noexcept {
 
 const Phases* phases_256() noexcept {
 #ifdef FAIRWAY_HAS_LANES256
-  static constexpr Phases kPhases = {.evaluate = evaluate_256,
+  static constexpr Phases kPhases = {.drive_to_targets = drive_to_targets_256,
+                                     .evaluate = evaluate_256,
                                      .start = start_256,
                                      .linearise = linearise_256,
                                      .solve_newton_system = solve_newton_system_256,

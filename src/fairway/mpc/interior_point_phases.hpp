@@ -10,6 +10,10 @@ namespace fairway::interior_point {
 /// What one iteration consists of, compiled for one kind of registers. All kinds do the same, to
 /// the bit.
 struct Phases {
+  /// Fills the commands of `point` with a start where there is no guess: a drive to the targets
+  /// that goes round what is in the way. They keep the ranges of commands, not all changes.
+  void (*drive_to_targets)(const Workspace& w, Point& point) noexcept;
+
   /// Brings all that belongs to the commands of `point` up to date, save slacks.
   void (*evaluate)(const Workspace& w, Point& point) noexcept;
 

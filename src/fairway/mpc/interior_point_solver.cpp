@@ -107,14 +107,14 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
   interior_point::Workspace& w = workspace_;
   const interior_point::Phases& phases = *phases_;
   interior_point::load_problem(problem, w);
-  interior_point::load_guess(guess, w, *w.now);
+  interior_point::load_guess(phases, guess, w, *w.now);
   solution_.status = interior_point::iterate(phases, settings, w, solution_.iterations);
 
   // An unfinished answer must not be worse than the guess was.
   interior_point::clip_commands(w, *w.now);
   phases.evaluate(w, *w.now);
   if (solution_.status != SolveStatus::Solved) {
-    interior_point::load_guess(guess, w, *w.trial);
+    interior_point::load_guess(phases, guess, w, *w.trial);
     interior_point::clip_commands(w, *w.trial);
     phases.evaluate(w, *w.trial);
     if (!(interior_point::penalised_cost(w, *w.now) <= interior_point::penalised_cost(w, *w.trial)))
