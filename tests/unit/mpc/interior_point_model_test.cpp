@@ -11,6 +11,7 @@
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point_line_search.hpp"
 #include "fairway/mpc/interior_point_newton.hpp"
+#include "fairway/mpc/interior_point_phases.hpp"
 #include "fairway/mpc/interior_point_setup.hpp"
 #include "fairway/mpc/interior_point_start.hpp"
 #include "support/central_difference.hpp"
@@ -69,7 +70,7 @@ double begin(const ControlProblem& problem, test::Random& random, Workspace& w) 
   guess.count = problem.horizon;
   for (Twist2& command : guess.commands)
     command = test::random_command(random, problem);
-  load_guess(guess, w, *w.now);
+  load_guess(phases_128(), guess, w, *w.now);
   w.first_slack = 0.05;
   evaluate<Lanes>(w, *w.now);
   start_hard_rows<Lanes>(w, kMu);
