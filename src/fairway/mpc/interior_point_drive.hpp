@@ -12,7 +12,7 @@
 
 namespace fairway::interior_point {
 
-inline constexpr std::size_t kHeldSteps = 3;  ///< a manoeuvre is held so long ...
+inline constexpr std::size_t kHeldSteps = 3;               ///< a manoeuvre is held so long ...
 inline constexpr std::size_t kSeenSteps = 2 * kHeldSteps;  ///< ... and judged by so many
 
 /// Where the drive has come to.
@@ -30,8 +30,8 @@ struct Manoeuvres {
 /// What becomes of four manoeuvres.
 template <typename Lanes>
 struct Outlook {
-  Lanes merit = 0.0;                     ///< the less, the better
-  Lanes violation = 0.0;                 ///< what rows would be violated by
+  Lanes merit = 0.0;                  ///< the less, the better
+  Lanes violation = 0.0;              ///< what rows would be violated by
   Lanes x, y, heading, cosine, sine;  ///< where they lead while they are held
 };
 
