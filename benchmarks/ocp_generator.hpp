@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include "fairway/mpc/control_problem.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/mpc/paper_problem.hpp"
+#include "fairway/mpc/solution.hpp"
 
 namespace fairway::benchmark {
 
@@ -41,6 +43,33 @@ class OcpGenerator {
     }
     scene.obstacles = {obstacles.data(), static_cast<std::size_t>(num_obstacles)};
     return paper_problem(settings, scene);
+  }
+
+  /// The problem of the next control cycle after a solution of `problem`: the robot is where the
+  /// first command leads, within 5 mm and 0.01 rad, the obstacles have moved on and turn out to be
+  /// up to 5 mm away and 0.05 m/s faster; targets and regions move up one step.
+  ControlProblem next_cycle(const ControlProblem& problem, const MpcSolution& solution) {
+    ControlProblem next = problem;
+    const auto last = static_cast<std::size_t>(problem.horizon);
+    next.start = solution.poses[1];
+    next.start.position += point(0.005);
+    next.start.heading += uniform(-0.01, 0.01);
+    next.previous_command = solution.commands[0];
+    for (std::size_t k = 0; k < last; ++k) {
+      next.targets[k] = problem.targets[k + 1];
+      next.regions[k] = problem.regions[k + 1];
+    }
+    for (std::size_t j = 0; j < static_cast<std::size_t>(problem.num_obstacles); ++j) {
+      PredictedObstacle& obstacle = next.obstacles[j];
+      const Eigen::Vector2d step =
+          obstacle.position[1] - obstacle.position[0] + problem.dt * point(0.05);
+      const Eigen::Vector2d first = obstacle.position[1] + point(0.005);
+      for (std::size_t k = 0; k <= last; ++k) {
+        obstacle.position[k] = first + static_cast<double>(k) * step;
+        obstacle.keep_out[k] = problem.obstacles[j].keep_out[std::min(k + 1, last)];
+      }
+    }
+    return next;
   }
 
  private:

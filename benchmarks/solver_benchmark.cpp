@@ -93,6 +93,9 @@ class Contest {
     if (!std::isnan(best)) ++row.feasible;
   }
 
+  // The interior-point solver's cold answer, not timed.
+  MpcSolution answer(const ControlProblem& problem) { return interior_point_->solve(problem, {}); }
+
   // The interior-point solver alone, from `starts` starts.
   void run_starts(const ControlProblem& problem, std::size_t starts, double best, Row& row) {
     std::vector<InitialGuess> guesses(starts);
@@ -149,6 +152,16 @@ InitialGuess as_guess(const io::OcpResult& result) {
   InitialGuess guess;
   guess.count = io::kOcpHorizon;
   std::copy(result.commands.begin(), result.commands.end(), guess.commands.begin());
+  return guess;
+}
+
+// What to start the next cycle from.
+InitialGuess shifted(const MpcSolution& solution) {
+  InitialGuess guess;
+  guess.count = solution.horizon;
+  const auto last = static_cast<std::size_t>(solution.horizon - 1);
+  for (std::size_t k = 0; k <= last; ++k)
+    guess.commands[k] = solution.commands[std::min(k + 1, last)];
   return guess;
 }
 
@@ -219,6 +232,17 @@ void run_generated(Contest& contest) {
     for (int i = 0; i < kProblems; ++i)
       contest.run(generator.next(horizon, 2), {}, kUnknown, row);
     print_row("horizon " + std::to_string(horizon) + ", 2 obstacles", row);
+  }
+  for (const int horizon : {10, 20, 30, 40, 50}) {
+    OcpGenerator generator(101);
+    Row row;
+    for (int i = 0; i < kProblems; ++i) {
+      const ControlProblem before = generator.next(horizon, 2);
+      const MpcSolution answer = contest.answer(before);
+      if (answer.status != SolveStatus::Solved) continue;
+      contest.run(generator.next_cycle(before, answer), shifted(answer), kUnknown, row);
+    }
+    print_row("horizon " + std::to_string(horizon) + ", 2 obstacles, next cycle, warm", row);
   }
   for (const int obstacles : {0, 1, 2, 4, 8, 16}) {
     OcpGenerator generator(202);

@@ -16,7 +16,7 @@ struct InteriorPointSettings {
 
   /// For a guess that is the shifted answer of the cycle before.
   [[nodiscard]] static constexpr InteriorPointSettings warm() noexcept {
-    return {.tolerance = 1e-3,
+    return {.tolerance = 3e-4,
             .initial_barrier = 1e-2,
             .barrier_by_violation = 1e-2,
             .first_slack = 1e-2};
