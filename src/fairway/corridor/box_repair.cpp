@@ -98,9 +98,10 @@ PointsInside BoxRepair::points_inside(CellIndex cell, const Box& box) const noex
     const DeepPoint candidate = deepest_of_disc(corner, radius, box);
     if (candidate.depth > deepest.depth) deepest = candidate;
   }
-  if (deepest.depth <= kHair) return {.offsets = {point_of_side(corners, box)}, .count = 1};
-  PointsInside result{.offsets = {frame.offset(deepest.point)}, .count = 1};
-  if (radius < kRound) return result;
+  const bool has_corner = deepest.depth > kHair;
+  PointsInside result;
+  result.add(has_corner ? frame.offset(deepest.point) : point_of_side(corners, box));
+  if (!has_corner || radius < kRound) return result;
   // On the arc, half-way to where each side would meet it.
   const Vector2d inwards = (deepest.point - deepest.center) / radius;
   for (int axis = 0; axis < 2; ++axis) {
@@ -108,7 +109,7 @@ PointsInside BoxRepair::points_inside(CellIndex cell, const Box& box) const noex
     between[axis] += std::copysign(1.0, inwards[axis]);
     const Vector2d point = deepest.center + radius * between.normalized();
     const double depth = std::min((point - box.min).minCoeff(), (box.max - point).minCoeff());
-    if (depth > kWorthKnowing) result.offsets[result.count++] = frame.offset(point);
+    if (depth > kWorthKnowing) result.add(frame.offset(point));
   }
   return result;
 }

@@ -12,9 +12,11 @@ namespace fairway {
 
 /// Some points of an obstacle, as offsets.
 struct PointsInside {
-  std::array<Eigen::Vector2d, 3> offsets;
+  std::array<Eigen::Vector2d, 3> offsets{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
+                                         Eigen::Vector2d::Zero()};
   std::size_t count = 0;
 
+  void add(const Eigen::Vector2d& offset) noexcept { offsets[count++] = offset; }
   [[nodiscard]] const Eigen::Vector2d* begin() const noexcept { return offsets.data(); }
   [[nodiscard]] const Eigen::Vector2d* end() const noexcept { return offsets.data() + count; }
 };
