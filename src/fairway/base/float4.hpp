@@ -7,11 +7,13 @@
 
 namespace fairway {
 
-/// Four floats that one instruction works on, and the outcome of comparing them: all bits set where
-/// it holds. The vector types that GCC and Clang share; arithmetic, comparison and selection
-/// (`mask ? a : b`) work lane by lane, numbers stand for four equal ones.
+/// Four floats that one instruction works on, the outcome of comparing them (all bits set where it
+/// holds), and bits to collect such outcomes in. The vector types that GCC and Clang share;
+/// arithmetic, comparison and selection (`mask ? a : b`) work lane by lane, numbers stand for four
+/// equal ones.
 using Float4 = float __attribute__((vector_size(16)));
 using Mask4 = int __attribute__((vector_size(16)));
+using Bits4 = unsigned __attribute__((vector_size(16)));
 
 [[nodiscard]] inline Float4 min(Float4 a, Float4 b) noexcept { return a < b ? a : b; }
 [[nodiscard]] inline Float4 max(Float4 a, Float4 b) noexcept { return a > b ? a : b; }

@@ -111,10 +111,10 @@ class Staircases {
         falls;  // NOLINT(*-member-init): filled below
     Float4 least = of_next(load4(cap_.data()));
     for (std::size_t w = words; w-- > 0;) {
-      Mask4 bits{};
+      Bits4 bits{};
       for (std::size_t i = std::min(count_, (w + 1) * kBits); i-- > w * kBits;) {
         const Float4 aside = load4(&aside_[4 * i]);
-        bits = bits + bits - (aside < least);  // true is -1
+        bits = bits + bits - std::bit_cast<Bits4>(aside < least);  // true is -1
         least = min(least, aside);
       }
       std::memcpy(falls[w].data(), &bits, sizeof bits);
