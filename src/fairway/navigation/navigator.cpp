@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/mpc/real_time_solver.hpp"
 #include "fairway/navigation/free_length.hpp"
 #include "fairway/navigation/problem_setup.hpp"
@@ -44,6 +45,21 @@ const Settings& checked(const Settings& settings) {
 
 double merit(const MpcSolution& solution, const ControlProblem& problem) noexcept {
   return solution.cost + problem.violation_weight * solution.sum_violation;
+}
+
+// A small turn after which the body has more room, or none.
+double turn_to_room(const BitGrid& obstacles, const Footprint& body, const Pose2& pose) noexcept {
+  constexpr double kTurn = 0.1;    // [rad]
+  constexpr double kEnough = 0.3;  // [m]
+  constexpr double kMore = 1e-3;   // [m]
+  const auto room = [&](double turn) {
+    const Pose2 turned{.position = pose.position, .heading = pose.heading + turn};
+    return footprint_clearance(obstacles, body, turned, kEnough);
+  };
+  const double left = room(kTurn);
+  const double right = room(-kTurn);
+  if (std::max(left, right) < room(0.0) + kMore) return 0.0;
+  return left > right ? kTurn : -kTurn;
 }
 
 }  // namespace
@@ -335,6 +351,9 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
     case RecoveryAction::Back:
       wanted.linear = std::max(settings_.mpc.linear_min, -0.2);
       break;
+    case RecoveryAction::Free:
+      wanted.angular = turning_speed(turn_to_room(*input.map, body_, input.pose), settings_.mpc);
+      break;
     case RecoveryAction::Plan:
       step.wants_plan = true;
       [[fallthrough]];
@@ -343,9 +362,13 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
       return step;
   }
   const Twist2 command = limited_change(sent_, wanted, settings_.mpc);
-  if (stop_.take(situation(input), {&command, 1}, settings_.mpc)) {
+  StopSituation now = situation(input);
+  now.around.margin_where_it_stands = action == RecoveryAction::Free;
+  const bool moves = wanted.linear != 0.0 || wanted.angular != 0.0;
+  if (moves && stop_.take(now, {&command, 1}, settings_.mpc)) {
     return {.command = command, .status = NavigationStatus::Recovering, .limit = step.limit};
   }
+  recovery_.refuse();
   step.status = NavigationStatus::Blocked;
   return step;
 }

@@ -15,12 +15,13 @@ enum class RecoveryAction : std::uint8_t {
   Turn,  ///< turn on the spot towards the string
   Plan,  ///< ask for a new path and corridor from here
   Back,  ///< back out, where the limits allow to reverse
+  Free,  ///< turn to where the body has more room
   Wait,  ///< all has been tried: blocked, until something changes
 };
 
 /// Watches whether the robot gets on, and goes through what can be done about it when it does not:
-/// turn, plan, back, wait, and round again. Standing is noticed after `patience`; moving to and fro
-/// without getting nearer after five times that.
+/// turn, plan, back, free, wait, and round again. Standing is noticed after `patience`; moving to
+/// and fro without getting nearer after five times that.
 class Recovery {
  public:
   void reset() noexcept { *this = Recovery(); }
@@ -30,6 +31,9 @@ class Recovery {
   void change_way(double longer) noexcept {
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
   }
+
+  /// Tells that the action could not be taken safely. When that lasts, the next one is tried.
+  void refuse() noexcept { ++refused_; }
 
   /// @param remaining  length of the way to the goal [m]; getting nearer than ever is progress
   /// @param standing   whether the command is (nearly) zero
@@ -55,29 +59,42 @@ class Recovery {
         return enter(aligned ? RecoveryAction::Plan : RecoveryAction::Turn);
       return RecoveryAction::None;
     }
-    return enter(next(aligned, can_back, patience));
+    return enter(next(standing, aligned, can_back, patience));
   }
 
  private:
   RecoveryAction enter(RecoveryAction action) noexcept {
-    if (action != action_) elapsed_ = 0.0;
+    if (action != action_) {
+      elapsed_ = 0.0;
+      refused_ = 0;
+    }
     action_ = action;
     return action;
   }
 
-  [[nodiscard]] RecoveryAction next(bool aligned, bool can_back, double patience) noexcept {
+  [[nodiscard]] RecoveryAction next(bool standing,
+                                    bool aligned,
+                                    bool can_back,
+                                    double patience) noexcept {
     constexpr double kTurnTime = 4.0;  // [s], of turning before it counts as failed
     constexpr double kBackTime = 1.5;  // [s]
+    constexpr double kFreeTime = 1.5;  // [s]
+    constexpr int kRefused = 3;        // cycles in which it could not be taken
+    const bool hopeless = refused_ >= kRefused;
     switch (action_) {
       case RecoveryAction::None:
         return RecoveryAction::None;
       case RecoveryAction::Turn:
         if (aligned) return again();  // let the controller try from here
-        return elapsed_ > kTurnTime ? RecoveryAction::Plan : RecoveryAction::Turn;
+        return elapsed_ > kTurnTime || hopeless ? RecoveryAction::Plan : RecoveryAction::Turn;
       case RecoveryAction::Plan:
-        return can_back ? RecoveryAction::Back : RecoveryAction::Wait;
+        if (can_back) return RecoveryAction::Back;
+        return standing ? RecoveryAction::Free : RecoveryAction::Wait;
       case RecoveryAction::Back:
-        return elapsed_ > kBackTime ? RecoveryAction::Wait : RecoveryAction::Back;
+        if (elapsed_ > kBackTime) return RecoveryAction::Wait;
+        return hopeless ? RecoveryAction::Free : RecoveryAction::Back;
+      case RecoveryAction::Free:
+        return elapsed_ > kFreeTime || hopeless ? RecoveryAction::Wait : RecoveryAction::Free;
       case RecoveryAction::Wait:
         return elapsed_ > patience ? again() : RecoveryAction::Wait;
     }
@@ -96,6 +113,7 @@ class Recovery {
   double stalled_ = 0.0;  // since the last progress, or the last round
   double standing_ = 0.0;
   double elapsed_ = 0.0;  // in the present action
+  int refused_ = 0;       // cycles of the present action
 };
 
 }  // namespace fairway

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
 
 namespace fairway {
@@ -40,6 +41,14 @@ class StopCheck {
 
   // One cycle in which the twist ramps from `from` to `to`.
   [[nodiscard]] double time() const noexcept { return time_; }
+
+  // Whether the body has its margin where it stands now.
+  [[nodiscard]] StopVerdict arrive() const noexcept {
+    const bool free =
+        !surroundings_.margin_where_it_stands ||
+        is_free(*surroundings_.obstacles, surroundings_.body, pose_, surroundings_.static_margin);
+    return free ? StopVerdict::Free : StopVerdict::HitsStatic;
+  }
 
   // What comes nearer while the robot stands.
   [[nodiscard]] StopVerdict stand(double duration) noexcept {
@@ -115,7 +124,10 @@ class StopCheck {
 
   [[nodiscard]] bool body_is_free(const Sweep& sweep) const noexcept {
     const Footprint& body = surroundings_.body;
-    const double grown = surroundings_.static_margin + sweep.sagitta();
+    const double margin = surroundings_.static_margin;
+    const auto keep = [&](double growth) {
+      return surroundings_.margin_where_it_stands ? std::max(margin, growth) : margin + growth;
+    };
     if (body.is_rectangle()) {
       // Along the middle heading the robot moves straight; at its ends it is turned by half.
       const Pose2 middle{.position = 0.5 * (sweep.from.position + sweep.to.position),
@@ -125,14 +137,14 @@ class StopCheck {
       swept.min.x() -= half_way;
       swept.max.x() += half_way;
       const double corner = body.circumscribed_radius() * 0.5 * sweep.turn();
-      return is_free(*surroundings_.obstacles, swept, grown + corner);
+      return is_free(*surroundings_.obstacles, swept, keep(sweep.sagitta() + corner));
     }
     for (int i = 0; i < body.num_discs(); ++i) {
       const Footprint::Disc& disc = body.disc_at(i);
       // The disc's own arc is longer than the robot's by at most its distance times the turn.
       const double more = disc.center.norm() * sweep.turn() * sweep.turn() / 8.0;
       if (!is_free(*surroundings_.obstacles, transform(sweep.from, disc.center),
-                   transform(sweep.to, disc.center), disc.radius + grown + more)) {
+                   transform(sweep.to, disc.center), disc.radius + keep(sweep.sagitta() + more))) {
         return false;
       }
     }
@@ -276,6 +288,7 @@ StopOutcome follow_stop(const Pose2& pose,
     verdict = check.ramp(before, next, dt);
     before = next;
   }
+  if (verdict == StopVerdict::Free) verdict = check.arrive();
   while (verdict == StopVerdict::Free && check.time() < hold)
     verdict = check.stand(dt);
   return {.verdict = verdict, .time = check.time()};

@@ -32,6 +32,10 @@ struct StopSurroundings {
   const BitGrid* obstacles = nullptr;  ///< the newest static obstacles
   Footprint body;                      ///< the true one
   double static_margin = 0.0;          ///< room kept from static obstacles beyond the body [m]
+  /// What a sweep of the body is grown by (see check_stop) may use up the margin on the way, but
+  /// not where the robot comes to stand: without that, one that has no more room cannot even turn
+  /// to where it has.
+  bool margin_where_it_stands = false;
   /// Disc about the robot's centre that keeps free of static obstacles too, so that a robot does
   /// not go where it could not turn, though its body would fit [m]; 0: the body alone counts.
   double turning_radius = 0.0;

@@ -42,7 +42,11 @@ TEST(FootprintSweep, AProvenStopStaysFreeAndARefusedOneComesNear) {
     const Twist2 command{.linear = current.linear + random.uniform(-0.1, 0.1),
                          .angular = current.angular + random.uniform(-0.4, 0.4)};
     const StopSequence stop = brake_from(command, limits());
-    const StopSurroundings around{.obstacles = &obstacles, .body = body, .moving = {}};
+    const StopSurroundings around{.obstacles = &obstacles,
+                                  .body = body,
+                                  .static_margin = random.chance(0.5) ? 0.0 : 0.03,
+                                  .margin_where_it_stands = random.chance(0.5),
+                                  .moving = {}};
     const bool free = check_stop(pose, current, command, stop, 0.1, around) == StopVerdict::Free;
     (free ? proven : refused) += 1;
 
@@ -57,10 +61,14 @@ TEST(FootprintSweep, AProvenStopStaysFreeAndARefusedOneComesNear) {
         least = std::min(least, footprint_clearance(obstacles, body, plant.pose, 1.0));
       }
     }
+    const double last = footprint_clearance(obstacles, body, plant.pose, 1.0);
+    const double margin = around.static_margin;
     if (free) {
-      EXPECT_GE(least, -1e-3) << "proven, but it touches";
+      EXPECT_GE(least, (around.margin_where_it_stands ? 0.0 : margin) - 1e-3)
+          << "proven, but it touches";
+      EXPECT_GE(last, margin - 1e-3) << "proven, but it comes to stand too near";
     } else {
-      EXPECT_LE(least, 0.012) << "refused without need";
+      EXPECT_LE(least, margin + 0.012) << "refused without need";
     }
   }
   EXPECT_GT(proven, 50);
@@ -101,6 +109,28 @@ TEST(FootprintSweep, ARectangleTurnsOnlyWhereItsCornersFit) {
   };
   EXPECT_EQ(verdict(0.4), StopVerdict::HitsStatic);
   EXPECT_EQ(verdict(-0.16), StopVerdict::Free);
+}
+
+TEST(FootprintSweep, ABodyWithNoMoreRoomThanItsMarginMayTurnToWhereItHasMore) {
+  BitGrid obstacles(
+      GridFrame{.width = 80, .height = 80, .resolution = 0.05, .origin = {{-2, -2}, 0}}, false);
+  for (int x = 0; x < 80; ++x)
+    obstacles.set({x, 45}, true);  // a wall from y = 0.25
+  const MpcSettings mpc = limits();
+  const Footprint body = Footprint::rectangle(0.458, 0.416);
+  const Pose2 pose{.position = {0, -0.025}, .heading = 0.3};  // its corner 9 mm from the wall
+  const auto verdict = [&](double angular, bool margin_where_it_stands) {
+    const Twist2 turning{.linear = 0.0, .angular = angular};
+    return check_stop(pose, {}, turning, brake_from(turning, mpc), mpc.dt,
+                      {.obstacles = &obstacles,
+                       .body = body,
+                       .static_margin = footprint_clearance(obstacles, body, pose, 1.0),
+                       .margin_where_it_stands = margin_where_it_stands,
+                       .moving = {}});
+  };
+  EXPECT_EQ(verdict(-0.4, true), StopVerdict::Free);
+  EXPECT_EQ(verdict(-0.4, false), StopVerdict::HitsStatic);
+  EXPECT_EQ(verdict(0.4, true), StopVerdict::HitsStatic);
 }
 
 TEST(FootprintSweep, AMovingDiscMayPassBesideANarrowBody) {

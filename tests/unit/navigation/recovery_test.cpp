@@ -33,6 +33,33 @@ TEST(Recovery, StandingGoesThroughAllThatCanBeTried) {
     EXPECT_TRUE(seen.contains(RecoveryAction::Plan));
     EXPECT_TRUE(seen.contains(RecoveryAction::Wait));
     EXPECT_EQ(seen.contains(RecoveryAction::Back), can_back);
+    EXPECT_EQ(seen.contains(RecoveryAction::Free), !can_back);
+  }
+}
+
+TEST(Recovery, WhatIsRefusedGivesWayToTheNextThingSoon) {
+  Recovery recovery;
+  std::set<RecoveryAction> seen;
+  int cycles = 0;
+  for (; !seen.contains(RecoveryAction::Wait) && cycles < 100; ++cycles) {
+    const RecoveryAction action = recovery.update(5.0, true, false, true, kDt, kPatience);
+    seen.insert(action);
+    if (action != RecoveryAction::None) recovery.refuse();
+  }
+  EXPECT_LT(cycles * kDt, 2.0);
+  for (const RecoveryAction action :
+       {RecoveryAction::Turn, RecoveryAction::Plan, RecoveryAction::Back, RecoveryAction::Free})
+    EXPECT_TRUE(seen.contains(action));
+}
+
+TEST(Recovery, ARefusalNowAndThenIsNoReasonToGiveUp) {
+  Recovery recovery;
+  for (int i = 0; i < 5; ++i)
+    (void)recovery.update(5.0, true, false, true, kDt, kPatience);
+  recovery.refuse();
+  recovery.refuse();
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(recovery.update(5.0, false, false, true, kDt, kPatience), RecoveryAction::Turn);
   }
 }
 
