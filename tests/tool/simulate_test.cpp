@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -40,6 +42,20 @@ TEST(Simulate, DrivesThroughTheGapAndReports) {
   EXPECT_EQ(count_lines(trace), cycles + 1);
   EXPECT_GT(content_of(folder.path("p.svg")).size(), 1000U);
   EXPECT_GT(content_of(folder.path("v.svg")).size(), 1000U);
+}
+
+TEST(Simulate, ReachesTheGoalInEveryScenarioOfTheProject) {
+  const TemporaryFolder folder;
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FAIRWAY_SOURCE_DIR "/scenarios")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const ToolRun run = run_tool(folder, "simulate '" + entry.path().string() + "'");
+    // Recorded people are not part of the project.
+    if (run.code == 2 && run.err.find("tracks") != std::string::npos) continue;
+    EXPECT_EQ(run.code, 0) << entry.path() << ": " << run.err;
+    ++count;
+  }
+  EXPECT_GT(count, 10);
 }
 
 // With this seed the wheels put walls where free space was: the robot evaded them as if they moved,

@@ -50,7 +50,7 @@ struct Axis {
       const Float4 outwards = sign * load4(&at[i]);
       const Float4 before = load4(&turn[i]);
       const Float4 later = rate > 0.0F ? rounded_up((outwards - place) * rate) + now : four(kNever);
-      store4((outwards > 0.0F) & (before >= now) ? later : before, &turn[i]);
+      store4(((outwards > 0.0F) & (before >= now)) ? later : before, &turn[i]);
     }
   }
 };

@@ -30,6 +30,7 @@ template <typename Lanes>
     build_stages<Lanes>(w, mu, exact);
     if (riccati_backward<Lanes>(w, damping)) {
       riccati_forward(w);
+      w.step.convex = exact;
       return true;
     }
     if (!exact) damping = 10.0 * damping + kLeastDamping;

@@ -2,6 +2,7 @@
 #include "fairway/mpc/interior_point_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -57,6 +58,7 @@ SolveStatus iterate(const Phases& phases,
                     Workspace& w,
                     int& iterations) noexcept {
   const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
+  w.step.convex = true;
   phases.evaluate(w, *w.now);
   double mu = first_barrier(w, settings);
   w.first_slack = settings.first_slack;
@@ -79,6 +81,34 @@ SolveStatus iterate(const Phases& phases,
         std::max(kBoundary, 1.0 - kBoundaryByDecrease * mu / error.greatest_product);
     if (!phases.take_step(w, mu, boundary, filter)) return SolveStatus::Stalled;
   }
+}
+
+// Goes on from an answer that is stationary but no minimum: the Hessian was not positive definite
+// on the last step to it. So it is straight behind an obstacle with as much room to the left as to
+// the right. The answer stays what it was unless a better one is found to the left.
+void leave_saddle(const Phases& phases,
+                  const InteriorPointSettings& settings,
+                  Workspace& w,
+                  int& iterations) noexcept {
+  constexpr double kNudge = 0.2;  // of the room that commands have
+  const std::array<PoseArray, 2> saddle = w.now->commands;
+  const double merit = penalised_cost(w, *w.now);
+  InitialGuess beside{.count = static_cast<int>(w.horizon), .commands = {}};
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    const double angular = saddle[kAngular][k + 1];
+    beside.commands[k] = {
+        .linear = saddle[kLinear][k + 1],
+        .angular = angular + kNudge * (w.limits[kAngular].reach_high[k] - angular)};
+  }
+  load_guess(phases, beside, w, *w.now);
+  InteriorPointSettings rest = settings;
+  rest.max_iterations -= iterations;
+  int more = 0;
+  const SolveStatus status = iterate(phases, rest, w, more);
+  iterations += more;
+  if (status == SolveStatus::Solved && penalised_cost(w, *w.now) < merit) return;
+  w.now->commands = saddle;
+  phases.evaluate(w, *w.now);
 }
 
 bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcept {
@@ -109,6 +139,8 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
   interior_point::load_problem(problem, w);
   interior_point::load_guess(phases, guess, w, *w.now);
   solution_.status = interior_point::iterate(phases, settings, w, solution_.iterations);
+  if (solution_.status == SolveStatus::Solved && !w.step.convex)
+    interior_point::leave_saddle(phases, settings, w, solution_.iterations);
 
   // An unfinished answer must not be worse than the guess was.
   interior_point::clip_commands(w, *w.now);

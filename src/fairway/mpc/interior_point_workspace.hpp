@@ -144,6 +144,7 @@ struct NewtonStep {
   std::array<PoseArray, 2> commands;  ///< indexed as in Point; entry 0 is zero
   PoseArray x, y;                     ///< where it moves the positions, to first order
   double slope = 0.0;                 ///< gradient of the model along it
+  bool convex = true;                 ///< whether the exact Hessian was positive definite
 };
 
 struct Workspace {

@@ -45,6 +45,9 @@ Start pursuit_start(const ControlProblem& problem) noexcept {
   constexpr int kLead = 4;  // steps that the aim is ahead, so that pursuit does not swing
   constexpr double kTurningSteps = 3.0;  // steps in which a heading error is to be gone
   constexpr double kArrived = 0.05;      // [m]; nearer than this the direction to the aim is noise
+  // Straight behind an obstacle with as much room on both sides, a start without any turn would
+  // lead to neither.
+  constexpr double kLean = 0.01;  // [rad/s]
   Start start;
   start.guess.count = problem.horizon;
   start.poses[0] = problem.start;
@@ -60,7 +63,7 @@ Start pursuit_start(const ControlProblem& problem) noexcept {
     const double error = shortest_turn(pose.heading, bearing);
     const double reach = (problem.targets[at + 1].position - pose.position).norm() / problem.dt;
     const Twist2 wanted{.linear = arrived ? 0.0 : reach * std::max(0.0, std::cos(error)),
-                        .angular = error / (kTurningSteps * problem.dt)};
+                        .angular = error / (kTurningSteps * problem.dt) + kLean};
     before = limited(before, wanted, problem);
     start.guess.commands[at] = before;
     start.poses[at + 1] = step(pose, before, problem.dt, problem.integration);

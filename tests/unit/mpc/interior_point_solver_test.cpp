@@ -104,6 +104,44 @@ TEST(InteriorPointSolver, GivesTheSameBitsInRegistersOfAnyWidth) {
   }
 }
 
+// An obstacle exactly ahead, as much room on both sides, and a guess that goes straight at it: by
+// symmetry every iterate would stay between both ways round, at the crest.
+TEST(InteriorPointSolver, GoesRoundAnObstacleThatIsExactlyAhead) {
+  const auto solver = std::make_unique<InteriorPointSolver>();
+  int total = 0;
+  int beaten = 0;
+  int turned = 0;
+  for (const int horizon : {10, 20, 30}) {
+    for (const double keep_out : {0.3, 0.5, 0.8}) {
+      for (double ahead = keep_out + 0.05; ahead < 2.5; ahead += 0.15) {
+        ControlProblem problem;
+        problem.horizon = horizon;
+        problem.max_change = {.linear = 0.2, .angular = 0.4};
+        problem.num_obstacles = 1;
+        problem.obstacles[0].position.fill({ahead, 0.0});
+        problem.obstacles[0].keep_out.fill(keep_out);
+        for (StepTarget& target : problem.targets)
+          target = {.position = {4.0, 0.0}, .heading = 0.0, .weight = {5.0, 5.0, 0.1}};
+        const auto from_turn = [&](double angular) {
+          InitialGuess guess{.count = 1, .commands = {}};
+          guess.commands[0] = {.linear = 0.5, .angular = angular};
+          return solver->solve(problem, guess, InteriorPointSettings::warm());
+        };
+        const auto merit = [&](const MpcSolution& s) {
+          return s.cost + problem.violation_weight * s.sum_violation;
+        };
+        const MpcSolution straight = from_turn(0.0);
+        ++total;
+        if (merit(straight) > 1.01 * merit(from_turn(0.3))) ++beaten;
+        if (std::abs(straight.poses[static_cast<std::size_t>(horizon)].position.y()) > 0.01)
+          ++turned;
+      }
+    }
+  }
+  EXPECT_LE(beaten, total / 20);
+  EXPECT_GE(turned, total / 4);
+}
+
 TEST(InteriorPointSolver, KeepsTheBestOfSeveralStarts) {
   for_random_problems(74, 200, {}, [](const ControlProblem& problem, auto& solver) {
     std::array<InitialGuess, 3> starts;
