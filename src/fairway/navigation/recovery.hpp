@@ -32,7 +32,8 @@ class Recovery {
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
   }
 
-  /// Tells that the action could not be taken safely. When that lasts, the next one is tried.
+  /// Tells that the action could not be taken safely in this cycle; after three such cycles the next
+  /// one is tried.
   void refuse() noexcept { ++refused_; }
 
   /// @param remaining  length of the way to the goal [m]; getting nearer than ever is progress

@@ -39,7 +39,6 @@ class StopCheck {
       : pose_(pose),
         surroundings_(surroundings) {}
 
-  // One cycle in which the twist ramps from `from` to `to`.
   [[nodiscard]] double time() const noexcept { return time_; }
 
   // Whether the body has its margin where it stands now.
@@ -59,6 +58,7 @@ class StopCheck {
                : StopVerdict::Free;
   }
 
+  // One cycle in which the twist ramps from `from` to `to`.
   [[nodiscard]] StopVerdict ramp(const Twist2& from, const Twist2& to, double dt) noexcept {
     const double h = dt / kRampPieces;
     for (int i = 0; i < kRampPieces; ++i) {

@@ -19,6 +19,15 @@ MpcSettings limits() {
   return s;
 }
 
+/// A wall from y = 0.25 on, and the origin in the middle.
+BitGrid wall_at_quarter_metre() {
+  BitGrid obstacles(
+      GridFrame{.width = 80, .height = 80, .resolution = 0.05, .origin = {{-2, -2}, 0}}, false);
+  for (int x = 0; x < 80; ++x)
+    obstacles.set({x, 45}, true);
+  return obstacles;
+}
+
 Footprint random_footprint(test::Random& random) {
   if (random.chance(0.5)) return Footprint::rectangle(0.46, 0.3, {0.05, 0.0});
   const Footprint::Disc discs[3] = {{.center = {0.15, 0.05}, .radius = 0.12},
@@ -95,10 +104,7 @@ TEST(FootprintSweep, ARectanglePassesWhereItsDiscDoesNot) {
 }
 
 TEST(FootprintSweep, ARectangleTurnsOnlyWhereItsCornersFit) {
-  BitGrid obstacles(
-      GridFrame{.width = 80, .height = 80, .resolution = 0.05, .origin = {{-2, -2}, 0}}, false);
-  for (int x = 0; x < 80; ++x)
-    obstacles.set({x, 45}, true);  // a wall from y = 0.25
+  const BitGrid obstacles = wall_at_quarter_metre();
   const MpcSettings mpc = limits();
   const Twist2 turning{.linear = 0.0, .angular = 1.0};
   const auto verdict = [&](double heading) {
@@ -112,10 +118,7 @@ TEST(FootprintSweep, ARectangleTurnsOnlyWhereItsCornersFit) {
 }
 
 TEST(FootprintSweep, ABodyWithNoMoreRoomThanItsMarginMayTurnToWhereItHasMore) {
-  BitGrid obstacles(
-      GridFrame{.width = 80, .height = 80, .resolution = 0.05, .origin = {{-2, -2}, 0}}, false);
-  for (int x = 0; x < 80; ++x)
-    obstacles.set({x, 45}, true);  // a wall from y = 0.25
+  const BitGrid obstacles = wall_at_quarter_metre();
   const MpcSettings mpc = limits();
   const Footprint body = Footprint::rectangle(0.458, 0.416);
   const Pose2 pose{.position = {0, -0.025}, .heading = 0.3};  // its corner 9 mm from the wall

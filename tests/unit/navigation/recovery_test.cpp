@@ -52,7 +52,7 @@ TEST(Recovery, WhatIsRefusedGivesWayToTheNextThingSoon) {
     EXPECT_TRUE(seen.contains(action));
 }
 
-TEST(Recovery, ARefusalNowAndThenIsNoReasonToGiveUp) {
+TEST(Recovery, TwoRefusalsAreNoReasonToGiveUp) {
   Recovery recovery;
   for (int i = 0; i < 5; ++i)
     (void)recovery.update(5.0, true, false, true, kDt, kPatience);
