@@ -1,22 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { GridFrame, Point, Pose } from './run';
-
-/** What a lidar saw, in the frame that its robot believes to be in. */
-export interface Scan {
-  time: number;
-  points: Float32Array; // x, y of where beams ended on something; there are many of them
-}
-
-/** A point of the frame `frame`, in the world. */
-export function placed(frame: Pose, p: Point): Point {
-  const [c, s] = [Math.cos(frame.heading), Math.sin(frame.heading)];
-  return { x: frame.x + c * p.x - s * p.y, y: frame.y + s * p.x + c * p.y };
-}
-
-/** A pose in the frame `frame`, in the world. */
-export function placedPose(frame: Pose, pose: Pose): Pose {
-  return { ...placed(frame, pose), heading: frame.heading + pose.heading };
-}
+import { type Point, type Pose, placed, placedPose } from './geometry';
+import type { GridFrame } from './grid';
 
 /**
  * Where the frame lies in which a robot believes to be at `believed` while it truly is at `truth`:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { GridFrame, Point } from './run';
+import type { Point } from './geometry';
+import type { GridFrame } from './grid';
 
 /** Which part of the world a canvas shows: x to the right, y up. Sizes in CSS pixels. */
 export class Camera {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Camera } from './camera';
-import type { Point } from './run';
+import type { Point } from './geometry';
 
 /** What a tool does with a pointer on the map; world coordinates. */
 export interface PointerTool {

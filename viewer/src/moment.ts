@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Body, Frame, Grid, Pose, Run } from './run';
+import type { Body, Frame } from './frame';
+import type { Pose } from './geometry';
+import type { Grid } from './grid';
+import type { Run } from './run';
 
 /** What is shown at one instant: the frame at or before it, moved on towards the next one. */
 export interface Moment {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { type Run, separation } from './run';
+import { separation } from './footprint';
+import type { Run } from './run';
 import { type Theme, robotColor, statusTone, toneColor } from './theme';
 
 /** Room left of and right of the plots, for axes; the time slider above them has the same. */

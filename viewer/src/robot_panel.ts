@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { make, shown } from './dom';
+import { separation } from './footprint';
 import type { Moment } from './moment';
-import { type Run, separation } from './run';
+import type { Run } from './run';
 import { type Theme, robotColor, statusTone } from './theme';
 
 const MOST_LONG_CARDS = 3; // of more robots only the chosen one has all its values shown

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-import { placed, placedPose, windowCorners } from './belief';
+import { windowCorners } from './belief';
 import type { Camera } from './camera';
+import type { Body, Goal, RobotFrame } from './frame';
+import { type Point, type Pose, placed, placedPose } from './geometry';
 import { MapLayer } from './map_layer';
 import { type Moment, gridAt } from './moment';
-import type { Body, Goal, Point, Pose, RobotFrame, Run } from './run';
+import type { Run } from './run';
 import { type Theme, robotColor } from './theme';
 import { Trails } from './trails';
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-import { type Scan, beliefFrame } from './belief';
+import { beliefFrame } from './belief';
 import { Fields } from './bytes';
-import {
-  type Begin, type Body, type Cycle, type Goal, type GridFrame, type Mark, type Plan, type Point, Run,
-  type Setting,
-} from './run';
+import type { Body, Cycle, Goal, Mark, Plan, Scan } from './frame';
+import type { Point } from './geometry';
+import type { GridFrame } from './grid';
+import { type Begin, Run, type Setting } from './run';
 
 // The kinds of records, as RunStream in C++ numbers them.
 const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6, Scan = 7, Goal = 8 }

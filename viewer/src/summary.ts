@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { make, shown } from './dom';
-import { type Run, separation } from './run';
+import { separation } from './footprint';
+import type { Run } from './run';
 
 interface Facts {
   name: string;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Camera } from './camera';
+import type { Point } from './geometry';
 import type { PointerTool } from './gestures';
-import type { Point } from './run';
 import { robotColor } from './theme';
 import type { Viewer } from './viewer';
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Camera } from './camera';
 import { element, make, shown } from './dom';
+import type { Point } from './geometry';
 import { Gestures } from './gestures';
 import { type Moment, gridAt, momentAt } from './moment';
 import { Plots } from './plots';
 import { RobotPanel } from './robot_panel';
-import type { Point, Run } from './run';
+import type { Run } from './run';
 import { type Layer, type Layers, Scene, layerNames, robotAt } from './scene';
 import { Themes } from './theme';
 
