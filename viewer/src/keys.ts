@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { element, make } from './dom';
 import type { Transport } from './playback';
+import { type Action, closePopovers, popover } from './popovers';
 import type { Viewer } from './viewer';
-
-type Action = () => void;
 
 const help: [string, string][] = [
   ['Space', 'play or pause'], ['← →', 'one step'], ['Shift ← →', 'one second'],
@@ -12,27 +11,6 @@ const help: [string, string][] = [
   ['T', 'light or dark'], ['?', 'this list'],
   ['wheel pinch', 'zoom'], ['drag', 'move the map'], ['click', 'choose a robot, or a time'],
 ];
-
-function closePopovers(): void {
-  for (const open of document.querySelectorAll<HTMLElement>('.popover')) open.hidden = true;
-  for (const opener of document.querySelectorAll('[aria-controls]')) {
-    if (opener.getAttribute('aria-controls') !== 'panel') opener.setAttribute('aria-expanded', 'false');
-  }
-}
-
-/** Opens and closes a popover with its button. */
-export function popover(button: string, panel: string): Action {
-  const root = element(panel);
-  const opener = element(button);
-  const toggle = (): void => {
-    const opening = root.hidden;
-    closePopovers();
-    root.hidden = !opening;
-    opener.setAttribute('aria-expanded', `${opening}`);
-  };
-  opener.addEventListener('click', toggle);
-  return toggle;
-}
 
 /** All keys of both pages. */
 export function listenToKeys(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Body, Frame } from './frame';
-import type { Pose } from './geometry';
+import type { Point, Pose } from './geometry';
 import type { Grid } from './grid';
 import type { Run } from './run';
 
@@ -52,3 +52,15 @@ export function gridAt(run: Run, slot: number, time: number): Grid | null {
   }
   return found;
 }
+
+/** The robot nearest to `p`, if it is within `reach` of its body. */
+export function robotAt(moment: Moment, p: Point, radius: number, reach: number): number | null {
+  let best: number | null = null;
+  let least = radius + reach;
+  moment.poses.forEach((pose, i) => {
+    const distance = Math.hypot(pose.x - p.x, pose.y - p.y);
+    if (distance < least) [least, best] = [distance, i];
+  });
+  return best;
+}
+

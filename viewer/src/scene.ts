@@ -372,15 +372,3 @@ export class Scene {
     context.fillText(`${metres} m`, x + 3, y - 3);
   }
 }
-
-/** The robot nearest to `p`, if it is within `reach` of its body. */
-export function robotAt(moment: Moment, p: Point, radius: number, reach: number): number | null {
-  let best: number | null = null;
-  let least = radius + reach;
-  moment.poses.forEach((pose, i) => {
-    const distance = Math.hypot(pose.x - p.x, pose.y - p.y);
-    if (distance < least) [least, best] = [distance, i];
-  });
-  return best;
-}
-

@@ -3,11 +3,11 @@ import { Camera } from './camera';
 import { element, make, shown } from './dom';
 import type { Point } from './geometry';
 import { Gestures } from './gestures';
-import { type Moment, gridAt, momentAt } from './moment';
+import { type Moment, gridAt, momentAt, robotAt } from './moment';
 import { Plots } from './plots';
 import { RobotPanel } from './robot_panel';
 import type { Run } from './run';
-import { type Layer, type Layers, Scene, layerNames, robotAt } from './scene';
+import { type Layer, type Layers, Scene, layerNames } from './scene';
 import { Themes } from './theme';
 
 /** Draws on the map after everything else: what a tool is doing. */
