@@ -23,8 +23,8 @@ const bundle = async (entry) => {
 };
 
 const [template, style, script] = await Promise.all([
-  readFile(here('src/page.html'), 'utf8'),
-  bundle('src/page.css'),
+  readFile(here('src/page/page.html'), 'utf8'),
+  bundle('src/page/page.css'),
   bundle('src/main.ts'),
 ]);
 // A closing tag inside the script would end it too early.

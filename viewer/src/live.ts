@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-import { element } from './dom';
-import { Files } from './files';
-import { connectButtons, listenToKeys } from './keys';
-import { type Transport, connect, showPlaying } from './playback';
-import type { Run } from './run';
-import { SettingsPanel } from './settings_panel';
-import { StreamReader } from './stream';
-import { Toolbar } from './toolbar';
-import { throttled } from './tools';
-import { Viewer } from './viewer';
+import type { Run } from './data/run';
+import { StreamReader } from './data/stream';
+import { Files } from './input/files';
+import { connectButtons, listenToKeys } from './input/keys';
+import { type Transport, connect, showPlaying } from './input/playback';
+import { Toolbar } from './input/toolbar';
+import { throttled } from './input/tools';
+import { element } from './page/dom';
+import { SettingsPanel } from './panels/settings_panel';
+import { Viewer } from './view/viewer';
 
 interface State {
   paused: boolean;

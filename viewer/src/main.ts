@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { element } from './dom';
 import { startLive } from './live';
+import { element } from './page/dom';
 import { startReplay } from './replay';
 
 const packed = element('run').textContent?.trim() ?? '';

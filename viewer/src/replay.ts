@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-import { unpack } from './bytes';
-import { element } from './dom';
-import { connectButtons, listenToKeys } from './keys';
-import { type Transport, connect, showPlaying } from './playback';
-import { SettingsPanel } from './settings_panel';
-import { StreamReader } from './stream';
-import { showSummary } from './summary';
-import { Viewer } from './viewer';
+import { unpack } from './data/bytes';
+import { StreamReader } from './data/stream';
+import { connectButtons, listenToKeys } from './input/keys';
+import { type Transport, connect, showPlaying } from './input/playback';
+import { element } from './page/dom';
+import { SettingsPanel } from './panels/settings_panel';
+import { showSummary } from './panels/summary';
+import { Viewer } from './view/viewer';
 
 class Replay implements Transport {
   playing = false;

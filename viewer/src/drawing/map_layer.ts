@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { Pose } from '../data/geometry';
+import type { Grid } from '../data/grid';
 import type { Camera } from './camera';
-import type { Pose } from './geometry';
-import type { Grid } from './grid';
 import type { Theme } from './theme';
 
 /** '#rrggbb' or '#rrggbbaa' as it stands in a picture's memory. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import { element, make } from './dom';
+import { element, make } from '../page/dom';
+import { type Action, closePopovers, popover } from '../page/popovers';
+import type { Viewer } from '../view/viewer';
 import type { Transport } from './playback';
-import { type Action, closePopovers, popover } from './popovers';
-import type { Viewer } from './viewer';
 
 const help: [string, string][] = [
   ['Space', 'play or pause'], ['← →', 'one step'], ['Shift ← →', 'one second'],

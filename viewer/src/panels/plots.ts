@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { separation } from './footprint';
-import type { Run } from './run';
-import { type Theme, robotColor, statusTone, toneColor } from './theme';
+import { separation } from '../data/footprint';
+import type { Run } from '../data/run';
+import { type Theme, robotColor, statusTone, toneColor } from '../drawing/theme';
 
 /** Room left of and right of the plots, for axes; the time slider above them has the same. */
 export const plotGutter = { left: 46, right: 14 };

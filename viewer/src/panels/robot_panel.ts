@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import { make, shown } from './dom';
-import { separation } from './footprint';
-import type { Moment } from './moment';
-import type { Run } from './run';
-import { type Theme, robotColor, statusTone } from './theme';
+import { separation } from '../data/footprint';
+import type { Moment } from '../data/moment';
+import type { Run } from '../data/run';
+import { type Theme, robotColor, statusTone } from '../drawing/theme';
+import { make, shown } from '../page/dom';
 
 const MOST_LONG_CARDS = 3; // of more robots only the chosen one has all its values shown
 

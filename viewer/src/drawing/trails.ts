@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { Frame } from '../data/frame';
+import type { Run } from '../data/run';
 import type { Camera } from './camera';
-import type { Frame } from './frame';
-import type { Run } from './run';
 
 /** The way of a robot up to a frame, as a path that grows instead of being made anew. */
 class Trail {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Point } from './geometry';
-import type { GridFrame } from './grid';
+import type { Point } from '../data/geometry';
+import type { GridFrame } from '../data/grid';
 
 /** Which part of the world a canvas shows: x to the right, y up. Sizes in CSS pixels. */
 export class Camera {

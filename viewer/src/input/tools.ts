@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Camera } from './camera';
-import type { Point } from './geometry';
-import type { PointerTool } from './gestures';
-import { robotColor } from './theme';
-import type { Viewer } from './viewer';
+import type { Point } from '../data/geometry';
+import type { Camera } from '../drawing/camera';
+import { robotColor } from '../drawing/theme';
+import type { PointerTool } from '../view/gestures';
+import type { Viewer } from '../view/viewer';
 
 export type Send = (command: Record<string, unknown>) => void;
 

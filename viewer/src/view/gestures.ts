@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Camera } from './camera';
-import type { Point } from './geometry';
+import type { Point } from '../data/geometry';
+import type { Camera } from '../drawing/camera';
 
 /** What a tool does with a pointer on the map; world coordinates. */
 export interface PointerTool {

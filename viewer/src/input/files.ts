@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { element, make } from './dom';
-import { popover } from './popovers';
+import { element, make } from '../page/dom';
+import { popover } from '../page/popovers';
 import type { Send } from './tools';
 
 type Tell = (notice: string) => void;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { element } from './dom';
+import { element } from '../page/dom';
 
 /** What the buttons below the map do: the replay page moves the time, the live page the world. */
 export interface Transport {

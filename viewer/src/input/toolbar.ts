@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { element, make } from './dom';
+import { element, make } from '../page/dom';
+import type { Viewer } from '../view/viewer';
 import { BrushTool, PersonTool, PlaceTool, type Send, type Tool } from './tools';
-import type { Viewer } from './viewer';
 
 interface Entry {
   id: string;

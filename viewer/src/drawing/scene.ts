@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-import { windowCorners } from './belief';
+import { windowCorners } from '../data/belief';
+import type { Body, Goal, RobotFrame } from '../data/frame';
+import { type Point, type Pose, placed, placedPose } from '../data/geometry';
+import { type Moment, gridAt } from '../data/moment';
+import type { Run } from '../data/run';
 import type { Camera } from './camera';
-import type { Body, Goal, RobotFrame } from './frame';
-import { type Point, type Pose, placed, placedPose } from './geometry';
 import { MapLayer } from './map_layer';
-import { type Moment, gridAt } from './moment';
-import type { Run } from './run';
 import { type Theme, robotColor } from './theme';
 import { Trails } from './trails';
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import { make, shown } from './dom';
-import { separation } from './footprint';
-import type { Run } from './run';
+import { separation } from '../data/footprint';
+import type { Run } from '../data/run';
+import { make, shown } from '../page/dom';
 
 interface Facts {
   name: string;

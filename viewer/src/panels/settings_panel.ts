@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { make } from './dom';
-import type { Setting } from './run';
+import type { Setting } from '../data/run';
+import { make } from '../page/dom';
 
 type Change = (group: string, name: string, value: number | boolean | string) => void;
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Camera } from './camera';
-import { element, make, shown } from './dom';
-import type { Point } from './geometry';
+import type { Point } from '../data/geometry';
+import { type Moment, gridAt, momentAt, robotAt } from '../data/moment';
+import type { Run } from '../data/run';
+import { Camera } from '../drawing/camera';
+import { type Layer, type Layers, Scene, layerNames } from '../drawing/scene';
+import { Themes } from '../drawing/theme';
+import { element, make, shown } from '../page/dom';
+import { Plots } from '../panels/plots';
+import { RobotPanel } from '../panels/robot_panel';
 import { Gestures } from './gestures';
-import { type Moment, gridAt, momentAt, robotAt } from './moment';
-import { Plots } from './plots';
-import { RobotPanel } from './robot_panel';
-import type { Run } from './run';
-import { type Layer, type Layers, Scene, layerNames } from './scene';
-import { Themes } from './theme';
 
 /** Draws on the map after everything else: what a tool is doing. */
 export type Overlay = (context: CanvasRenderingContext2D, camera: Camera) => void;
