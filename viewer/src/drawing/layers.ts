@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/** What can be shown or hidden. */
+export const layerNames = {
+  path: 'Path',
+  corridor: 'Corridor',
+  prediction: 'Prediction',
+  trail: 'Way driven',
+  limit: 'What limits',
+  velocity: 'Velocities',
+  seen: 'Map it has seen',
+  scan: 'Lidar',
+  names: 'Names',
+} as const;
+export type Layer = keyof typeof layerNames;
+export type Layers = Record<Layer, boolean>;
