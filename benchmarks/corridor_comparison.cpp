@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "corridor_timing.hpp"
+#include "experiments/baselines/sampled_rectangles.hpp"
+#include "experiments/baselines/sound_baselines.hpp"
 #include "fairway/corridor/corridor_builder.hpp"
-#include "fairway/corridor/largest_rectangle.hpp"
 #include "fairway/corridor/path_piece.hpp"
-#include "fairway/corridor/rectangle_growth.hpp"
+#include "fairway/corridor/rectangle/largest_rectangle.hpp"
+#include "fairway/corridor/rectangle/rectangle_growth.hpp"
 #include "fairway/map/distance_field.hpp"
 #include "fairway/path/path_planner.hpp"
-#include "fairway/simulation/generated_maps.hpp"
-#include "sampled_rectangles.hpp"
-#include "sound_baselines.hpp"
+#include "fairway/simulation/scenarios/generated_maps.hpp"
 #include "support/rectangle_oracle.hpp"
 
 namespace fairway::benchmarks {

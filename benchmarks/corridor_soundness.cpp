@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "experiments/baselines/sound_baselines.hpp"
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/map/free_space.hpp"
-#include "sound_baselines.hpp"
 #include "support/random_path.hpp"
 
 namespace fairway {

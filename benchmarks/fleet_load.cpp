@@ -12,9 +12,9 @@
 #include <numbers>
 #include <vector>
 
+#include "experiments/thread_clock.hpp"
 #include "fairway/simulation/episode.hpp"
-#include "fairway/simulation/metrics.hpp"
-#include "thread_clock.hpp"
+#include "fairway/simulation/recorded/metrics.hpp"
 
 namespace {
 
@@ -87,7 +87,8 @@ void memory() {
   Planner planner;
   std::vector<Plan> plans;
   for (const RobotTask& task : scenario.robots)
-    plans.push_back(planner.plan(map, task.start.position, task.goal, scenario.settings));
+    plans.push_back(
+        planner.plan(map, task.start.position, task.goal, planner_settings(scenario.settings)));
   std::vector<std::unique_ptr<Navigator>> navigators;
   class NoSolver final : public ControlSolver {
     MpcSolution none_;

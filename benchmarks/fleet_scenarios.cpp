@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "fairway/io/scenario_file.hpp"
+#include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/simulation/episode.hpp"
 
 namespace {
@@ -15,7 +15,7 @@ using namespace fairway;
 
 void run(Scenario scenario, bool messages, bool prediction) {
   scenario.radio.on = messages;
-  scenario.settings.navigation.predict_motion = prediction;
+  scenario.settings.prediction.predict_motion = prediction;
   const EpisodeResult result = run_episode(scenario);
   int arrived = 0;
   int touched = 0;

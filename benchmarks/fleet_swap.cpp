@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "experiments/thread_clock.hpp"
 #include "fairway/simulation/episode.hpp"
-#include "fairway/simulation/metrics.hpp"
-#include "fairway/simulation/swap_scenario.hpp"
-#include "thread_clock.hpp"
+#include "fairway/simulation/recorded/metrics.hpp"
+#include "fairway/simulation/scenarios/swap_scenario.hpp"
 
 namespace {
 
@@ -57,7 +57,7 @@ Options read_options(int argc, char** argv) {
 
 // Driving straight on with nobody there: from standing up to full speed and down again.
 double straight_time(double length, const MpcSettings& mpc) {
-  return length / mpc.linear_max + mpc.linear_max / mpc.linear_acceleration_max;
+  return length / robot.linear_max + robot.linear_max / robot.linear_acceleration_max;
 }
 
 void run(int robots, const Options& options) {
@@ -69,7 +69,7 @@ void run(int robots, const Options& options) {
   for (unsigned long seed = options.first_seed; seed <= options.last_seed; ++seed) {
     Scenario scenario = swap_scenario(robots, swap_radius(robots), {}, seed);
     scenario.radio = options.radio;
-    scenario.settings.navigation.predict_motion = options.predict;
+    scenario.settings.prediction.predict_motion = options.predict;
     EpisodeHooks hooks;
     hooks.clock = [] { return 1e-6 * benchmark::thread_cpu_us(); };
     const EpisodeResult result = run_episode(scenario, hooks);

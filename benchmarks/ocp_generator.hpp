@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
+#include "experiments/solver/paper_problem.hpp"
 #include "fairway/mpc/control_problem.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
-#include "fairway/mpc/paper_problem.hpp"
 #include "fairway/mpc/solution.hpp"
 
 namespace fairway::benchmark {
@@ -42,7 +42,7 @@ class OcpGenerator {
           .radius = 0.8};
     }
     scene.obstacles = {obstacles.data(), static_cast<std::size_t>(num_obstacles)};
-    return paper_problem(settings, scene);
+    return paper_problem(settings, paper_robot_settings(), scene);
   }
 
   /// The problem of the next control cycle after a solution of `problem`: the robot is where the

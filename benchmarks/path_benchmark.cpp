@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "fairway/io/map_file.hpp"
+#include "fairway/io/maps/map_file.hpp"
 #include "fairway/path/path_planner.hpp"
 #include "support/random_world.hpp"
 

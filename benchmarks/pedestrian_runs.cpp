@@ -6,7 +6,7 @@
 //   pedestrian_runs TRACKS [--runs N] [--seed S] [--radius M] [--speed M/S] [--margin M]
 //                   [--growth M/S] [--growth-max M] [--verbose]
 //
-// --radius is that of a person, the last four are settings of the robot (mpc.linear_max,
+// --radius is that of a person, the last four are settings of the robot (robot.linear_max,
 // navigation.obstacle_*). TRACKS as fairway/io/tracks_file.hpp says, 25 frames per second. Every
 // run leads through the middle of the scene, from outside of it to outside of it, in a direction
 // drawn anew. Each is made twice, with the prediction and without.
@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "fairway/io/tracks_file.hpp"
+#include "experiments/thread_clock.hpp"
+#include "fairway/io/scenario/tracks_file.hpp"
 #include "fairway/simulation/episode.hpp"
-#include "fairway/simulation/metrics.hpp"
-#include "thread_clock.hpp"
+#include "fairway/simulation/recorded/metrics.hpp"
 
 namespace {
 
@@ -48,13 +48,13 @@ Options read_options(int argc, char** argv) {
     } else if (name == "--radius") {
       options.format.radius = std::atof(value());
     } else if (name == "--speed") {
-      options.settings.mpc.linear_max = std::atof(value());
+      options.settings.robot.linear_max = std::atof(value());
     } else if (name == "--margin") {
-      options.settings.navigation.obstacle_margin = std::atof(value());
+      options.settings.prediction.obstacle_margin = std::atof(value());
     } else if (name == "--growth") {
-      options.settings.navigation.obstacle_growth = std::atof(value());
+      options.settings.prediction.obstacle_growth = std::atof(value());
     } else if (name == "--growth-max") {
-      options.settings.navigation.obstacle_growth_max = std::atof(value());
+      options.settings.prediction.obstacle_growth_max = std::atof(value());
     } else if (name == "--verbose") {
       options.verbose = true;
     } else {
@@ -166,7 +166,7 @@ void run(const Recording& recording, const Options& options) {
     alone.bodies.clear();
     const double lone = run_episode(alone).robots.front().time;
     for (Tally* tally : {&with, &without}) {
-      scenario.settings.navigation.predict_motion = tally == &with;
+      scenario.settings.prediction.predict_motion = tally == &with;
       const RobotResult robot = run_episode(scenario, hooks).robots.front();
       tally->add(robot, lone);
       if (options.verbose) {

@@ -8,11 +8,11 @@
 
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/map/free_space.hpp"
-#include "fairway/mpc/interior_point_solver.hpp"
-#include "fairway/navigation/planner.hpp"
+#include "fairway/mpc/interior_point/solver.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/path/path_planner.hpp"
-#include "fairway/simulation/generated_maps.hpp"
+#include "fairway/planning/planner.hpp"
+#include "fairway/simulation/scenarios/generated_maps.hpp"
 #include "ocp_generator.hpp"
 
 namespace {

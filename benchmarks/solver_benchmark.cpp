@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "fairway/io/ocp_instances.hpp"
+#include "experiments/solver/ocp_instances.hpp"
+#include "experiments/thread_clock.hpp"
 #include "fairway/mpc/evaluation.hpp"
-#include "fairway/mpc/interior_point_solver.hpp"
-#include "fairway/mpc/ipopt_solver.hpp"
+#include "fairway/mpc/interior_point/solver.hpp"
+#include "fairway/mpc/ipopt/ipopt_solver.hpp"
 #include "fairway/mpc/start_guesses.hpp"
 #include "ocp_generator.hpp"
-#include "thread_clock.hpp"
 
 namespace fairway::benchmark {
 namespace {

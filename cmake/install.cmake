@@ -2,7 +2,7 @@ include(CMakePackageConfigHelpers)
 
 set(FAIRWAY_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fairway)
 set(fairway_targets fairway)
-foreach(optional fairway_io fairway_ipopt)
+foreach(optional fairway_simulation fairway_io fairway_ipopt)
   if(TARGET ${optional})
     list(APPEND fairway_targets ${optional})
   endif()

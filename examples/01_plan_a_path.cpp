@@ -2,7 +2,7 @@
 // Finds a path for a disc robot around a wall, and asks for one that does not exist.
 #include <cstdio>
 
-#include "fairway/navigation/planner.hpp"
+#include "fairway/planning/planner.hpp"
 
 int main() {
   fairway::OccupancyGrid grid({.width = 120, .height = 80, .resolution = 0.1, .origin = {}});

@@ -3,7 +3,8 @@
 #include <cstdio>
 
 #include "fairway/corridor/corridor_builder.hpp"
-#include "fairway/navigation/planner.hpp"
+#include "fairway/navigation/settings.hpp"
+#include "fairway/planning/planner.hpp"
 
 int main() {
   fairway::OccupancyGrid grid({.width = 400, .height = 300, .resolution = 0.05, .origin = {}});
@@ -14,8 +15,8 @@ int main() {
   fairway::Settings settings;
   for (const auto method : {fairway::CorridorMethod::Mdsrc, fairway::CorridorMethod::Fewest}) {
     settings.corridor.method = method;
-    const fairway::Plan plan =
-        fairway::Planner().plan(map, {2, 4}, {.position = {16, 3}, .heading = {}}, settings);
+    const fairway::Plan plan = fairway::Planner().plan(
+        map, {2, 4}, {.position = {16, 3}, .heading = {}}, fairway::planner_settings(settings));
     if (!plan.usable()) {
       std::printf("no corridor: %s\n", plan.reason());
       return 1;

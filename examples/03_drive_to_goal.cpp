@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "fairway/navigation/navigator.hpp"
-#include "fairway/navigation/planner.hpp"
+#include "fairway/planning/planner.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 
 int main() {
@@ -16,9 +16,10 @@ int main() {
   fairway::Planner planner;
   fairway::Navigator navigator(settings);
   fairway::UnicycleRobot robot{.pose = {.position = {1, 1}, .heading = 0}};
-  navigator.follow(planner.plan(map, robot.pose.position, {.position = {9, 1}}, settings));
+  navigator.follow(
+      planner.plan(map, robot.pose.position, {.position = {9, 1}}, planner_settings(settings)));
 
-  for (double time = 0; time < 60; time += settings.mpc.dt) {
+  for (double time = 0; time < 60; time += settings.navigation.control_period) {
     const auto step = navigator.update({.time = time,
                                         .pose = robot.pose,
                                         .pose_time = time,
@@ -29,7 +30,7 @@ int main() {
                   robot.pose.position.y(), time);
       return 0;
     }
-    robot.advance(step.command, settings.mpc.dt);  // your robot base goes here
+    robot.advance(step.command, settings.navigation.control_period);  // your robot base goes here
   }
   return 1;
 }

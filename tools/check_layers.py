@@ -1,30 +1,58 @@
 #!/usr/bin/env python3
-"""Fails when a folder of src/fairway includes one that comes later in the data flow."""
+"""Fails when a folder of src/fairway includes one that comes later, or a target one that it does not link.
+
+Folders are listed in the order of the data flow, subfolders included: a folder includes only itself and
+folders before it. A subfolder comes before its parent where the parent is the face that others use.
+"""
 
 import pathlib
 import re
 import sys
 
-ORDER = ["base", "geometry", "map", "path", "corridor", "prediction", "perception", "mpc", "navigation", "simulation", "physics", "io"]
-INCLUDE = re.compile(r'^\s*#include\s+"fairway/([a-z_0-9]+)/', re.MULTILINE)
+# Per target: its folders in order. A target includes its own folders and those of the targets before it
+# that it links.
+TARGETS = [
+    ("fairway", [], [
+        "base", "geometry", "map", "prediction", "path", "corridor/rectangle", "corridor", "mpc",
+        "mpc/interior_point", "mpc/interior_point/constraints", "planning", "tracking", "safety", "fleet",
+        "perception", "navigation", ""]),
+    ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
+    ("fairway_simulation", ["fairway"], [
+        "simulation/sensors", "simulation", "simulation/scenarios", "simulation/recorded",
+        "simulation/physics"]),
+    ("fairway_io", ["fairway", "fairway_simulation"], [
+        "io", "io/yaml", "io/maps", "io/drawing", "io/scenario", "io/mcap", "io/recording", "io/web_report"]),
+]
+INCLUDE = re.compile(r'^\s*#include\s+"(fairway|experiments)/([a-z_0-9/]*?)/?([a-z_0-9]+\.hpp)"', re.MULTILINE)
 
 
 def main() -> int:
     root = pathlib.Path(__file__).resolve().parent.parent / "src" / "fairway"
+    target_of = {folder: name for name, _, folders in TARGETS for folder in folders}
+    links = {name: set(linked) for name, linked, _ in TARGETS}
+    order = {folder: i for _, _, folders in TARGETS for i, folder in enumerate(folders)}
     files = [f for pattern in ("*.hpp", "*.cpp") for f in sorted(root.rglob(pattern))]
-    bad = 0
+    wrong = []
     for file in files:
-        folder = file.relative_to(root).parts[0]
-        if folder not in ORDER:
-            print(f"{file.relative_to(root)}: folder '{folder}' is not in the order of layers")
-            bad += 1
+        folder = file.relative_to(root).parent.as_posix().replace(".", "")
+        if folder not in order:
+            wrong.append(f"{file.relative_to(root)}: folder '{folder}' is not in the order of layers")
             continue
-        for included in INCLUDE.findall(file.read_text()):
-            if included not in ORDER or ORDER.index(included) > ORDER.index(folder):
-                print(f"{file.relative_to(root)}: '{folder}' must not include '{included}'")
-                bad += 1
-    print(f"{len(files)} files checked, {bad} wrong")
-    return 1 if bad or not files else 0
+        target = target_of[folder]
+        for tree, included, header in INCLUDE.findall(file.read_text()):
+            if tree == "experiments":
+                wrong.append(f"{file.relative_to(root)}: the library must not include experiments")
+            elif included not in order:
+                wrong.append(f"{file.relative_to(root)}: '{included}' is not in the order of layers")
+            elif target_of[included] == target:
+                if order[included] > order[folder]:
+                    wrong.append(f"{file.relative_to(root)}: '{folder}' must not include '{included}'")
+            elif target_of[included] not in links[target]:
+                wrong.append(f"{file.relative_to(root)}: {target} does not link {target_of[included]} ({header})")
+    for line in wrong:
+        print(line)
+    print(f"{len(files)} files checked, {len(wrong)} wrong")
+    return 1 if wrong or not files else 0
 
 
 if __name__ == "__main__":

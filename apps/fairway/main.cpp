@@ -3,8 +3,8 @@
 #include <exception>
 #include <new>
 
-#include "commands.hpp"
-#include "output.hpp"
+#include "cli/output.hpp"
+#include "commands/commands.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@ void BackgroundPlanner::start(Request request) {
   FAIRWAY_EXPECTS(!busy());
   pending_ = std::async(std::launch::async, [this, request = std::move(request)]() mutable {
     const PreparedMap map(std::move(request.obstacles));
-    return planner_.plan(map, request.start, request.goal, request.settings);
+    return planner_.plan(map, request.start, request.goal, planner_settings(request.settings));
   });
 }
 

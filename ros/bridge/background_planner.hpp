@@ -4,7 +4,8 @@
 #include <future>
 #include <optional>
 
-#include "fairway/navigation/planner.hpp"
+#include "fairway/navigation/settings.hpp"
+#include "fairway/planning/planner.hpp"
 
 namespace fairway::bridge {
 

@@ -16,7 +16,7 @@ namespace fairway::bridge {
 /// What the other robots of a fleet have told of themselves.
 ///
 /// One that falls silent is kept with what it told last, and ages: the navigator gives it the room
-/// that it can have moved into since, and stops when it is older than `navigation.tracks_timeout`.
+/// that it can have moved into since, and stops when it is older than `safety.tracks_timeout`.
 /// It leaves the board only when it says so, or is too far away to matter.
 class FleetBoard {
  public:

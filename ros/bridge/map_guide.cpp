@@ -100,7 +100,7 @@ class MapGuide final : public Guide {
     const bool without = !navigator_.plan().usable() || !plan_is_current();
     if (!goal_ || !map_ || planner_.busy() || !(wants_plan_ || without)) return;
     if (input.time - plan_time_ < kRetryAfter || !is_finite(input.pose)) return;
-    if (!(input.time - input.pose_time <= settings_.navigation.pose_timeout)) return;
+    if (!(input.time - input.pose_time <= settings_.safety.pose_timeout)) return;
     planner_.start(
         {.obstacles = now_, .start = input.pose.position, .goal = *goal_, .settings = settings_});
     asked_number_ = goal_number_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge/guide.hpp"
-#include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/navigation/mapless_navigator.hpp"
 
 namespace fairway::bridge {

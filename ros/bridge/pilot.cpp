@@ -134,7 +134,7 @@ PilotStep Pilot::cycle(double time) {
     const bool lost = options_.use_map && time - localisation_time_ > options_.localisation_timeout;
     if (!lost) input.pose_time = odometry_.time();
   }
-  NavigationStep step{.status = NavigationStatus::Stale, .limit = Limit::StalePose};
+  NavigationStep step{.status = NavigationStatus::Stale, .limit = LimitingFactor::StalePose};
   if (guide_) step = guide_->update(input);
 
   answer.send = true;
@@ -166,7 +166,7 @@ void Pilot::watch_progress(double time, const NavigationStep& step, PilotStep& a
   }
   if (step.status == NavigationStatus::GoalReached) answer.status = NavigationStatus::NoPlan;
   // The string has points once the robot was found in the corridor.
-  if (current && guide_->navigator().corridor().string().count > 0) {
+  if (current && guide_->navigator().corridor().reference_path().count > 0) {
     const double remaining = guide_->navigator().corridor().remaining();
     if (answer.new_plan) least_remaining_ = remaining;
     if (remaining < least_remaining_ - kProgress) {
@@ -182,7 +182,7 @@ void Pilot::watch_progress(double time, const NavigationStep& step, PilotStep& a
 
 std::string Pilot::reason_of(const NavigationStep& step) const {
   std::string text = to_text(step.status);
-  if (step.limit != Limit::None) text += std::string(": ") + to_text(step.limit);
+  if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
   const bool planned = guide_ && guide_->plans_made() > 0;
   if (planned && !guide_->navigator().plan().usable()) {
     text += std::string(": ") + guide_->navigator().plan().reason();

@@ -24,7 +24,7 @@ struct PilotStep {
   bool send = false;  ///< whether to publish the command
   Twist2 command;
   NavigationStatus status = NavigationStatus::NoPlan;
-  Limit limit = Limit::None;
+  LimitingFactor limit = LimitingFactor::None;
   GoalEnd end = GoalEnd::None;
   std::string reason;                 ///< why it was given up, for a person
   bool new_plan = false;              ///< path and corridor have changed

@@ -154,14 +154,14 @@ SharedMotion to_motion(const fairway_msgs_msg_dds__SharedMotion_& message,
                       .plan = to_samples(message.plan, time, frame),
                       .stop = to_samples(message.stop, time, frame)};
   for (const geometry_msgs_msg_dds__Point_& point : elements(message.way)) {
-    if (motion.way.count == WayAhead::kMaxPoints) break;
+    if (motion.way.count == UpcomingWaypoints::kMaxPoints) break;
     motion.way.points[static_cast<std::size_t>(motion.way.count++)] =
         transform(frame, vector_of(point));
   }
   motion.under_way = message.under_way;
-  motion.to_narrow = message.to_narrow;
+  motion.distance_to_bottleneck = message.to_narrow;
   motion.can_step_aside = message.can_step_aside;
-  motion.way_back = message.way_back;
+  motion.retreat_length = message.way_back;
   motion.roundabout = {.center = transform(frame, vector_of(message.roundabout_center)),
                        .radius = message.roundabout_radius};
   return motion;
@@ -188,9 +188,9 @@ MotionMessage::MotionMessage(const SharedMotion& motion,
     way_.push_back(point_of(motion.way.points[static_cast<std::size_t>(i)]));
   point_to(way_, message_.way);
   message_.under_way = motion.under_way;
-  message_.to_narrow = motion.to_narrow;
+  message_.to_narrow = motion.distance_to_bottleneck;
   message_.can_step_aside = motion.can_step_aside;
-  message_.way_back = motion.way_back;
+  message_.way_back = motion.retreat_length;
   message_.roundabout_center = point_of(motion.roundabout.center);
   message_.roundabout_radius = motion.roundabout.radius;
 }

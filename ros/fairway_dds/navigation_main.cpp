@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "fairway/io/settings_file.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
 #include "fairway_dds/navigation_node.hpp"
 #include "fairway_dds/orderly_exit.hpp"
 

@@ -48,7 +48,8 @@ void NavigationNode::tick() {
   participant_.wait(kLongestWait);
   receive();
   const double now = wall_time();
-  if (clock_.due(now, pilot_.settings().mpc.dt, std::exchange(scan_came_, false))) {
+  if (clock_.due(now, pilot_.settings().navigation.control_period,
+                 std::exchange(scan_came_, false))) {
     run_cycle(now);
   }
 }
@@ -156,7 +157,7 @@ void NavigationNode::run_cycle(double now) {
   if (step.send) {
     send(step.command);
     std::string text = to_text(step.status);
-    if (step.limit != Limit::None) text += std::string(": ") + to_text(step.limit);
+    if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
     if (step.end == bridge::GoalEnd::GivenUp) text = "goal given up: " + step.reason;
     if (step.end == bridge::GoalEnd::Reached || text != told_) tell_status(text);
   }

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "fairway/io/map_file.hpp"
+#include "fairway/io/maps/map_file.hpp"
 #include "fairway_dds/orderly_exit.hpp"
 #include "fairway_dds/simulator.hpp"
 

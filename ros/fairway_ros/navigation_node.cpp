@@ -133,7 +133,7 @@ std::string NavigationNode::on_goal(const geometry_msgs::PoseStamped& message) {
 
 void NavigationNode::tick() {
   const double now = now_seconds();
-  const double period = pilot_.settings().mpc.dt;
+  const double period = pilot_.settings().navigation.control_period;
   if (clock_.due(now, period, std::exchange(scan_came_, false))) run_cycle(now);
   if (std::abs(now - last_diagnostics_) >= 1.0) {
     outputs_.publish_diagnostics();

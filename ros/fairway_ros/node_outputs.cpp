@@ -77,7 +77,7 @@ void NodeOutputs::show(const bridge::Pilot& pilot,
     shown_rectangle_ = step.rectangle;
   }
   if (step.plan != nullptr && prediction_.getNumSubscribers() > 0) {
-    prediction_.publish(to_message(*step.plan, pilot.settings().mpc.dt, now));
+    prediction_.publish(to_message(*step.plan, pilot.settings().mpc.step_length, now));
   }
   if (obstacles_.getNumSubscribers() > 0) {
     obstacles_.publish(to_cloud(pilot.guide()->tracked(), now));

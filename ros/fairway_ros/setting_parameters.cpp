@@ -3,8 +3,8 @@
 
 #include <dynamic_reconfigure/ConfigDescription.h>
 
-#include "fairway/io/setting_text.hpp"
-#include "fairway/io/settings_file.hpp"
+#include "fairway/io/yaml/setting_text.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::ros1 {
 

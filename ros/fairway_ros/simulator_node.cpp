@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "fairway/io/map_file.hpp"
-#include "fairway/io/scenario_file.hpp"
+#include "fairway/io/maps/map_file.hpp"
+#include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway_ros/message_conversions.hpp"
 
 namespace fairway::ros1 {

@@ -72,7 +72,7 @@ void FairwayController::deactivate() {
 
 void FairwayController::setSpeedLimit(const double& limit, const bool& percentage) {
   // Nav2 sends 0 for "no limit".
-  const double full = parameters_->settings().mpc.linear_max;
+  const double full = parameters_->settings().robot.linear_max;
   follower_->set_speed_limit(percentage ? 0.01 * limit * full : limit);
 }
 

@@ -8,7 +8,7 @@
 
 #include "bridge/message_conversions.hpp"
 #include "fairway/map/bit_grid.hpp"
-#include "fairway/navigation/planner.hpp"
+#include "fairway/planning/planner.hpp"
 
 namespace fairway::nav2 {
 

@@ -35,8 +35,8 @@ PathFollower::PathFollower(const Settings& settings) : settings_(settings), plan
 void PathFollower::make_navigator(const Twist2& twist) {
   Settings settings = settings_;
   if (speed_limit_) {
-    settings.mpc.linear_max = std::min(settings.mpc.linear_max, *speed_limit_);
-    settings.mpc.linear_min = std::min(settings.mpc.linear_min, settings.mpc.linear_max);
+    settings.robot.linear_max = std::min(settings.robot.linear_max, *speed_limit_);
+    settings.robot.linear_min = std::min(settings.robot.linear_min, settings.robot.linear_max);
   }
   navigator_ = std::make_unique<Navigator>(settings);
   navigator_->reset(twist);
@@ -108,7 +108,8 @@ void PathFollower::replan(const FollowerInput& input) {
                         .goal = goal});
     return;
   }
-  Plan own = planner_.plan(PreparedMap(input.obstacles), input.pose.position, goal, settings);
+  Plan own = planner_.plan(PreparedMap(input.obstacles), input.pose.position, goal,
+                           planner_settings(settings));
   if (own.usable() || !navigator_->plan().usable()) navigator_->follow(std::move(own));
 }
 
@@ -137,7 +138,7 @@ FollowerStep PathFollower::update(const FollowerInput& input) {
                     step.status != NavigationStatus::Degraded &&
                     step.status != NavigationStatus::Recovering;
   answer.reason = to_text(step.status);
-  if (step.limit != Limit::None) answer.reason += std::string(": ") + to_text(step.limit);
+  if (step.limit != LimitingFactor::None) answer.reason += std::string(": ") + to_text(step.limit);
   if (!navigator_->plan().usable()) {
     answer.reason += std::string(": ") + navigator_->plan().reason();
   }

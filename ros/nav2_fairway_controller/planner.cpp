@@ -84,8 +84,8 @@ nav_msgs::msg::Path FairwayPlanner::plan(
     if (cancelled()) throw PlannerCancelled("cancelled while planning");
     last = in_costmap(stop);
     if (!is_finite(last)) throw NoValidPath("expected a finite goal");
-    const Plan leg =
-        planner_.plan(map, from, {.position = last.position, .heading = last.heading}, settings);
+    const Plan leg = planner_.plan(map, from, {.position = last.position, .heading = last.heading},
+                                   planner_settings(settings));
     if (!leg.usable()) throw_reason(leg);
     const std::size_t skip = whole.waypoints.empty() ? 0 : 1;  // where the legs meet
     whole.waypoints.insert(whole.waypoints.end(),

@@ -9,7 +9,7 @@
 #include <nav2_core/global_planner.hpp>
 #include <nav2_costmap_2d/costmap_2d_ros.hpp>
 
-#include "fairway/navigation/planner.hpp"
+#include "fairway/planning/planner.hpp"
 #include "nav2_fairway_controller/parameters.hpp"
 
 namespace fairway::nav2 {

@@ -230,7 +230,7 @@ test('the past can be looked at while the world goes on', () => withLive(async (
 
 test('settings have their units, take effect at once, and are refused where they make no sense', () => withLive(async (page) => {
   await page.click('[data-group="mpc"] summary');
-  const row = page.locator('[data-setting="mpc.linear_max"]');
+  const row = page.locator('[data-setting="robot.linear_max"]');
   assert.match(await row.textContent(), /m\/s/);
   await row.locator('input[type="number"]').fill('0.3');
   await row.locator('input[type="number"]').press('Enter');
@@ -254,9 +254,9 @@ test('settings have their units, take effect at once, and are refused where they
   assert.match(await page.textContent('#notice'), /mpc\.decay_rate/);
   assert.notEqual(await page.evaluate(() => window.fairway.run.setting('mpc', 'decay_rate')), 50);
   await page.click('[data-group="navigation"] summary');
-  await page.locator('[data-setting="navigation.target_mode"] select').selectOption({ index: 1 });
+  await page.locator('[data-setting="tracking.target_mode"] select').selectOption({ index: 1 });
   await until(page, () => window.fairway.run.settings.find((s) => s.name === 'target_mode').value !== 'timed_string');
-  await page.locator('[data-setting="navigation.step_regions"] input').uncheck();
+  await page.locator('[data-setting="tracking.step_regions"] input').uncheck();
   await until(page, () => window.fairway.run.settings.find((s) => s.name === 'step_regions').value === false);
 }));
 
@@ -302,7 +302,7 @@ test('what is saved can be used: scenario, recording, report', () => withLive(as
   await page.click('#tool-goal');
   await click(page, 14, 4);
   await page.click('[data-group="mpc"] summary');
-  const box = page.locator('[data-setting="mpc.linear_max"] input[type="number"]');
+  const box = page.locator('[data-setting="robot.linear_max"] input[type="number"]');
   await box.fill('0.8');
   await box.press('Enter');
   await page.selectOption('#speed', '8');

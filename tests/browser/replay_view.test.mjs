@@ -83,7 +83,7 @@ test('panel, theme, and settings', () => withPage(async (page) => {
   await page.click('#theme');
   assert.equal(await picture(page), light);
   await page.click('[data-group="mpc"] summary');
-  assert.match(await page.textContent('[data-setting="mpc.linear_max"]'), /linear_max\s*1 m\/s/);
+  assert.match(await page.textContent('[data-setting="robot.linear_max"]'), /linear_max\s*1 m\/s/);
   assert.match(await page.textContent('#summary'), /Way driven/);
 }));
 

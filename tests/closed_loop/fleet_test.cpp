@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
-#include "fairway/simulation/swap_scenario.hpp"
+#include "fairway/simulation/scenarios/swap_scenario.hpp"
 
 namespace fairway {
 namespace {

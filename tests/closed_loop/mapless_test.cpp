@@ -13,8 +13,8 @@ Scenario hall(std::uint64_t seed) {
   Scenario scenario;
   scenario.map = OccupancyGrid({.width = 280, .height = 200, .resolution = 0.05, .origin = {}});
   scenario.settings.robot = {.radius = 0.31, .length = 0.458, .width = 0.416};
-  scenario.settings.mpc.linear_max = 1.5;
-  scenario.settings.mpc.angular_max = 3.0;
+  scenario.settings.robot.linear_max = 1.5;
+  scenario.settings.robot.angular_max = 3.0;
   scenario.robots = {{.name = "robot",
                       .start = {.position = {1.5, 5.0}, .heading = 0.0},
                       .goal = {.position = {12.5, 5.0}, .heading = {}}}};

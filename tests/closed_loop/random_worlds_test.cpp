@@ -31,17 +31,18 @@ std::optional<Scenario> random_scenario(std::uint64_t seed) {
 }
 
 void expect_limits_kept(const Scenario& scenario, const Trace& trace) {
-  const MpcSettings& mpc = scenario.settings.mpc;
+  const RobotSettings& robot = scenario.settings.robot;
+  const double period = scenario.settings.navigation.control_period;
   Twist2 before;
   for (const TraceRow& row : trace.rows) {
     ASSERT_TRUE(is_finite(row.command));
-    EXPECT_LE(row.command.linear, mpc.linear_max + 1e-9);
-    EXPECT_GE(row.command.linear, mpc.linear_min - 1e-9);
-    EXPECT_LE(std::abs(row.command.angular), mpc.angular_max + 1e-9);
+    EXPECT_LE(row.command.linear, robot.linear_max + 1e-9);
+    EXPECT_GE(row.command.linear, robot.linear_min - 1e-9);
+    EXPECT_LE(std::abs(row.command.angular), robot.angular_max + 1e-9);
     EXPECT_LE(std::abs(row.command.linear - before.linear),
-              mpc.linear_acceleration_max * mpc.dt + 1e-9);
+              robot.linear_acceleration_max * period + 1e-9);
     EXPECT_LE(std::abs(row.command.angular - before.angular),
-              mpc.angular_acceleration_max * mpc.dt + 1e-9);
+              robot.angular_acceleration_max * period + 1e-9);
     before = row.command;
   }
 }

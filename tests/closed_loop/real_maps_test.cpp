@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/io/map_file.hpp"
+#include "fairway/io/maps/map_file.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "support/free_poses.hpp"
 
@@ -34,7 +34,8 @@ TEST_P(RealMaps, AreCrossedWithoutContact) {
         test::random_free_pose(random, prepared.obstacles, scenario.settings.robot.radius);
     ASSERT_TRUE(start && goal);
     const Goal to{.position = goal->position, .heading = goal->heading};
-    const Plan plan = planner.plan(prepared, start->position, to, scenario.settings);
+    const Plan plan =
+        planner.plan(prepared, start->position, to, planner_settings(scenario.settings));
     if (plan.path_status != PathStatus::Found || plan.path.length() < 3.0) continue;
     SCOPED_TRACE(testing::Message()
                  << "from " << start->position.transpose() << " to " << goal->position.transpose());

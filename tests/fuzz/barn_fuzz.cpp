@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "fairway/io/barn_file.hpp"
+#include "experiments/barn/barn_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "fairway/io/ocp_instances.hpp"
-#include "fairway/mpc/interior_point_solver.hpp"
+#include "experiments/solver/ocp_instances.hpp"
+#include "fairway/mpc/interior_point/solver.hpp"
 #include "support/extreme_control_problem.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

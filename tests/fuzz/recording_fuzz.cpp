@@ -6,9 +6,9 @@
 #include <string>
 
 #include "fairway/io/recording/recording.hpp"
-#include "fairway/io/recording/run_stream.hpp"
-#include "fairway/simulation/observer_list.hpp"
-#include "fairway/simulation/replay_check.hpp"
+#include "fairway/io/web_report/run_stream.hpp"
+#include "fairway/simulation/recorded/observer_list.hpp"
+#include "fairway/simulation/recorded/replay_check.hpp"
 #include "fuzz/byte_source.hpp"
 #include "support/changed_recording.hpp"
 

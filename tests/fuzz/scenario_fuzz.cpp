@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "fairway/io/recording/scenario_archive.hpp"
-#include "fairway/io/scenario_file.hpp"
+#include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "fairway/io/settings_file.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);

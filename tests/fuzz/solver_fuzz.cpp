@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "fairway/mpc/interior_point_solver.hpp"
+#include "fairway/mpc/interior_point/solver.hpp"
 #include "fuzz/byte_source.hpp"
 #include "support/extreme_control_problem.hpp"
 

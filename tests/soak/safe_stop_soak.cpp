@@ -10,7 +10,7 @@
 
 #include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
-#include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 #include "faults.hpp"
 #include "support/free_poses.hpp"
@@ -47,8 +47,8 @@ class World {
       settings_.robot.length = 1.5 * settings_.robot.radius;
       settings_.robot.width = 1.2 * settings_.robot.radius;
     }
-    if (random_.chance(0.3)) settings_.mpc.linear_min = -0.4;
-    if (random_.chance(0.3)) settings_.mpc.linear_max = 2.0;
+    if (random_.chance(0.3)) settings_.robot.linear_min = -0.4;
+    if (random_.chance(0.3)) settings_.robot.linear_max = 2.0;
   }
 
   void drive(int cycles, long stop_at) {
@@ -66,8 +66,8 @@ class World {
     const auto start = test::random_free_pose(random_, map_.obstacles, room);
     if (!start) return false;
     robot_.pose = *start;
-    robot_.limits = {.linear_acceleration = settings_.mpc.linear_acceleration_max,
-                     .angular_acceleration = settings_.mpc.angular_acceleration_max};
+    robot_.limits = {.linear_acceleration = settings_.robot.linear_acceleration_max,
+                     .angular_acceleration = settings_.robot.angular_acceleration_max};
     const Eigen::Vector2d size =
         map_.obstacles.frame().resolution *
         Eigen::Vector2d(map_.obstacles.frame().width, map_.obstacles.frame().height);
@@ -92,7 +92,10 @@ class World {
     return true;
   }
 
-  void plan() { navigator_->follow(planner_.plan(map_, robot_.pose.position, goal_, settings_)); }
+  void plan() {
+    navigator_->follow(
+        planner_.plan(map_, robot_.pose.position, goal_, planner_settings(settings_)));
+  }
 
   bool cycle() {
     ++count_.cycles;
@@ -114,21 +117,22 @@ class World {
 
   void check_command(const Twist2& command) {
     constexpr double kRounding = 1e-9;
-    const MpcSettings& mpc = settings_.mpc;
-    const bool good = is_finite(command) && command.linear <= mpc.linear_max + kRounding &&
-                      command.linear >= mpc.linear_min - kRounding &&
-                      std::abs(command.angular) <= mpc.angular_max + kRounding &&
+    const RobotSettings& robot = settings_.robot;
+    const double period = settings_.navigation.control_period;
+    const bool good = is_finite(command) && command.linear <= robot.linear_max + kRounding &&
+                      command.linear >= robot.linear_min - kRounding &&
+                      std::abs(command.angular) <= robot.angular_max + kRounding &&
                       std::abs(command.linear - sent_.linear) <=
-                          mpc.linear_acceleration_max * mpc.dt + kRounding &&
+                          robot.linear_acceleration_max * period + kRounding &&
                       std::abs(command.angular - sent_.angular) <=
-                          mpc.angular_acceleration_max * mpc.dt + kRounding;
+                          robot.angular_acceleration_max * period + kRounding;
     if (!good) report("command out of limits", ++count_.bad_commands);
   }
 
   // One cycle at fine steps. Returns whether nothing was touched.
   bool move(const Twist2& command) {
     constexpr int kSteps = 20;
-    const double h = settings_.mpc.dt / kSteps;
+    const double h = settings_.navigation.control_period / kSteps;
     const Footprint body = footprint_of(settings_.robot);
     for (int i = 0; i < kSteps; ++i) {
       const Pose2 before = robot_.pose;

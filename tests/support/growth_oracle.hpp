@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "fairway/corridor/rectangle_growth.hpp"
+#include "fairway/corridor/rectangle/rectangle_growth.hpp"
 
 namespace fairway::test {
 

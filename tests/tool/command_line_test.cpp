@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command_line.hpp"
+#include "cli/command_line.hpp"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "left_out.hpp"
+#include "cli/left_out.hpp"
 
 namespace fairway::app {
 namespace {

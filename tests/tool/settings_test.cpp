@@ -8,7 +8,7 @@ namespace {
 
 TEST(Settings, ArePrintedAsAFileThatReadsBackTheSame) {
   const TemporaryFolder folder;
-  for (const std::string options : {"", " --preset paper", " --set mpc.linear_max=0.123456789"}) {
+  for (const std::string options : {"", " --preset paper", " --set robot.linear_max=0.123456789"}) {
     const ToolRun first = run_tool(folder, "settings" + options);
     ASSERT_EQ(first.code, 0) << first.err;
     folder.write("s.yaml", first.out);
@@ -22,7 +22,7 @@ TEST(Settings, TakeTheLastOfPresetFileAndAssignment) {
   const TemporaryFolder folder;
   folder.write("s.yaml", "mpc: {horizon: 11, linear_max: 0.5}\n");
   const ToolRun run =
-      run_tool(folder, "settings --preset paper --settings s.yaml --set mpc.linear_max=0.7");
+      run_tool(folder, "settings --preset paper --settings s.yaml --set robot.linear_max=0.7");
   EXPECT_NE(run.out.find("  horizon: 11 "), std::string::npos);
   EXPECT_NE(run.out.find("  linear_max: 0.7 "), std::string::npos);
   EXPECT_NE(run.out.find("  method: mdsrc "), std::string::npos);

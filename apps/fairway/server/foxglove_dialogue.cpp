@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "foxglove_dialogue.hpp"
+#include "server/foxglove_dialogue.hpp"
 
 #include <utility>
 #include <vector>

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "connection.hpp"
-#include "live_messages.hpp"
+#include "server/connection.hpp"
+#include "server/live_messages.hpp"
 
 namespace fairway::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "http_session.hpp"
+#include "server/http_session.hpp"
 
 #include <chrono>
 #include <memory>
@@ -12,9 +12,9 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
-#include "fairway/io/recording/viewer_page.hpp"
-#include "socket_session.hpp"
-#include "uploaded_map.hpp"
+#include "fairway/io/web_report/viewer_page.hpp"
+#include "server/socket_session.hpp"
+#include "server/uploaded_map.hpp"
 
 namespace fairway::app {
 

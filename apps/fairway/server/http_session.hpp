@@ -6,10 +6,10 @@
 
 #include <boost/asio/ip/tcp.hpp>
 
-#include "foxglove_dialogue.hpp"
-#include "live_world.hpp"
-#include "origin_check.hpp"
-#include "page_dialogue.hpp"
+#include "server/foxglove_dialogue.hpp"
+#include "server/live_world.hpp"
+#include "server/origin_check.hpp"
+#include "server/page_dialogue.hpp"
 
 namespace fairway::app {
 

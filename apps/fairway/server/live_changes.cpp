@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../stopwatch.hpp"
+#include "cli/stopwatch.hpp"
 #include "fairway/geometry/oriented_rectangle.hpp"
-#include "fairway/io/settings_file.hpp"
-#include "live_world.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
+#include "server/live_world.hpp"
 
 namespace fairway::app {
 

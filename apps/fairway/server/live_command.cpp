@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live_command.hpp"
+#include "server/live_command.hpp"
 
 #include <cmath>
 #include <map>

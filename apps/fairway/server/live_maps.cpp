@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live_maps.hpp"
+#include "server/live_maps.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "fairway/map/distance_field.hpp"
-#include "fairway/simulation/generated_maps.hpp"
+#include "fairway/simulation/scenarios/generated_maps.hpp"
 
 namespace fairway::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live_messages.hpp"
+#include "server/live_messages.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live_server.hpp"
+#include "server/live_server.hpp"
 
 #include <csignal>
 #include <memory>
@@ -12,10 +12,10 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 
-#include "foxglove_dialogue.hpp"
-#include "http_session.hpp"
-#include "live_world.hpp"
-#include "page_dialogue.hpp"
+#include "server/foxglove_dialogue.hpp"
+#include "server/http_session.hpp"
+#include "server/live_world.hpp"
+#include "server/page_dialogue.hpp"
 
 namespace fairway::app {
 

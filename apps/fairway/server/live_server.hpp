@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fairway/base/error.hpp"
-#include "live_maps.hpp"
-#include "origin_check.hpp"
+#include "server/live_maps.hpp"
+#include "server/origin_check.hpp"
 
 namespace fairway::app {
 

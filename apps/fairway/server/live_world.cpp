@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live_world.hpp"
+#include "server/live_world.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-#include "../stopwatch.hpp"
-#include "fairway/io/recording/report.hpp"
+#include "cli/stopwatch.hpp"
 #include "fairway/io/recording/scenario_archive.hpp"
-#include "fairway/simulation/observer_list.hpp"
-#include "live_maps.hpp"
+#include "fairway/io/web_report/report.hpp"
+#include "fairway/simulation/recorded/observer_list.hpp"
+#include "server/live_maps.hpp"
 
 namespace fairway::app {
 
@@ -102,7 +102,8 @@ void LiveWorld::run_once() {
 bool LiveWorld::play(EpisodeControl& control) {
   publish();
   tell_beginning(control.world().time());
-  due_ = std::max(due_ + scenario_.settings.mpc.dt / state_.speed, steady_seconds() - kFarBehind);
+  due_ = std::max(due_ + scenario_.settings.navigation.control_period / state_.speed,
+                  steady_seconds() - kFarBehind);
   while (std::optional<Request> request = next_request()) {
     carry_out(control, *request);
     stream_.tell_true_map(control.world().time(), control.world().obstacles());

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "fairway/io/recording/recording.hpp"
-#include "fairway/io/recording/run_stream.hpp"
+#include "fairway/io/web_report/run_stream.hpp"
 #include "fairway/simulation/episode.hpp"
-#include "live_command.hpp"
-#include "live_maps.hpp"
-#include "live_messages.hpp"
+#include "server/live_command.hpp"
+#include "server/live_maps.hpp"
+#include "server/live_messages.hpp"
 
 namespace fairway::app {
 

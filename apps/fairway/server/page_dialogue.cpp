@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "page_dialogue.hpp"
+#include "server/page_dialogue.hpp"
 
 #include <utility>
 

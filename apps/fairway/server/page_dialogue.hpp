@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "connection.hpp"
-#include "live_world.hpp"
+#include "server/connection.hpp"
+#include "server/live_world.hpp"
 
 namespace fairway::app {
 

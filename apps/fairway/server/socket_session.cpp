@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "socket_session.hpp"
+#include "server/socket_session.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,7 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "../stopwatch.hpp"
+#include "cli/stopwatch.hpp"
 
 namespace fairway::app {
 

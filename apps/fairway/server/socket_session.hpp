@@ -8,7 +8,7 @@
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
 
-#include "connection.hpp"
+#include "server/connection.hpp"
 
 namespace fairway::app {
 

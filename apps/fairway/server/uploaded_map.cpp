@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "uploaded_map.hpp"
+#include "server/uploaded_map.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
 #include <nlohmann/json.hpp>
 
-#include "fairway/io/map_file.hpp"
-#include "fairway/io/recording/base64.hpp"
+#include "fairway/io/base64.hpp"
+#include "fairway/io/maps/map_file.hpp"
 
 namespace fairway::app {
 

@@ -6,7 +6,7 @@
 #include "fairway/corridor/corridor.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
 #include "fairway/corridor/furthest_reach.hpp"
-#include "fairway/corridor/largest_rectangle.hpp"
+#include "fairway/corridor/rectangle/largest_rectangle.hpp"
 
 namespace fairway {
 

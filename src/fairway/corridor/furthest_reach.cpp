@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "fairway/base/float4.hpp"
-#include "fairway/corridor/box_repair.hpp"
+#include "fairway/corridor/rectangle/box_repair.hpp"
 
 namespace fairway {
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "fairway/corridor/obstacle_points.hpp"
 #include "fairway/corridor/path_piece.hpp"
+#include "fairway/corridor/rectangle/obstacle_points.hpp"
 
 namespace fairway {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fairway/corridor/path_track.hpp"
-#include "fairway/corridor/turned_frame.hpp"
+#include "fairway/corridor/rectangle/turned_frame.hpp"
 
 namespace fairway {
 

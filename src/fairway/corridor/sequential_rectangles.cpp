@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "fairway/corridor/largest_rectangle.hpp"
 #include "fairway/corridor/path_track.hpp"
-#include "fairway/corridor/rectangle_growth.hpp"
+#include "fairway/corridor/rectangle/largest_rectangle.hpp"
+#include "fairway/corridor/rectangle/rectangle_growth.hpp"
 
 namespace fairway {
 

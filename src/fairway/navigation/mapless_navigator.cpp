@@ -28,17 +28,17 @@ constexpr double kLookFurther = 2.5;  // [m], of corridor beyond what a horizon 
 Settings with_margins(const Settings& settings) {
   Settings wider = settings;
   wider.path.margin += settings.perception.resolution;
-  wider.navigation.stop_margin += 0.5 * settings.perception.resolution;
+  wider.safety.stop_margin += 0.5 * settings.perception.resolution;
   return wider;
 }
 
 // How far the robot can get within a horizon [m].
-double reach_of_horizon(const MpcSettings& mpc) noexcept {
-  return mpc.horizon * mpc.dt * mpc.linear_max;
+double reach_of_horizon(const Settings& settings) noexcept {
+  return settings.mpc.horizon * settings.mpc.step_length * settings.robot.linear_max;
 }
 
-double corridor_length(const MpcSettings& mpc) noexcept {
-  return reach_of_horizon(mpc) + kLookFurther;
+double corridor_length(const Settings& settings) noexcept {
+  return reach_of_horizon(settings) + kLookFurther;
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ NavigationStep MaplessNavigator::update(double time, const Pose2& pose, double p
   if (step.status == NavigationStatus::GoalReached && !leads_to_goal_) {
     // As near as it gets for now, but not there.
     step.status = NavigationStatus::Blocked;
-    step.limit = Limit::NoPath;
+    step.limit = LimitingFactor::NoPath;
     step.wants_plan = true;
   }
   asked_for_plan_ = step.wants_plan;
@@ -116,15 +116,14 @@ NavigationStep MaplessNavigator::update(double time, const Pose2& pose, double p
 // At once where the robot is about to go into something new; else not more often than that pays.
 bool MaplessNavigator::wants_plan(double time) const noexcept {
   const Plan& now = navigator_.plan();
-  const CorridorString& corridor = navigator_.corridor();
-  const bool driven_on = now.usable() && corridor.string().count > 0;
+  const CorridorFollower& corridor = navigator_.corridor();
+  const bool driven_on = now.usable() && corridor.reference_path().count > 0;
   constexpr double kSoon = 1.0;  // [m], beyond the braking distance
-  const MpcSettings& mpc = settings_.mpc;
-  const double braking = 0.5 * mpc.linear_max * mpc.linear_max / mpc.linear_acceleration_max;
+  const double braking = braking_distance(settings_.robot);
   if (look_for_narrow_ || (driven_on && !corridor_is_free(braking + kSoon))) return true;
   if (time - plan_time_ < kRetryAfter) return false;
   if (!driven_on || asked_for_plan_) return true;
-  if (!leads_to_goal_ && corridor.remaining() < reach_of_horizon(mpc)) return true;
+  if (!leads_to_goal_ && corridor.remaining() < reach_of_horizon(settings_)) return true;
   return !corridor_is_free(std::numeric_limits<double>::infinity()) || !path_is_free();
 }
 
@@ -144,8 +143,8 @@ void MaplessNavigator::refresh_map() noexcept {
 // Whether the rectangles that the robot enters within `length` [m] are still free for it, as far as
 // is known.
 bool MaplessNavigator::corridor_is_free(double length) const noexcept {
-  const CorridorString& corridor = navigator_.corridor();
-  const StringAhead& string = corridor.string();
+  const CorridorFollower& corridor = navigator_.corridor();
+  const ReferencePath& string = corridor.reference_path();
   const Corridor& built = corridor.corridor();
   const bool workspace = built.space == CorridorSpace::Workspace;
   // A cell that flickers in and out at the side is no reason for another way.
@@ -172,7 +171,7 @@ bool MaplessNavigator::path_is_free() const noexcept {
   double covered = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     covered += (points[i] - points[i - 1]).norm();
-    if (covered < corridor_length(settings_.mpc)) continue;
+    if (covered < corridor_length(settings_)) continue;
     if (!is_free(perception_.grid().occupied(), points[i - 1], points[i], clearance)) return false;
   }
   return true;
@@ -223,7 +222,7 @@ Plan MaplessNavigator::find_way(const Vector2d& position, const Goal& goal, doub
   constexpr double kEnough = 2.0;                   // [m]
   constexpr double kLeastOverlap = 5e-4;            // [m^2]
   constexpr double kFits = 0.9 * std::numbers::pi;  // of the largest disc that has room
-  Settings settings = settings_;
+  PlannerSettings settings = planner_settings(settings_);
   settings.path.margin = margin;
   std::optional<double> breaks_off;  // there [m]
   std::optional<Vector2d> failed;    // radius and overlap of the last try
@@ -246,7 +245,7 @@ Plan MaplessNavigator::find_way(const Vector2d& position, const Goal& goal, doub
     return result;
   };
   Plan found = planner_.plan(map_, position, goal, settings,
-                             {.build = build, .corridor_length = corridor_length(settings_.mpc)});
+                             {.build = build, .corridor_length = corridor_length(settings_)});
   if (found.usable() && breaks_off) {
     found.whole = false;
     found.goal = {.position = beginning_of(found.path, *breaks_off).waypoints.back(),

@@ -46,7 +46,7 @@ enum class NavigationStatus : std::uint8_t {
 }
 
 /// What limits the robot in a cycle: why it is slow, turns, or stands.
-enum class Limit : std::uint8_t {
+enum class LimitingFactor : std::uint8_t {
   None,
   Speed,            ///< a speed limit
   Acceleration,     ///< an acceleration limit
@@ -64,37 +64,37 @@ enum class Limit : std::uint8_t {
   NoPath,
 };
 
-[[nodiscard]] constexpr const char* to_text(Limit limit) noexcept {
+[[nodiscard]] constexpr const char* to_text(LimitingFactor limit) noexcept {
   switch (limit) {
-    case Limit::None:
+    case LimitingFactor::None:
       return "none";
-    case Limit::Speed:
+    case LimitingFactor::Speed:
       return "speed limit";
-    case Limit::Acceleration:
+    case LimitingFactor::Acceleration:
       return "acceleration limit";
-    case Limit::Corridor:
+    case LimitingFactor::Corridor:
       return "corridor";
-    case Limit::MovingObstacle:
+    case LimitingFactor::MovingObstacle:
       return "moving obstacle";
-    case Limit::StopNotProven:
+    case LimitingFactor::StopNotProven:
       return "stop not proven";
-    case Limit::OutsideCorridor:
+    case LimitingFactor::OutsideCorridor:
       return "outside the corridor";
-    case Limit::StalePose:
+    case LimitingFactor::StalePose:
       return "stale pose";
-    case Limit::StaleMap:
+    case LimitingFactor::StaleMap:
       return "stale map";
-    case Limit::StaleTracks:
+    case LimitingFactor::StaleTracks:
       return "stale tracks";
-    case Limit::NonFinitePose:
+    case LimitingFactor::NonFinitePose:
       return "pose not finite";
-    case Limit::NonFiniteTracks:
+    case LimitingFactor::NonFiniteTracks:
       return "tracks not finite";
-    case Limit::PoseJump:
+    case LimitingFactor::PoseJump:
       return "pose jumps";
-    case Limit::SolverFailed:
+    case LimitingFactor::SolverFailed:
       return "solver failed";
-    case Limit::NoPath:
+    case LimitingFactor::NoPath:
       return "no path";
   }
   return "unknown";

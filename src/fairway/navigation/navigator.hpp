@@ -1,44 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
+#include <array>
 #include <memory>
+#include <span>
 
+#include "fairway/fleet/fleet_coordinator.hpp"
 #include "fairway/mpc/control_solver.hpp"
-#include "fairway/navigation/corridor_string.hpp"
 #include "fairway/navigation/dead_reckoning.hpp"
-#include "fairway/navigation/fleet_way.hpp"
-#include "fairway/navigation/navigation_status.hpp"
-#include "fairway/navigation/planner.hpp"
-#include "fairway/navigation/recovery.hpp"
-#include "fairway/navigation/safe_stop.hpp"
-#include "fairway/navigation/starts.hpp"
+#include "fairway/navigation/goal_check.hpp"
+#include "fairway/navigation/navigation_step.hpp"
+#include "fairway/navigation/recovery_behaviour.hpp"
+#include "fairway/navigation/settings.hpp"
+#include "fairway/planning/planner.hpp"
+#include "fairway/safety/safe_stop.hpp"
+#include "fairway/tracking/candidate_solver.hpp"
+#include "fairway/tracking/corridor_follower.hpp"
 
 namespace fairway {
-
-/// What the navigator is told in a cycle. All times are on the caller's clock [s].
-struct NavigationInput {
-  double time = 0.0;             ///< now
-  Pose2 pose;                    ///< of the robot, in the map's frame
-  double pose_time = 0.0;        ///< when the pose was true
-  MovingObstacles obstacles;     ///< what moves
-  double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none, unless
-  bool obstacles_due = false;    ///< someone looks for them all the time: then "none" ages, too
-  const BitGrid* map = nullptr;  ///< the newest static obstacles; must live through the call
-  double map_time = 0.0;         ///< when they were seen; a fixed map is always as new as `time`
-  Fleet fleet{};                 ///< what other robots told; they are not among the obstacles
-  std::uint32_t robot = 0;       ///< its own number in the fleet
-};
-
-/// What the navigator answers.
-struct NavigationStep {
-  Twist2 command;  ///< to send until the next cycle; finite and within the limits
-  NavigationStatus status = NavigationStatus::NoPlan;
-  Limit limit = Limit::None;          ///< what limits the robot now
-  bool wants_plan = false;            ///< ask a Planner for a new plan from here, then follow() it
-  std::size_t rectangle = 0;          ///< the one the robot is in
-  const MpcSolution* plan = nullptr;  ///< what it intends; valid until the next cycle; may be null
-};
 
 /// Drives one robot along a corridor: Algorithm 3, one call per control cycle.
 ///
@@ -50,69 +29,74 @@ class Navigator {
   explicit Navigator(const Settings& settings);
 
   /// Uses a solver of the caller's, which must outlive it. Robots of one thread can share one.
+  /// @throws std::invalid_argument unless validate(settings) holds.
   Navigator(const Settings& settings, ControlSolver& solver);
 
-  /// Follows a plan from now on. An unusable plan leaves the robot without a way: it stands, and
-  /// says so.
+  /// Follows a plan from now on. With an unusable plan the robot brakes and stays stopped.
   void follow(Plan plan);
 
-  /// Forgets the plan: the robot brakes to a stand.
+  /// Forgets the plan: the robot brakes to a standstill.
   void cancel();
 
-  /// Tells what the robot really does, where that differs from the last command: after a hold, a
-  /// jump, or at the first cycle of a robot that moves already.
+  /// Sets the twist that the robot really has, where that differs from the last command: after a
+  /// hold, a jump, or at the first cycle of a robot that moves already.
   void reset(const Twist2& actual = {}) noexcept;
 
   /// Runs one control cycle. Never fails: when no command can be shown to be safe, it brakes along
   /// the stop that was verified last, and the status and limit say why.
   [[nodiscard]] NavigationStep update(const NavigationInput& input) noexcept;
 
-  /// What to tell the other robots after an update at `time` and `pose`: what it does in this cycle
-  /// and would do after it, and what it intends.
+  /// The message to the other robots after an update at `time` and `pose`: what the robot does in
+  /// this cycle and would do after it, and what it intends.
   [[nodiscard]] SharedMotion share(std::uint32_t robot,
                                    double time,
                                    const Pose2& pose) const noexcept;
 
   [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
-  [[nodiscard]] const CorridorString& corridor() const noexcept { return corridor_; }
+  [[nodiscard]] const CorridorFollower& corridor() const noexcept { return corridor_; }
   [[nodiscard]] const Plan& plan() const noexcept { return plan_; }
   [[nodiscard]] const ControlProblem& problem() const noexcept { return problem_; }
 
  private:
+  Navigator(const Settings& settings, std::unique_ptr<ControlSolver> own, ControlSolver* other);
+
   [[nodiscard]] NavigationStep cycle(const NavigationInput& input) noexcept;
-  [[nodiscard]] Limit check(const NavigationInput& input) noexcept;
-  [[nodiscard]] bool reached(const Pose2& pose) noexcept;
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
-  void pose_problem(const NavigationInput& input) noexcept;
   void note_remaining() noexcept;
+  void coordinate(const NavigationInput& input) noexcept;
+  void pose_problem(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
+  [[nodiscard]] NavigationStep send(std::size_t candidate,
+                                    std::span<const Twist2> commands) noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
-  [[nodiscard]] StopSituation situation(const NavigationInput& input) const noexcept;
   [[nodiscard]] NavigationStep stop_or_evade(const NavigationInput& input) noexcept;
-  [[nodiscard]] NavigationStep stop(NavigationStatus status, Limit limit) noexcept;
-  [[nodiscard]] StopSurroundings surroundings(const NavigationInput& input) const noexcept;
+  [[nodiscard]] NavigationStep stop(NavigationStatus status, LimitingFactor limit) noexcept;
+  [[nodiscard]] StopSituation situation(const NavigationInput& input) const noexcept;
+  [[nodiscard]] std::span<const Twist2> commands_of(const MpcSolution& answer) noexcept;
 
   Settings settings_;
+  double period_;  // from one command to the next [s]
+  double lag_;     // until the base follows a command [s]
   Footprint body_;
   std::unique_ptr<ControlSolver> own_solver_;
   ControlSolver* solver_;
   Plan plan_;
-  CorridorString corridor_;
-  FleetWay fleet_way_;
-  StringAhead way_;  // the corridor's string, led round other robots
+  CorridorFollower corridor_;
+  FleetCoordinator fleet_;
+  ReferencePath way_;  // the corridor's reference path, or the detour around other robots
   ControlProblem problem_;
   MpcSolution solution_;  // of the last cycle; horizon 0 when there is none
-  std::array<MpcSolution, 2> answers_;
-  Twist2 sent_;         // in the last cycle
-  Twist2 sent_before_;  // in the one before
+  Candidates candidates_;
+  std::array<Twist2, kMaxHorizon> commands_;  // of a candidate, per control period
+  Twist2 sent_;                               // in the last cycle
+  Twist2 sent_before_;                        // in the one before
   SafeStop stop_;
   DeadReckoning reckoning_;
-  double goal_distance_ = 0.0;
-  bool at_goal_ = false;
+  GoalCheck goal_check_;
   double plan_time_ = -1.0;  // when the present plan was first driven on
   double remaining_ = std::numeric_limits<double>::infinity();  // in the last cycle [m]
   bool new_way_ = false;                                        // since then
-  Recovery recovery_;
+  RecoveryBehaviour recovery_;
 };
 
 }  // namespace fairway

@@ -18,26 +18,26 @@ Settings paper_settings() {
   s.corridor.max_growth = 8.0;
   s.corridor.inward_offset = 0.3;
   s.mpc.horizon = 10;
-  s.mpc.dt = 0.1;
+  s.mpc.step_length = 0.1;
   s.mpc.integration = Integration::Euler;
-  s.mpc.linear_min = 0.05;
-  s.mpc.linear_max = 1.0;
-  s.mpc.angular_max = 1.5;
-  s.mpc.linear_acceleration_max = 1000.0;  // the paper has no such limit
-  s.mpc.angular_acceleration_max = 1000.0;
+  s.robot.linear_min = 0.05;
+  s.robot.linear_max = 1.0;
+  s.robot.angular_max = 1.5;
+  s.robot.linear_acceleration_max = 1000.0;  // the paper has no such limit
+  s.robot.angular_acceleration_max = 1000.0;
   s.mpc.weight_position = 20.0;
   s.mpc.weight_heading = 0.1;
   s.mpc.weight_next_position = 5.0;
   s.mpc.weight_next_heading = 0.05;
   s.mpc.penalise_first_change = false;
   s.mpc.decay_rate = 5.0;
-  s.navigation.target_mode = TargetMode::DualWaypoints;
-  s.navigation.step_regions = false;
+  s.tracking.target_mode = TargetMode::DualWaypoints;
+  s.tracking.step_regions = false;
   s.navigation.goal_tolerance = 0.2;  // d_max is not given
   s.navigation.heading_tolerance = 3.15;
-  s.navigation.actuation_lag = 0.0;
-  s.navigation.obstacle_growth = 0.0;
-  s.navigation.obstacle_margin = 0.2;  // two robots of radius 0.3 then keep R_o = 0.8
+  s.safety.actuation_lag = 0.0;
+  s.prediction.obstacle_growth = 0.0;
+  s.prediction.obstacle_margin = 0.2;  // two robots of radius 0.3 then keep R_o = 0.8
   return s;
 }
 
@@ -72,16 +72,17 @@ Expected<void> validate(const Settings& settings) {
   if (settings.robot.discs.count > 0 && settings.robot.length > 0.0) {
     return fail("robot.discs: expected no robot.length and robot.width beside them");
   }
-  if (settings.mpc.linear_min > settings.mpc.linear_max) {
-    return fail("mpc.linear_min: expected at most mpc.linear_max");
+  if (settings.robot.linear_min > settings.robot.linear_max) {
+    return fail("robot.linear_min: expected at most robot.linear_max");
   }
-  if (settings.mpc.decay_rate * settings.mpc.dt > 1.0) {
-    return fail("mpc.decay_rate: expected at most 1 / mpc.dt (Eq. 14)");
+  if (settings.mpc.decay_rate * settings.mpc.step_length > 1.0) {
+    return fail("mpc.decay_rate: expected at most 1 / mpc.step_length (Eq. 14)");
   }
   constexpr int kLongestStop = 200;  // cycles; StopSequence holds a few more
-  const double per_cycle = settings.mpc.linear_acceleration_max * settings.mpc.dt;
-  if (settings.mpc.linear_max > kLongestStop * per_cycle) {
-    return fail("mpc.linear_acceleration_max: expected enough to stop within 200 control cycles");
+  const double per_cycle =
+      settings.robot.linear_acceleration_max * settings.navigation.control_period;
+  if (settings.robot.linear_max > kLongestStop * per_cycle) {
+    return fail("robot.linear_acceleration_max: expected enough to stop within 200 control cycles");
   }
   return {};
 }

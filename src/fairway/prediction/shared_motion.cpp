@@ -16,8 +16,8 @@ bool is_finite(const SampledMotion& motion) noexcept {
   return std::isfinite(motion.interval);
 }
 
-bool is_finite(const WayAhead& way) noexcept {
-  if (way.count < 0 || way.count > WayAhead::kMaxPoints) return false;
+bool is_finite(const UpcomingWaypoints& way) noexcept {
+  if (way.count < 0 || way.count > UpcomingWaypoints::kMaxPoints) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(way.count); ++i) {
     if (!way.points[i].allFinite()) return false;
   }
@@ -52,8 +52,9 @@ bool is_finite(const SharedMotion& motion) noexcept {
          std::isfinite(motion.radius) && std::isfinite(motion.speed_max) &&
          std::isfinite(motion.turn_max) && motion.acceleration > 0.0 &&
          std::isfinite(motion.acceleration) && is_finite(motion.plan) && is_finite(motion.stop) &&
-         is_finite(motion.way) && !std::isnan(motion.to_narrow) && !std::isnan(motion.way_back) &&
-         motion.roundabout.center.allFinite() && std::isfinite(motion.roundabout.radius);
+         is_finite(motion.way) && !std::isnan(motion.distance_to_bottleneck) &&
+         !std::isnan(motion.retreat_length) && motion.roundabout.center.allFinite() &&
+         std::isfinite(motion.roundabout.radius);
 }
 
 }  // namespace fairway

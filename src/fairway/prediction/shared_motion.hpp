@@ -46,7 +46,7 @@ struct Roundabout {
 };
 
 /// The next points of a robot's way, straight between them.
-struct WayAhead {
+struct UpcomingWaypoints {
   static constexpr int kMaxPoints = 6;
   int count = 0;
   std::array<Eigen::Vector2d, kMaxPoints> points;
@@ -63,13 +63,13 @@ struct SharedMotion {
   double acceleration = 0.0;  ///< with which it gains and loses speed [m/s^2]
   double turn_max = 0.0;      ///< [rad/s]
   SampledMotion plan{};       ///< what it intends to do
-  SampledMotion stop{};    ///< what it has bound itself to until it tells something else: to stand
-  WayAhead way{};          ///< from its position on, as it would be without other robots
-  bool under_way = false;  ///< it has a way, and is not at its goal
-  double to_narrow =
+  SampledMotion stop{};     ///< what it has bound itself to until it tells something else: to stand
+  UpcomingWaypoints way{};  ///< from its position on, as it would be without other robots
+  bool under_way = false;   ///< it has a way, and is not at its goal
+  double distance_to_bottleneck =
       std::numeric_limits<double>::infinity();  ///< to where it meets others in a narrow place [m]
   bool can_step_aside = true;                   ///< and wait there until they have passed
-  double way_back =
+  double retreat_length =
       0.0;  ///< to where it could wait when it cannot step aside; infinite: nowhere [m]
   Roundabout roundabout{};  ///< that it goes round
 };

@@ -8,7 +8,7 @@
 
 #include "fairway/base/contract.hpp"
 #include "fairway/map/footprint_clearance.hpp"
-#include "fairway/mpc/real_time_solver.hpp"
+#include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/simulation/robot_driver.hpp"
 #include "fairway/simulation/timed_solver.hpp"
 
@@ -42,7 +42,7 @@ class Episode final : public EpisodeControl {
   // Sense, control, move: until all stand at their goals, or the time is up.
   EpisodeResult run() {
     for (int cycle = 0;; ++cycle) {
-      const bool time_left = cycle * settings_.mpc.dt < scenario_.time_limit;
+      const bool time_left = cycle * settings_.navigation.control_period < scenario_.time_limit;
       show_world();
       measure();
       for (std::size_t i = 0; i < drivers_.size(); ++i)
@@ -50,7 +50,7 @@ class Episode final : public EpisodeControl {
       const bool all_done = std::all_of(done_.begin(), done_.end(), [](bool done) { return done; });
       if (!hooks_.play && (all_done || !time_left)) break;
       if (hooks_.on_cycle && !hooks_.on_cycle(world_.time())) break;
-      advance(settings_.mpc.dt);
+      advance(settings_.navigation.control_period);
       if (hooks_.play && !hooks_.play(*this)) break;
     }
     finish();

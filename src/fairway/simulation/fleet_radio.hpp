@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fairway/prediction/shared_motion.hpp"
-#include "fairway/simulation/noise.hpp"
+#include "fairway/simulation/sensors/noise.hpp"
 
 namespace fairway {
 

@@ -25,7 +25,7 @@ void mark_side(const Navigator& navigator,
                std::size_t current,
                const Eigen::Vector2d& at,
                LimitMark& mark) noexcept {
-  const CorridorString& corridor = navigator.corridor();
+  const CorridorFollower& corridor = navigator.corridor();
   const auto& side = kSideCorners[static_cast<std::size_t>(mark.row.index) % 4];
   double least = std::numeric_limits<double>::infinity();
   const std::size_t end = std::min(corridor.size(), current + kRectanglesAhead);

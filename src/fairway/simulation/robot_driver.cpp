@@ -74,7 +74,7 @@ class MapDriver final : public RobotDriver {
   void plan_again(const World& world) override {
     const double before = now(context_);
     navigator_.follow(context_.planner.plan(context_.map, world.robots()[robot_].pose.position,
-                                            goal_, context_.settings));
+                                            goal_, planner_settings(context_.settings)));
     if (context_.clock) result_.plan_seconds.push_back(now(context_) - before);
   }
 

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "fairway/map/occupancy_grid.hpp"
-#include "fairway/navigation/planner.hpp"
+#include "fairway/navigation/settings.hpp"
+#include "fairway/planning/planner.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/moving_body.hpp"
-#include "fairway/simulation/sensing.hpp"
+#include "fairway/simulation/sensors/sensing.hpp"
 
 namespace fairway {
 

@@ -15,7 +15,7 @@ struct TraceRow {
   Twist2 twist;           ///< actual twist at `time`
   Twist2 command;         ///< sent for the cycle
   NavigationStatus status = NavigationStatus::NoPlan;
-  Limit limit = Limit::None;
+  LimitingFactor limit = LimitingFactor::None;
   std::size_t rectangle = 0;
   double clearance =
       0.0;  ///< from the body to the nearest static obstacle at `time`, at most 2 [m]

@@ -144,8 +144,8 @@ void World::remove_body(std::size_t index) {
 void World::set_robots(const Settings& settings) {
   footprint_ = footprint_of(settings.robot);
   for (UnicycleRobot& robot : robots_) {
-    robot.limits = {.linear_acceleration = settings.mpc.linear_acceleration_max,
-                    .angular_acceleration = settings.mpc.angular_acceleration_max};
+    robot.limits = {.linear_acceleration = settings.robot.linear_acceleration_max,
+                    .angular_acceleration = settings.robot.angular_acceleration_max};
   }
 }
 

@@ -48,7 +48,7 @@ struct Rig {
     });
     const PilotStep answer = pilot.cycle(world.time());
     if (answer.send) command = answer.command;
-    world.advance({command}, scenario.settings.mpc.dt);
+    world.advance({command}, scenario.settings.navigation.control_period);
     return answer;
   }
 
@@ -133,14 +133,15 @@ TEST(Pilot, ReachesAGoalWithoutAMap) {
 void expect_stop_without(bool Rig::*input,
                          const PilotOptions& options,
                          double age_limit,
-                         Limit limit) {
+                         LimitingFactor limit) {
   Rig rig(options);
   rig.pilot.set_goal(options.use_map ? kBehindTheWall : rig.in_odometry(kBehindTheWall));
   rig.drive(2.0);
   ASSERT_GT(rig.speed(), 0.5);
   rig.*input = false;
-  const double braking = rig.speed() / rig.scenario.settings.mpc.linear_acceleration_max;
-  const PilotStep answer = rig.drive(age_limit + braking + 3.0 * rig.scenario.settings.mpc.dt);
+  const double braking = rig.speed() / rig.scenario.settings.robot.linear_acceleration_max;
+  const PilotStep answer =
+      rig.drive(age_limit + braking + 3.0 * rig.scenario.settings.navigation.control_period);
   EXPECT_TRUE(answer.send) << "zero commands go on";
   EXPECT_EQ(answer.command.linear, 0.0);
   EXPECT_EQ(answer.command.angular, 0.0);
@@ -152,17 +153,17 @@ void expect_stop_without(bool Rig::*input,
 }
 
 TEST(Pilot, StopsWithoutScans) {
-  expect_stop_without(&Rig::scan_alive, kMapAndScan, 0.3, Limit::StaleMap);
+  expect_stop_without(&Rig::scan_alive, kMapAndScan, 0.3, LimitingFactor::StaleMap);
   expect_stop_without(&Rig::scan_alive, {.use_map = false, .plan_in_background = false}, 0.3,
-                      Limit::StaleMap);
+                      LimitingFactor::StaleMap);
 }
 
 TEST(Pilot, StopsWithoutOdometry) {
-  expect_stop_without(&Rig::odometry_alive, kMapOnly, 0.2, Limit::StalePose);
+  expect_stop_without(&Rig::odometry_alive, kMapOnly, 0.2, LimitingFactor::StalePose);
 }
 
 TEST(Pilot, StopsWithoutLocalisation) {
-  expect_stop_without(&Rig::localisation_alive, kMapOnly, 2.0, Limit::StalePose);
+  expect_stop_without(&Rig::localisation_alive, kMapOnly, 2.0, LimitingFactor::StalePose);
 }
 
 TEST(Pilot, StopsWhenADetectorThatSawNothingFallsSilent) {
@@ -170,7 +171,7 @@ TEST(Pilot, StopsWhenADetectorThatSawNothingFallsSilent) {
   rig.pilot.set_goal(kBehindTheWall);
   rig.pilot.board().set_detections("camera", {.obstacles = {}, .time = 0.0});
   const PilotStep answer = rig.drive(2.0);
-  EXPECT_EQ(answer.limit, Limit::StaleTracks);
+  EXPECT_EQ(answer.limit, LimitingFactor::StaleTracks);
   EXPECT_EQ(rig.speed(), 0.0);
 }
 
@@ -215,7 +216,7 @@ TEST(Pilot, DrivesOnWithOtherSettings) {
   rig.pilot.set_goal(kBehindTheWall);
   rig.drive(2.0);
   Settings slow = rig.scenario.settings;
-  slow.mpc.linear_max = 0.3;
+  slow.robot.linear_max = 0.3;
   rig.pilot.set_settings(slow);
   rig.drive(1.5);
   EXPECT_LT(rig.speed(), 0.35);

@@ -258,7 +258,7 @@ class DriveTest(DdsTest):
 
     def test_bad_options_are_named(self):
         for options, message in (
-                (["--set", "mpc.dt=x"], "fairway: mpc.dt: expected a number from"),
+                (["--set", "mpc.step_length=x"], "fairway: mpc.step_length: expected a number from"),
                 (["--no-map", "--no-scan"], "fairway: use_map, use_scan: expected one of them"),
                 (["--domain", "900"], "fairway: --domain: Value 900 not in range")):
             node = self.start("solo", "fairway_dds_node", *options)

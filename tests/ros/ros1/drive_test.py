@@ -197,15 +197,15 @@ class DriveTest(unittest.TestCase):
     def test_7_settings_change_at_run_time(self):
         settings = dynamic_reconfigure.client.Client("/fairway", timeout=10)
         self.drive_off(GOALS[1] if self.robot.distance(GOALS[1]) > 2.0 else FAR)
-        settings.update_configuration({"mpc.linear_max": 0.3})
+        settings.update_configuration({"robot.linear_max": 0.3})
         self.assertAlmostEqual(rospy.get_param("/fairway/mpc/linear_max"), 0.3)
         begin = time.monotonic() + 1.0
         time.sleep(2.0)
         speeds = [c[1] for c in self.robot.commands_since(begin)]
         self.assertLessEqual(max(speeds), 0.3 + 1e-9)
         with self.assertRaises(dynamic_reconfigure.DynamicReconfigureCallbackException):
-            settings.update_configuration({"mpc.linear_max": -7.0})
-        settings.update_configuration({"mpc.linear_max": 1.0})
+            settings.update_configuration({"robot.linear_max": -7.0})
+        settings.update_configuration({"robot.linear_max": 1.0})
         self.settle()
 
     def test_8_termination_brakes_and_ends_with_zero(self):
@@ -252,7 +252,7 @@ class DriveTest(unittest.TestCase):
     def test_9b_bad_parameters_are_named_and_end_the_node(self):
         for parameter, message in (
                 ("_mpc/horizn:=3", "'mpc.horizn': expected one of"),
-                ("_mpc/dt:=-1", "mpc.dt: expected a number from"),
+                ("_mpc/dt:=-1", "mpc.step_length: expected a number from"),
                 ("_use_mapp:=true", "use_mapp: expected a group of settings, or one of"),
                 ("_use_map:=5", "use_map: expected true or false, found 5")):
             node = self.ros.node("fairway_ros_node", parameter, "__name:=bad", name="bad")

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/solver/paper_problem.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
-#include "fairway/mpc/paper_problem.hpp"
 #include "support/random_control_problem.hpp"
 
 namespace fairway {
@@ -86,7 +86,8 @@ TEST(Evaluation, OneTargetAtTheWeightedMeanIsExactlyThePapersTwo) {
     scene.start = pose();
     scene.current_target = pose();
     scene.next_target = pose();
-    const ControlProblem problem = paper_problem(paper_mpc_settings(), scene);
+    const ControlProblem problem =
+        paper_problem(paper_mpc_settings(), paper_robot_settings(), scene);
     const auto commands = random_commands(random, problem);
     const auto poses = rolled_out(problem, commands);
     const double expected = paper_cost(scene, commands, poses);

@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/solver/paper_problem.hpp"
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
-#include "fairway/mpc/paper_problem.hpp"
+#include "fairway/mpc/problem_from_settings.hpp"
 #include "support/random_control_problem.hpp"
 
 namespace fairway {
@@ -103,10 +104,11 @@ TEST(Validate, AcceptsThePapersProblemForDtGammaUpToOne) {
   MpcSettings settings = paper_mpc_settings();
   for (const double decay_rate : {0.01, 1.0, 5.0, 10.0}) {
     settings.decay_rate = decay_rate;
-    EXPECT_EQ(validate(paper_problem(settings, {})), ProblemFault::None) << decay_rate;
+    EXPECT_EQ(validate(paper_problem(settings, paper_robot_settings(), {})), ProblemFault::None)
+        << decay_rate;
   }
   settings.decay_rate = 10.1;
-  EXPECT_EQ(validate(paper_problem(settings, {})), ProblemFault::Retention);
+  EXPECT_EQ(validate(paper_problem(settings, paper_robot_settings(), {})), ProblemFault::Retention);
 }
 
 TEST(PaperProblem, HoldsTableOne) {
@@ -116,7 +118,7 @@ TEST(PaperProblem, HoldsTableOne) {
   scene.obstacles = obstacles;
   scene.robot_radius = 0.3;
   scene.region = {.min = {-1.0, -1.0}, .max = {1.0, 1.0}};
-  const ControlProblem problem = paper_problem(paper_mpc_settings(), scene);
+  const ControlProblem problem = paper_problem(paper_mpc_settings(), paper_robot_settings(), scene);
   EXPECT_EQ(problem.horizon, 10);
   EXPECT_EQ(problem.command_min.linear, 0.05);
   EXPECT_EQ(problem.command_max.linear, 1.0);
@@ -131,7 +133,8 @@ TEST(PaperProblem, HoldsTableOne) {
 }
 
 TEST(PaperProblem, AccelerationLimitsBecomeChangeBounds) {
-  const ControlProblem problem = problem_from_settings(MpcSettings{}, Twist2{});
+  ControlProblem problem;
+  set_from_settings(MpcSettings{}, RobotSettings{}, Twist2{}, problem);
   EXPECT_DOUBLE_EQ(problem.max_change.linear, 0.2);
   EXPECT_DOUBLE_EQ(problem.max_change.angular, 0.4);
 }

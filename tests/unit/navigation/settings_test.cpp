@@ -29,18 +29,18 @@ TEST(Settings, EveryFieldHasAUniqueNameAndAMeaning) {
 
 TEST(Settings, AnErrorNamesTheSettingTheRangeAndTheNumber) {
   Settings settings;
-  settings.mpc.linear_max = -1.0;
+  settings.robot.linear_max = -1.0;
   const auto valid = validate(settings);
   ASSERT_FALSE(valid.has_value());
-  EXPECT_EQ(valid.error().message, "mpc.linear_max: expected a number from 0.01 to 10, found -1");
-  settings.mpc.linear_max = std::nan("");
+  EXPECT_EQ(valid.error().message, "robot.linear_max: expected a number from 0.01 to 10, found -1");
+  settings.robot.linear_max = std::nan("");
   EXPECT_FALSE(validate(settings).has_value());
 }
 
 TEST(Settings, ABarrierThatCouldJumpIsRefused) {
   Settings settings;
   settings.mpc.decay_rate = 11.0;
-  settings.mpc.dt = 0.1;
+  settings.mpc.step_length = 0.1;
   EXPECT_FALSE(validate(settings).has_value());
 }
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/io/map_file.hpp"
+#include "fairway/io/maps/map_file.hpp"
 #include "fairway/path/path_planner.hpp"
 #include "support/path_check.hpp"
 #include "support/path_oracle.hpp"

@@ -7,7 +7,7 @@
 
 #include "fairway/geometry/oriented_rectangle.hpp"
 #include "fairway/perception/perception.hpp"
-#include "fairway/simulation/lidar.hpp"
+#include "fairway/simulation/sensors/lidar.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {

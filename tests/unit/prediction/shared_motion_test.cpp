@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/navigation/stopping.hpp"
+#include "fairway/safety/stop_check.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 #include "support/random_world.hpp"
 
@@ -47,8 +47,7 @@ TEST(SharedMotion, ARobotUnheardStaysWithinItsReach) {
   constexpr double kDt = 0.1;
   test::Random random(7);
   for (int trial = 0; trial < 2000; ++trial) {
-    MpcSettings limits;
-    limits.dt = kDt;
+    RobotSettings limits;
     limits.linear_max = random.uniform(0.3, 2.0);
     limits.angular_max = random.uniform(0.3, 3.0);
     limits.linear_acceleration_max = random.uniform(0.5, 4.0);
@@ -58,12 +57,13 @@ TEST(SharedMotion, ARobotUnheardStaysWithinItsReach) {
         .twist = {.linear = random.uniform(0, limits.linear_max),
                   .angular = random.uniform(-1, 1) * limits.angular_max},
         .limits = {limits.linear_acceleration_max, limits.angular_acceleration_max}};
-    const Twist2 first = limited_change(robot.twist, {}, limits);
+    const Twist2 first = limited_change(robot.twist, {}, limits, kDt);
     SharedMotion told{.speed = robot.twist.linear,
                       .speed_max = limits.linear_max,
                       .acceleration = limits.linear_acceleration_max,
                       .turn_max = limits.angular_max};
-    told.stop = stop_track(robot.pose, robot.twist, first, brake_from(first, limits), 0, kDt, 0.0);
+    told.stop =
+        stop_track(robot.pose, robot.twist, first, brake_from(first, limits, kDt), 0, kDt, 0.0);
     const int cycles = random.integer(1, 5);
     const double reach = reach_beyond_stop(told, cycles * kDt);
     Twist2 command = robot.twist;
@@ -72,7 +72,7 @@ TEST(SharedMotion, ARobotUnheardStaysWithinItsReach) {
                                 ? Twist2{.linear = random.chance(0.7) ? limits.linear_max : 0.0,
                                          .angular = random.uniform(-1, 1) * limits.angular_max}
                                 : Twist2{};
-      command = limited_change(command, wanted, limits);
+      command = limited_change(command, wanted, limits, kDt);
       robot.advance(command, kDt);
       const double off = (robot.pose.position - told.stop.at((k + 1) * kDt)).norm();
       ASSERT_LE(off, reach + 1e-9) << "trial " << trial << " cycle " << k;

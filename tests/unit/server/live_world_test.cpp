@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/simulation/replay_check.hpp"
+#include "fairway/simulation/recorded/replay_check.hpp"
 
 namespace fairway::app {
 namespace {
@@ -34,7 +34,8 @@ TEST(LiveMaps, GiveEveryRobotAWay) {
     const Scenario scenario = choice.make();
     const PreparedMap map(scenario.map);
     for (const RobotTask& robot : scenario.robots) {
-      const Plan plan = planner.plan(map, robot.start.position, robot.goal, scenario.settings);
+      const Plan plan =
+          planner.plan(map, robot.start.position, robot.goal, planner_settings(scenario.settings));
       EXPECT_TRUE(plan.usable()) << choice.name << ": " << plan.reason();
       EXPECT_GT(plan.path.length(), 10.0) << choice.name;
     }
@@ -93,7 +94,7 @@ TEST(LiveWorld, WhatWasDoneToItReplaysToTheBit) {
   steps(20);
   world.ask(PaintCommand{.from = {6.0, 2.0}, .to = {8.0, 9.0}, .radius = 0.2, .blocked = true});
   steps(20);
-  world.ask(SettingCommand{.assignment = "mpc.linear_max=0.6"});
+  world.ask(SettingCommand{.assignment = "robot.linear_max=0.6"});
   steps(20);
   world.ask(WalkCommand{.body = {}, .target = {9.0, 10.0}});
   world.ask(WalkCommand{.body = 0, .target = {5.0, 9.0}});

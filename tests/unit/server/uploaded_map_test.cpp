@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "fairway/io/recording/base64.hpp"
+#include "fairway/io/base64.hpp"
 
 namespace fairway::app {
 namespace {

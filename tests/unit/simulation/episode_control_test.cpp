@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
-#include "fairway/simulation/replay_check.hpp"
+#include "fairway/simulation/recorded/replay_check.hpp"
 
 namespace fairway {
 namespace {
@@ -92,7 +92,7 @@ TEST(EpisodeControl, DrivesOnWithOtherSettings) {
   const EpisodeResult result = played(hall(), [&](EpisodeControl& control, int cycle) {
     if (cycle == 20) {
       Settings slow;
-      slow.mpc.linear_max = 0.3;
+      slow.robot.linear_max = 0.3;
       control.set_settings(slow);
     }
     if (cycle > 40) fastest = std::max(fastest, control.world().robots()[0].twist.linear);

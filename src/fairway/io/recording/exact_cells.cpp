@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "fairway/base/contract.hpp"
-#include "fairway/io/recording/base64.hpp"
+#include "fairway/io/base64.hpp"
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 

@@ -47,9 +47,9 @@ json motion_json(const SharedMotion& motion) {
           {"plan", samples_json(motion.plan)},
           {"stop", samples_json(motion.stop)},
           {"way", std::move(way)},
-          {"to_narrow", exact::to_json(motion.to_narrow)},
+          {"to_narrow", exact::to_json(motion.distance_to_bottleneck)},
           {"can_step_aside", motion.can_step_aside},
-          {"way_back", exact::to_json(motion.way_back)},
+          {"way_back", exact::to_json(motion.retreat_length)},
           {"under_way", motion.under_way},
           {"roundabout",
            {{"center", exact::to_json(motion.roundabout.center)},
@@ -69,11 +69,12 @@ SharedMotion motion_of(const json& from) {
       .plan = samples_of(from.at("plan")),
       .stop = samples_of(from.at("stop")),
       .under_way = from.at("under_way").get<bool>(),
-      .to_narrow = exact::to_number(from.at("to_narrow")),
+      .distance_to_bottleneck = exact::to_number(from.at("to_narrow")),
       .can_step_aside = from.at("can_step_aside").get<bool>(),
-      .way_back = from.contains("way_back") ? exact::to_number(from.at("way_back")) : 0.0};
+      .retreat_length = from.contains("way_back") ? exact::to_number(from.at("way_back")) : 0.0};
   for (const json& point : from.at("way")) {
-    if (motion.way.count == WayAhead::kMaxPoints) throw std::invalid_argument("way: too long");
+    if (motion.way.count == UpcomingWaypoints::kMaxPoints)
+      throw std::invalid_argument("way: too long");
     motion.way.points[static_cast<std::size_t>(motion.way.count++)] = exact::to_point(point);
   }
   const json& roundabout = from.at("roundabout");

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "fairway/io/recording/base64.hpp"
+#include "fairway/io/base64.hpp"
 
 namespace fairway::io::foxglove {
 

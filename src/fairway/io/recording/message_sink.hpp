@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "fairway/io/recording/mcap_writer.hpp"
+#include "fairway/io/mcap/mcap_writer.hpp"
 
 namespace fairway::io {
 

@@ -4,14 +4,14 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fairway/io/recording/base64.hpp"
+#include "fairway/io/base64.hpp"
+#include "fairway/io/mcap/mcap_reader.hpp"
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/io/recording/fleet_ledger.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
-#include "fairway/io/recording/mcap_reader.hpp"
 #include "fairway/io/recording/recording.hpp"
-#include "fairway/io/settings_file.hpp"
 #include "fairway/io/whole_file.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
 
@@ -243,7 +243,7 @@ class Player {
                   .robot = json.value("fleet_number", std::uint32_t{0})},
         .step = {.command = exact::to_twist(json.at("command")),
                  .status = checked(json.at("status"), NavigationStatus::GoalReached),
-                 .limit = checked(json.at("limit"), Limit::NoPath),
+                 .limit = checked(json.at("limit"), LimitingFactor::NoPath),
                  .wants_plan = json.at("wants_plan").get<bool>(),
                  .rectangle = json.at("rectangle").get<std::size_t>(),
                  .plan = prediction ? &*prediction : nullptr},

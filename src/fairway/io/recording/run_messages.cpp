@@ -9,7 +9,7 @@
 #include "fairway/io/recording/fairway_schema.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_text.hpp"
-#include "fairway/io/settings_file.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
 

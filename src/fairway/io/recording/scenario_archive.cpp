@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fairway/io/mcap/mcap_format.hpp"
 #include "fairway/io/number_text.hpp"
-#include "fairway/io/recording/mcap_format.hpp"
-#include "fairway/io/settings_file.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
 

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/io/mcap/mcap_reader.hpp"
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
-#include "fairway/io/recording/mcap_reader.hpp"
-#include "fairway/io/recording/run_stream.hpp"
+#include "fairway/io/web_report/run_stream.hpp"
 #include "fairway/simulation/episode.hpp"
-#include "fairway/simulation/replay_check.hpp"
+#include "fairway/simulation/recorded/replay_check.hpp"
 #include "support/random_world.hpp"
 #include "synthetic_run.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/io/scenario_file.hpp"
-#include "fairway/io/settings_file.hpp"
+#include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/io/whole_file.hpp"
+#include "fairway/io/yaml/settings_file.hpp"
 #include "support/random_world.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -18,7 +18,7 @@ TEST(ScenarioArchive, ReadsBackAsTheSameScenario) {
   scenario.name = "a \"name\": with # marks";
   scenario.map = test::random_world(random, 60);
   scenario.map.set({.x = 3, .y = 5}, CellState::Unknown);
-  scenario.settings.mpc.linear_max = 1.0 / 3.0;
+  scenario.settings.robot.linear_max = 1.0 / 3.0;
   scenario.time_limit = 12.5;
   scenario.seed = 77;
   scenario.sensing.sensing = Sensing::Lidar;

@@ -125,7 +125,7 @@ void SyntheticRun::play(EpisodeObserver& observer) const {
                      .map_time = time},
            .step = {.command = {.linear = 0.8 + 0.2 * std::sin(time), .angular = kTurn / kPeriod},
                     .status = cycle % 40 < 30 ? NavigationStatus::Ok : NavigationStatus::Degraded,
-                    .limit = Limit::Corridor,
+                    .limit = LimitingFactor::Corridor,
                     .wants_plan = false,
                     .rectangle = static_cast<std::size_t>(cycle % 50 / 20),
                     .plan = &solution},

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "fairway/io/recording/recording.hpp"
-#include "fairway/io/recording/report.hpp"
+#include "fairway/io/web_report/report.hpp"
 #include "fairway/io/whole_file.hpp"
 #include "synthetic_run.hpp"
 

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/command_line.hpp"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "cli/output.hpp"
+#include "fairway/io/number_text.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+// Whether a first argument is neither an option nor a command. (CLI11 then tells of a missing
+// command, not of the wrong one.)
+bool names_no_command(const CLI::App& tool, const std::string& word) {
+  if (word.starts_with('-')) return false;
+  const auto commands = tool.get_subcommands([](const CLI::App* /*command*/) { return true; });
+  return std::none_of(commands.begin(), commands.end(),
+                      [&](const CLI::App* command) { return command->check_name(word); });
+}
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+}  // namespace
+
+Argument Argument::required() const {
+  option_->required();
+  return *this;
+}
+
+Argument Argument::type_name(const std::string& name) const {
+  option_->type_name(name);
+  return *this;
+}
+
+Argument Argument::one_of(const std::vector<std::string>& values) const {
+  const auto problem = [values](const std::string& text) {
+    if (std::find(values.begin(), values.end(), text) != values.end()) return std::string();
+    return "expected " + joined(values, " or ") + ", found " + io::excerpt(text);
+  };
+  return check(problem, "{" + joined(values, ",") + "}");
+}
+
+Argument Argument::between(int low, int high) const {
+  const auto problem = [low, high](const std::string& text) {
+    const std::optional<int> value = io::parse_integer(text);
+    if (value && *value >= low && *value <= high) return std::string();
+    return fmt::format("expected an integer from {} to {}, found {}", low, high, io::excerpt(text));
+  };
+  return check(problem, fmt::format("INT in [{} - {}]", low, high));
+}
+
+Argument Argument::not_negative() const {
+  const auto problem = [](const std::string& text) {
+    const std::optional<int> value = io::parse_integer(text);
+    if (value && *value >= 0) return std::string();
+    return "expected an integer from 0 on, found " + io::excerpt(text);
+  };
+  return check(problem, "NONNEGATIVE");
+}
+
+Argument Argument::check(const Check& problem, const std::string& in_help) const {
+  option_->check(CLI::Validator([problem](std::string& text) { return problem(text); }, in_help));
+  return *this;
+}
+
+Argument Argument::shows_default() const {
+  option_->capture_default_str();
+  return *this;
+}
+
+Argument Argument::one_at_a_time() const {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Argument Options::add(const char* name, std::string& value, const char* help) const {
+  return Argument(*command_->add_option(name, value, help));
+}
+
+Argument Options::add(const char* name, std::vector<std::string>& values, const char* help) const {
+  return Argument(*command_->add_option(name, values, help));
+}
+
+Argument Options::add(const char* name, int& value, const char* help) const {
+  return Argument(*command_->add_option(name, value, help));
+}
+
+Argument Options::add(const char* name, std::uint16_t& value, const char* help) const {
+  return Argument(*command_->add_option(name, value, help));
+}
+
+Argument Options::add(const char* name, std::optional<int>& value, const char* help) const {
+  return Argument(*command_->add_option(name, value, help));
+}
+
+Argument Options::add(const char* name, std::optional<double>& value, const char* help) const {
+  return Argument(*command_->add_option(name, value, help));
+}
+
+void Options::add_flag(const char* name, bool& value, const char* help) const {
+  command_->add_flag(name, value, help);
+}
+
+void Options::take_anything() const { command_->allow_extras(); }
+
+void Options::footer(const std::string& text) const { command_->footer(text); }
+
+const char* tool_version() noexcept { return FAIRWAY_VERSION; }
+
+CommandLine::CommandLine()
+    : tool_(std::make_unique<CLI::App>(
+          "Safe corridors and model predictive control for wheeled robots.", "fairway")) {
+  tool_->set_version_flag("--version", std::string("fairway ") + tool_version());
+  tool_->require_subcommand(1);
+  tool_->footer("Exit codes: 0 done, 1 the task failed, 2 bad usage or bad input.");
+}
+
+CommandLine::~CommandLine() = default;
+
+Options CommandLine::add_command(const char* name, const std::string& help, Work work) {
+  CLI::App* command = tool_->add_subcommand(name, help);
+  command->callback([this, work = std::move(work)] { chosen_ = work; });
+  return Options(*command);
+}
+
+int CommandLine::run(int argc, char** argv) {
+  if (argc > 1 && names_no_command(*tool_, argv[1])) {
+    print_error(std::string("expected a command, see fairway --help; found ") + argv[1]);
+    return kBadInput;
+  }
+  try {
+    tool_->parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return tool_->exit(success);
+  } catch (const CLI::ParseError& error) {
+    print_error(error.what());
+    return kBadInput;
+  }
+  const Expected<int> code = chosen_();
+  if (code && *code != kBadInput) print_old_names();
+  if (code) return *code;
+  print_error(code.error().message);
+  return kBadInput;
+}
+
+}  // namespace fairway::app

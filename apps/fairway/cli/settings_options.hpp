@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "fairway/base/error.hpp"
+#include "fairway/navigation/settings.hpp"
+#include "fairway/simulation/scenario.hpp"
+
+namespace fairway::app {
+
+/// The options --preset, --settings and --set that every command with settings has.
+struct SettingsOptions {
+  std::string preset;
+  std::string file;
+  std::vector<std::string> assignments;
+};
+
+void add_settings_options(const Options& options, SettingsOptions& chosen);
+
+/// The settings that the options ask for: preset, then file, then assignments over `base`. Checks
+/// that each exists and lies in its range; whether they agree is for `validate`, when the command
+/// has set its own.
+[[nodiscard]] Expected<Settings> load_settings(const SettingsOptions& options,
+                                               const Settings& base = {});
+
+/// Reads a scenario, as `io::read_scenario` does.
+[[nodiscard]] Expected<Scenario> load_scenario(const std::string& path);
+
+}  // namespace fairway::app

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "cli/json_text.hpp"
+#include "cli/output.hpp"
+#include "cli/physics_choice.hpp"
+#include "cli/point_argument.hpp"
+#include "cli/progress.hpp"
+#include "cli/settings_options.hpp"
+#include "commands/commands.hpp"
+#include "experiments/barn/barn_file.hpp"
+#include "experiments/thread_clock.hpp"
+#include "fairway/io/number_text.hpp"
+#include "fairway/io/trace_file.hpp"
+#include "fairway/simulation/recorded/metrics.hpp"
+#include "results/episode_output.hpp"
+#include "results/film.hpp"
+#include "results/run_outputs.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+using ReadWorlds = Expected<std::vector<BarnWorld>> (*)(const std::string&,
+                                                        const std::vector<int>&);
+
+// One trial of one world with what is printed about it.
+struct Trial {
+  BarnScore score;
+  double clearance = 0.0;
+  double separation = 0.0;
+};
+
+// All trials, and their cycles together.
+struct Summary {
+  std::vector<Trial> trials;
+  std::vector<double> arrivals;
+  std::vector<double> cycle_seconds;
+  std::vector<double> sense_seconds;
+  std::vector<double> plan_seconds;
+
+  void add(const BarnScore& score, const EpisodeResult& result) {
+    const RobotResult& robot = result.robots.front();
+    trials.push_back({score, robot.min_clearance, robot.min_separation});
+    if (score.success) arrivals.push_back(score.time);
+    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(cycle_seconds, robot.cycle_seconds);
+    append(sense_seconds, robot.sense_seconds);
+    append(plan_seconds, robot.plan_seconds);
+  }
+
+  template <typename Value>
+  [[nodiscard]] double mean(Value&& value) const {
+    double sum = 0.0;
+    for (const Trial& trial : trials)
+      sum += static_cast<double>(value(trial.score));
+    return trials.empty() ? 0.0 : sum / static_cast<double>(trials.size());
+  }
+  [[nodiscard]] double success_rate() const {
+    return mean([](const BarnScore& s) { return s.success; });
+  }
+  [[nodiscard]] double contact_rate() const {
+    return mean([](const BarnScore& s) { return s.collided; });
+  }
+  [[nodiscard]] double mean_score() const {
+    return mean([](const BarnScore& s) { return s.score; });
+  }
+};
+
+Json microseconds(const std::vector<double>& seconds) {
+  const Quantiles q = quantiles(seconds);
+  return Json{{"median", 1e6 * q.median}, {"p99", 1e6 * q.p99}, {"max", 1e6 * q.max}};
+}
+
+struct BarnCommand {
+  ReadWorlds read = nullptr;
+  std::string source;
+  std::string worlds = "all";
+  std::string sensing = "map";
+  std::string physics = "unicycle";
+  std::string noise = "none";
+  int seed = 1;
+  int trials = 1;
+  std::string trace_dir;
+  std::string film_dir;
+  std::string json;
+  SettingsOptions settings;
+  RunOutputs outputs;
+
+  [[nodiscard]] Expected<int> run();
+  [[nodiscard]] Expected<std::vector<int>> numbers() const;
+  [[nodiscard]] Expected<BarnOptions> options() const;
+  [[nodiscard]] Expected<BarnScore> drive(const BarnWorld& world,
+                                          int trial,
+                                          const Scenario& scenario,
+                                          const PhysicsMaker& engine,
+                                          bool only_run,
+                                          Summary& summary);
+  [[nodiscard]] Expected<void> keep_trace(const std::string& run,
+                                          const Scenario& scenario,
+                                          const BarnScore& score,
+                                          const EpisodeResult& result);
+  [[nodiscard]] Expected<void> make_folders() const;
+  [[nodiscard]] Json summary_json(const Summary& summary) const;
+};
+
+Expected<std::vector<int>> BarnCommand::numbers() const {
+  if (worlds == "all") return std::vector<int>();
+  const std::optional<std::vector<double>> list = parse_list(worlds);
+  std::vector<int> chosen;
+  for (const double value : list.value_or(std::vector<double>())) {
+    if (value != std::floor(value) || value < 0.0 || value > 1e6) break;
+    chosen.push_back(static_cast<int>(value));
+  }
+  if (!list || chosen.size() != list->size() || chosen.empty()) {
+    return fail("--worlds: expected all, or numbers with commas between them, found " +
+                io::excerpt(worlds));
+  }
+  return chosen;
+}
+
+Expected<BarnOptions> BarnCommand::options() const {
+  BarnOptions options;
+  use_jackal(options.settings);
+  const Expected<Settings> own = load_settings(settings, options.settings);
+  if (!own) return tl::unexpected(own.error());
+  if (const auto valid = validate(*own); !valid) return tl::unexpected(valid.error());
+  options.settings = *own;
+  options.sensing.sensing = sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
+  if (noise == "standard") use_standard_noise(options.sensing);
+  options.seed = static_cast<std::uint64_t>(seed);
+  return options;
+}
+
+// The trace of every trial, and a picture and a page of those that failed; a film, if asked for.
+Expected<void> BarnCommand::keep_trace(const std::string& run,
+                                       const Scenario& scenario,
+                                       const BarnScore& score,
+                                       const EpisodeResult& result) {
+  if (!film_dir.empty()) {
+    Progress progress("film");
+    const Expected<std::string> film = run_film(scenario, result, [&](double share) {
+      progress.show(fmt::format("{}: {:.0f} % drawn", run, 100.0 * share));
+    });
+    if (!film) return tl::unexpected(film.error());
+    if (auto done = write_output(film_dir + "/" + run + ".gif", *film); !done) return done;
+  }
+  if (trace_dir.empty()) return {};
+  const std::string name = trace_dir + "/" + run;
+  if (auto done = write_output(name + ".csv", io::trace_csv(result)); !done) return done;
+  if (score.success) return {};
+  const Expected<std::string> bytes = world_picture(scenario, result, name + ".svg");
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (auto done = write_output(name + ".svg", *bytes); !done) return done;
+  return write_output(name + ".html", outputs.page());
+}
+
+Expected<BarnScore> BarnCommand::drive(const BarnWorld& world,
+                                       int trial,
+                                       const Scenario& scenario,
+                                       const PhysicsMaker& engine,
+                                       bool only_run,
+                                       Summary& summary) {
+  const std::string run = fmt::format("world_{:03}_trial_{}", world.number, trial);
+  if (!trace_dir.empty()) outputs.keep_page();
+  if (const auto opened = outputs.open(only_run ? "" : run); !opened)
+    return tl::unexpected(opened.error());
+  const EpisodeResult result =
+      run_episode(scenario, {.clock = [] { return 1e-6 * thread_cpu_us(); },
+                             .on_cycle = {},
+                             .physics = engine,
+                             .solver = nullptr,
+                             .observer = outputs.observer(),
+                             .play = {}});
+  const BarnScore score = barn_score(world, trial, result);
+  summary.add(score, result);
+  if (const auto kept = keep_trace(run, scenario, score, result); !kept)
+    return tl::unexpected(kept.error());
+  if (const auto closed = outputs.close(); !closed) return tl::unexpected(closed.error());
+  return score;
+}
+
+Expected<void> BarnCommand::make_folders() const {
+  if (!film_dir.empty()) {
+    if (auto can = check_film(); !can) return can;
+  }
+  for (const auto& [option, folder] :
+       {std::pair("--trace-dir", &trace_dir), std::pair("--film-dir", &film_dir)}) {
+    if (folder->empty()) continue;
+    std::error_code failed;
+    std::filesystem::create_directories(*folder, failed);
+    if (failed) {
+      return fail(fmt::format("{}: expected a folder that can be made, found {}", option,
+                              io::excerpt(*folder)));
+    }
+  }
+  return {};
+}
+
+Json BarnCommand::summary_json(const Summary& summary) const {
+  Json all = Json::array();
+  for (const Trial& trial : summary.trials) {
+    const BarnScore& score = trial.score;
+    Json row{{"world", score.world},
+             {"trial", score.trial},
+             {"success", score.success},
+             {"collided", score.collided},
+             {"time", score.time},
+             {"score", score.score},
+             {"min_clearance", trial.clearance}};
+    if (std::isfinite(trial.separation)) row["min_separation"] = trial.separation;
+    all.push_back(std::move(row));
+  }
+  return Json{{"worlds", std::move(all)},
+              {"success_rate", summary.success_rate()},
+              {"contact_rate", summary.contact_rate()},
+              {"mean_score", summary.mean_score()},
+              {"median_arrival", quantiles(summary.arrivals).median},
+              {"sensing", sensing},
+              {"physics", physics},
+              {"noise", noise},
+              {"cycle_us", microseconds(summary.cycle_seconds)},
+              {"sense_us", microseconds(summary.sense_seconds)},
+              {"plan_us", microseconds(summary.plan_seconds)},
+              {"note", kBarnNote}};
+}
+
+Expected<int> BarnCommand::run() {
+  if (const auto checked = check_output(json); !checked) return tl::unexpected(checked.error());
+  const Expected<std::vector<int>> wanted = numbers();
+  if (!wanted) return tl::unexpected(wanted.error());
+  const Expected<BarnOptions> shared = options();
+  if (!shared) return tl::unexpected(shared.error());
+  const Expected<PhysicsMaker> engine = choose_physics(physics);
+  if (!engine) return tl::unexpected(engine.error());
+  const Expected<std::vector<BarnWorld>> all = read(source, *wanted);
+  if (!all) return tl::unexpected(all.error());
+  if (const auto made = make_folders(); !made) return tl::unexpected(made.error());
+
+  Summary summary;
+  Progress progress("barn");
+  std::string failures;
+  for (const BarnWorld& world : *all) {
+    for (int trial = 0; trial < trials; ++trial) {
+      progress.show(fmt::format("world {}, trial {}: {} of {} runs done", world.number, trial,
+                                summary.trials.size(),
+                                all->size() * static_cast<std::size_t>(trials)));
+      const Scenario scenario = barn_scenario(world, *shared, trial);
+      const bool only_run = all->size() == 1 && trials == 1;
+      const Expected<BarnScore> score = drive(world, trial, scenario, *engine, only_run, summary);
+      if (!score) return tl::unexpected(score.error());
+      if (!score->success) {
+        failures += fmt::format("world {}, trial {}: {} after {:.1f} s\n", world.number, trial,
+                                score->collided ? "contact" : "not there", score->time);
+      }
+    }
+  }
+  if (!json.empty()) {
+    if (const auto done = write_output(json, json_text(summary_json(summary))); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
+  if (json != "-") {
+    const Quantiles arrival = quantiles(summary.arrivals);
+    const Quantiles cycle = quantiles(summary.cycle_seconds);
+    const std::string text =
+        failures +
+        fmt::format(
+            "{} runs: success {:.1f} %, contact {:.1f} %, score {:.4f} of 0.5, median arrival "
+            "{:.2f} s, cycle {:.0f}/{:.0f} us median/p99\nNote: {}\n",
+            summary.trials.size(), 100.0 * summary.success_rate(), 100.0 * summary.contact_rate(),
+            summary.mean_score(), arrival.median, 1e6 * cycle.median, 1e6 * cycle.p99, kBarnNote);
+    if (const auto done = print(text); !done) return tl::unexpected(done.error());
+  }
+  return failures.empty() ? kDone : kFailed;
+}
+
+void add_command(
+    CommandLine& tool, const char* name, const char* help, const char* source, ReadWorlds read) {
+  const auto command = std::make_shared<BarnCommand>();
+  command->read = read;
+  const Options options = tool.add_command(name, help, [command] { return command->run(); });
+  options.add("SOURCE", command->source, source).required();
+  options.add("--worlds", command->worlds, "all, or numbers with commas between them");
+  options.add("--sensing", command->sensing, "What the robot knows").one_of({"map", "lidar"});
+  options.add("--physics", command->physics, "What moves the robot").one_of({"unicycle", "mujoco"});
+  options.add("--noise", command->noise, "Errors of lidar and odometry")
+      .one_of({"none", "standard"});
+  options.add("--seed", command->seed, "Seed of everything random").not_negative();
+  options.add("--trials", command->trials, "Runs per world").between(1, 1000);
+  options.add("--trace-dir", command->trace_dir,
+              "Write the cycles of every run here, and a picture and a page of every failed one");
+  options.add("--film-dir", command->film_dir,
+              "Write a short film (GIF) of every run here, drawn by MuJoCo");
+  options.add("--json", command->json, "Write the result as JSON; - is standard output")
+      .type_name("FILE");
+  add_run_options(options, command->outputs);
+  add_settings_options(options, command->settings);
+  options.footer(std::string("These are ") + kBarnNote + ".");
+}
+
+}  // namespace
+
+void add_barn_command(CommandLine& tool) {
+  add_command(tool, "barn", "Drive through the worlds of BARN",
+              "Folder with barn.json and its maps", io::read_barn);
+}
+
+void add_dynabarn_command(CommandLine& tool) {
+  add_command(tool, "dynabarn", "Drive through the worlds of DynaBARN", "File like dynabarn.json",
+              io::read_dynabarn);
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/left_out.hpp"
+#include "commands/commands.hpp"
+
+namespace fairway::app {
+
+void add_serve_command(CommandLine& tool) {
+  add_left_out_command(tool, "serve", "Show a world that can be played with, as a page",
+                       "libboost-dev");
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "commands/commands.hpp"
+#include "experiments/solver/ocp_instances.hpp"
+#include "experiments/thread_clock.hpp"
+#include "fairway/mpc/evaluation.hpp"
+#include "results/instance_solver.hpp"
+#include "results/solve_report.hpp"
+
+namespace fairway::app {
+
+namespace {
+
+using io::OcpInstance;
+using io::OcpResult;
+
+// The guess for instance `index`: the result at the same place if it has the same id, else the
+// first result with this id; cold where there is none.
+InitialGuess guess_for(std::size_t index, int id, const std::vector<OcpResult>& results) {
+  InitialGuess guess;
+  auto found = results.end();
+  if (index < results.size() && results[index].id == id) {
+    found = results.begin() + static_cast<std::ptrdiff_t>(index);
+  } else {
+    found = std::find_if(results.begin(), results.end(),
+                         [id](const OcpResult& result) { return result.id == id; });
+  }
+  if (found == results.end()) return guess;
+  guess.count = io::kOcpHorizon;
+  std::copy(found->commands.begin(), found->commands.end(), guess.commands.begin());
+  return guess;
+}
+
+// A solver's word is not taken for it: its commands are rolled out and checked again.
+SolveStatus checked_status(const ControlProblem& problem, const MpcSolution& solution) {
+  if (solution.status != SolveStatus::Solved) return solution.status;
+  MpcSolution again;
+  again.commands = solution.commands;
+  assess(problem, again);
+  const double worst = std::max(again.max_violation, hard_violation(problem, again.commands).max);
+  return worst <= kFeasibilityTolerance ? SolveStatus::Solved : SolveStatus::Stalled;
+}
+
+struct SolveCommand {
+  std::string instances_file;
+  std::string out;
+  std::string solver = "interior_point";
+  std::string warm_file;
+  int starts = 1;
+  int repeat = 1;
+  std::string json;
+
+  [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] SolvedInstance solve_one(InstanceSolver& solve,
+                                         const OcpInstance& instance,
+                                         const InitialGuess& first) const;
+};
+
+SolvedInstance SolveCommand::solve_one(InstanceSolver& solve,
+                                       const OcpInstance& instance,
+                                       const InitialGuess& first) const {
+  const ControlProblem problem = io::control_problem(instance);
+  std::vector<InitialGuess> guesses(static_cast<std::size_t>(starts));
+  spread_guesses(problem, first, guesses);
+  SolvedInstance solved{.id = instance.id, .kind = instance.kind};
+  solved.time_us = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < repeat; ++i) {
+    const double begin = thread_cpu_us();
+    const MpcSolution& solution = solve.solve(problem, guesses);
+    solved.time_us = std::min(solved.time_us, thread_cpu_us() - begin);
+    if (i == 0) solved.solution = solution;
+  }
+  solved.solution.status = checked_status(problem, solved.solution);
+  return solved;
+}
+
+OcpResult as_result(const SolvedInstance& solved) {
+  OcpResult result{.id = solved.id,
+                   .status = static_cast<int>(solved.solution.status),
+                   .iterations = solved.solution.iterations,
+                   .time_us = solved.time_us,
+                   .commands = {}};
+  result.commands.assign(solved.solution.commands.begin(),
+                         solved.solution.commands.begin() + io::kOcpHorizon);
+  return result;
+}
+
+Expected<int> SolveCommand::run() const {
+  if (out.empty()) return fail("--out: expected a file name, found an empty one");
+  if (out == "-" && json == "-")
+    return fail("--json: expected another place than --out, found standard output for both");
+  const auto instances = io::read_ocp_instances(instances_file);
+  if (!instances) return tl::unexpected(instances.error());
+  std::vector<OcpResult> warm;
+  if (!warm_file.empty()) {
+    auto results = io::read_ocp_results(warm_file);
+    if (!results) return tl::unexpected(results.error());
+    warm = std::move(*results);
+  }
+  for (const std::string& file : {out, json}) {
+    if (const auto writable = check_output(file); !writable)
+      return tl::unexpected(writable.error());
+  }
+  const auto solve = make_instance_solver(solver);
+  if (!solve) return tl::unexpected(solve.error());
+
+  std::vector<SolvedInstance> solved;
+  std::vector<OcpResult> results;
+  {
+    Progress progress("solving");
+    for (std::size_t i = 0; i < instances->size(); ++i) {
+      const OcpInstance& instance = (*instances)[i];
+      solved.push_back(solve_one(**solve, instance, guess_for(i, instance.id, warm)));
+      results.push_back(as_result(solved.back()));
+      progress.show(fmt::format("{} of {}", i + 1, instances->size()));
+    }
+  }
+  if (const auto written = write_output(out, io::format_ocp_results(results)); !written)
+    return tl::unexpected(written.error());
+  const std::string report = solve_report(solver, starts, repeat, solved);
+  if (const auto written = write_output(json, report); !written)
+    return tl::unexpected(written.error());
+  if (out == "-" || json == "-") return kDone;
+  if (const auto printed = print(solve_table(solved)); !printed)
+    return tl::unexpected(printed.error());
+  return kDone;
+}
+
+}  // namespace
+
+void add_solve_command(CommandLine& tool) {
+  const auto command = std::make_shared<SolveCommand>();
+  const Options options = tool.add_command(
+      "solve", "Solve instances of the optimal control problem (Eq. 15) and write the commands",
+      [command] { return command->run(); });
+  options
+      .add("INSTANCES", command->instances_file,
+           "File with one instance a line: id class nobs pose targets rectangle obstacles")
+      .required();
+  options.add("--out", command->out, "Result file: id status iterations time_us u0 r0 ...")
+      .required();
+  options.add("--solver", command->solver, "interior_point or ipopt")
+      .shows_default()
+      .one_of({"interior_point", "ipopt"});
+  options.add("--warm", command->warm_file, "Result file whose commands to start from");
+  options.add("--starts", command->starts, "Different starts per instance; the best is kept")
+      .shows_default()
+      .between(1, 1000);
+  options.add("--repeat", command->repeat, "Solve as often and write the fastest time")
+      .shows_default()
+      .between(1, 1000000);
+  options.add("--json", command->json, "Write a report as JSON; - is standard output");
+}
+
+}  // namespace fairway::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/instance_solver.hpp"
+
+#include "cli/left_out.hpp"
+#include "fairway/mpc/interior_point/solver.hpp"
+
+#ifdef FAIRWAY_HAS_IPOPT
+#include "fairway/mpc/ipopt/ipopt_solver.hpp"
+#endif
+
+namespace fairway::app {
+
+namespace {
+
+class InteriorPoint final : public InstanceSolver {
+ public:
+  const MpcSolution& solve(const ControlProblem& problem,
+                           std::span<const InitialGuess> guesses) override {
+    const InteriorPointSettings settings =
+        guesses.front().count > 0 ? InteriorPointSettings::warm() : InteriorPointSettings{};
+    return guesses.size() == 1 ? solver_.solve(problem, guesses.front(), settings)
+                               : solver_.solve_best(problem, guesses, settings);
+  }
+
+ private:
+  InteriorPointSolver solver_;
+};
+
+#ifdef FAIRWAY_HAS_IPOPT
+
+class Ipopt final : public InstanceSolver {
+ public:
+  explicit Ipopt(IpoptRows rows) : solver_({.rows = rows}) {}
+
+  const MpcSolution& solve(const ControlProblem& problem,
+                           std::span<const InitialGuess> guesses) override {
+    int iterations = 0;
+    for (std::size_t i = 0; i < guesses.size(); ++i) {
+      const MpcSolution& solution = solver_.solve(problem, guesses[i]);
+      iterations += solution.iterations;
+      if (i == 0 || is_better(problem, solution, best_)) best_ = solution;
+    }
+    best_.iterations = iterations;
+    return best_;
+  }
+
+ private:
+  static bool is_better(const ControlProblem& problem, const MpcSolution& a, const MpcSolution& b) {
+    const bool a_solved = a.status == SolveStatus::Solved;
+    const bool b_solved = b.status == SolveStatus::Solved;
+    if (a_solved != b_solved) return a_solved;
+    return a.cost + problem.violation_weight * a.sum_violation <
+           b.cost + problem.violation_weight * b.sum_violation;
+  }
+
+  IpoptSolver solver_;
+  MpcSolution best_;
+};
+
+#endif
+
+}  // namespace
+
+Expected<std::unique_ptr<InstanceSolver>> make_instance_solver(const std::string& name) {
+  if (name == "interior_point") return std::make_unique<InteriorPoint>();
+#ifdef FAIRWAY_HAS_IPOPT
+  if (name == "ipopt") return std::make_unique<Ipopt>(IpoptRows::Elastic);
+  if (name == "ipopt_hard") return std::make_unique<Ipopt>(IpoptRows::Hard);
+#endif
+  return fail("--solver: expected interior_point, found " + name + ", " +
+              left_out("coinor-libipopt-dev"));
+}
+
+}  // namespace fairway::app

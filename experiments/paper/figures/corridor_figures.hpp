@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "experiments/paper/chapter.hpp"
+#include "experiments/paper/studies/corridor_study.hpp"
+
+namespace fairway::reproduction {
+
+/// Figures 7 and 8: corridors of four methods along one path.
+[[nodiscard]] Figure corridor_figure(const std::string& name,
+                                     const std::string& caption,
+                                     MapKind kind,
+                                     const std::shared_ptr<const CorridorComparison>& map);
+
+/// On a map that is parallel to the axes: SRC, MDSRC and ours.
+[[nodiscard]] Figure structured_figure(const std::shared_ptr<const CorridorComparison>& map,
+                                       const std::string& caption);
+
+/// A published rectangle that holds obstacles, close up; none when no map has one.
+[[nodiscard]] std::optional<Figure> hopping_figure(MapKind kind,
+                                                   const std::vector<CorridorComparison>& maps);
+
+/// Published neighbours that overlap but no longer do once contracted, close up; none likewise.
+[[nodiscard]] std::optional<Figure> break_figure(MapKind kind,
+                                                 const std::vector<CorridorComparison>& maps);
+
+}  // namespace fairway::reproduction

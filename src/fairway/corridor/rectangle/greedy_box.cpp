@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/corridor/rectangle/greedy_box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "fairway/base/float4.hpp"
+
+namespace fairway {
+
+namespace {
+
+constexpr std::size_t kCapacity = ObstaclePoints::kCapacity;
+// Turns are counted from the start: in round n = 1, 2, ... the side that is the j-th of the four
+// has turn 4 n + j.
+constexpr float kNever = 4e6F;  // more than all sides make
+
+// Rounds up to whole rounds (multiples of 4), but for 1e-4 of one, by adding a number so large that
+// its last bit is worth 4.
+Float4 rounded_up(Float4 turns) noexcept {
+  constexpr float kLastBitIs4 = 50331648.0F;  // 2^25 + 2^24
+  constexpr float kRoundUp = 4.0F * 0.4999F;
+  return ((turns + kRoundUp) + kLastBitIs4) - kLastBitIs4;
+}
+
+// The points seen along one axis, and the turn at which each comes to lie behind the side that
+// moves towards it.
+struct Axis {
+  alignas(16) std::array<float, kCapacity> at;    // NOLINT(*-member-init): filled as far as needed
+  alignas(16) std::array<float, kCapacity> turn;  // NOLINT(*-member-init)
+
+  // All sides set out: the upper one on the turns `upper` of each round, the lower one on `lower`.
+  void start(std::size_t count, const GreedySteps& steps, float upper, float lower) noexcept {
+    const auto place = static_cast<float>(steps.start);
+    const auto rate = static_cast<float>(4.0 / steps.step);
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Float4 c = load4(&at[i]);
+      const Float4 order = c > 0.0F ? four(upper) : four(lower);
+      store4(rounded_up((max(c, -c) - place) * rate) + order, &turn[i]);
+    }
+  }
+
+  // The side on the side of `sign` stands at `place` after turn `now`, and goes on from there at
+  // `rate` turns per cell; 0: not at all.
+  void go_on(std::size_t count, float sign, float place, float rate, float now) noexcept {
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Float4 outwards = sign * load4(&at[i]);
+      const Float4 before = load4(&turn[i]);
+      const Float4 later = rate > 0.0F ? rounded_up((outwards - place) * rate) + now : four(kNever);
+      store4(((outwards > 0.0F) & (before >= now)) ? later : before, &turn[i]);
+    }
+  }
+};
+
+struct Side {
+  std::size_t axis;
+  float sign;
+  double place = 0.0;  // distance from the origin [cells]
+  double step = 0.0;   // 0: stopped
+  double round = 0.0;  // since when it makes such steps
+
+  // The turn, less the side's order, at which it would pass the limit.
+  [[nodiscard]] float limit_turn(double limit) const noexcept {
+    if (step <= 0.0) return kNever;
+    const double rounds = std::floor((limit - place) / step * (1.0 + 1e-12));
+    return static_cast<float>(4.0 * (round + std::clamp(rounds + 1.0, 1.0, 9e5)));
+  }
+};
+
+class Growth {
+ public:
+  Growth(const ObstaclePoints& points,
+         const Eigen::Vector2d& along,
+         const GreedySteps& steps) noexcept
+      : count_(points.size()) {
+    const auto c = static_cast<float>(along.x());
+    const auto s = static_cast<float>(along.y());
+    for (std::size_t i = 0; i < count_; i += 4) {
+      const Float4 x = load4(points.x() + i);
+      const Float4 y = load4(points.y() + i);
+      store4(c * x + s * y, &axes_[0].at[i]);
+      store4(c * y - s * x, &axes_[1].at[i]);
+    }
+    axes_[0].start(count_, steps, 3.0F, 1.0F);
+    axes_[1].start(count_, steps, 0.0F, 2.0F);
+    for (Side& side : sides_) {
+      side.place = steps.start;
+      side.step = steps.step;
+    }
+  }
+
+  // The first turn at which a point would come to lie behind all sides.
+  [[nodiscard]] float first_met() const noexcept {
+    Float4 first = four(2.0F * kNever);
+    for (std::size_t i = 0; i < count_; i += 4) {
+      // What is not there is NaN, and not less than anything.
+      first = min(max(load4(&axes_[0].turn[i]), load4(&axes_[1].turn[i])), first);
+    }
+    return std::min(std::min(first[0], first[1]), std::min(first[2], first[3]));
+  }
+
+  // The first turn at which a side would pass the limit.
+  [[nodiscard]] float first_limited(double limit) const noexcept {
+    float first = kNever;
+    for (std::size_t j = 0; j < 4; ++j)
+      first = std::min(first, sides_[j].limit_turn(limit) + static_cast<float>(j));
+    return first;
+  }
+
+  // Makes all turns before `turn`, at which its side finds no room.
+  void advance_to(float turn) noexcept {
+    const auto number = static_cast<unsigned>(turn);
+    Side& side = sides_[number % 4U];
+    const double round = number / 4U;
+    side.place += side.step * (round - 1.0 - side.round);
+    side.step = side.step > 1.0 ? 1.0 : 0.0;
+    side.round = round;
+    axes_[side.axis].go_on(count_, side.sign, static_cast<float>(side.place),
+                           static_cast<float>(4.0 * side.step), turn);
+  }
+
+  [[nodiscard]] Box box() const noexcept {
+    return {.min = {-sides_[1].place, -sides_[2].place}, .max = {sides_[3].place, sides_[0].place}};
+  }
+
+ private:
+  std::size_t count_;
+  std::array<Axis, 2> axes_;
+  // In the order in which Algorithm 1 advances them: top, left, bottom, right.
+  std::array<Side, 4> sides_{Side{1, 1.0F}, Side{0, -1.0F}, Side{1, -1.0F}, Side{0, 1.0F}};
+};
+
+}  // namespace
+
+std::optional<Box> greedy_box(const ObstaclePoints& points,
+                              const Eigen::Vector2d& along,
+                              const GreedySteps& steps) noexcept {
+  Growth growth(points, along, steps);
+  if (growth.first_met() < 4.0F) return std::nullopt;
+  while (true) {
+    const float turn = std::min(growth.first_met(), growth.first_limited(steps.limit));
+    if (turn >= kNever) break;
+    growth.advance_to(turn);
+  }
+  return growth.box();
+}
+
+}  // namespace fairway

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/corridor/rectangle/largest_box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "fairway/base/contract.hpp"
+#include "fairway/base/float4.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr std::size_t kCapacity = ObstaclePoints::kCapacity;
+constexpr float kFar = 1e9F;  // beyond every point and every side [cells]
+constexpr std::size_t kBits = 32;
+
+// Quadrants of the turned frame, counter-clockwise from the upper right one. In each, `ahead` is
+// measured along the axis that it begins with (+x, +y, -x, -y) and `aside` along that of the next
+// one, both from the core's side. The four are worked on at once, one in each lane.
+using Quadrants = std::array<float, 4>;
+
+Float4 of_next(Float4 a) noexcept { return Float4{a[1], a[2], a[3], a[0]}; }
+Float4 of_opposite(Float4 a) noexcept { return Float4{a[2], a[3], a[0], a[1]}; }
+
+// How far a corner of the box can reach: at each step either so far ahead or so far aside. From the
+// ahead axis to the aside axis, `ahead` falls and `aside` rises; none is negative.
+struct Staircase {
+  std::array<float, 2 * kCapacity + 1> ahead;  // NOLINT(*-member-init): filled as far as it is read
+  std::array<float, 2 * kCapacity + 1> aside;  // NOLINT(*-member-init)
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+struct Range {
+  std::size_t least;
+  std::size_t most;
+};
+
+// The turned axes cut each of the points' quadrants in two: at which of its steps, least and most.
+Range where_cut(const ObstaclePoints& points, float c, float s) noexcept {
+  Range cut{.least = points.steps(), .most = 0};
+  for (std::size_t q = 0; q < 4; ++q) {
+    std::size_t first = 0;
+    for (std::size_t size = points.steps(); size > 0;) {
+      const std::size_t half = size / 2;
+      const std::size_t at = 4 * (first + half) + q;
+      // Before the axis; not what is not there, as it comes last and is NaN.
+      const bool before = c * points.aside()[at] < s * points.ahead()[at];
+      first = before ? first + half + 1 : first;
+      size = before ? size - half - 1 : half;
+    }
+    cut = {.least = std::min(cut.least, first), .most = std::max(cut.most, first)};
+  }
+  return cut;
+}
+
+// A corner in some direction must be short, in `ahead`, of all points before that direction, and in
+// `aside` of all behind it. So the running minimum of one from the one side and of the other from
+// the other side are all that is needed. A point straight beside the core has a negative `aside`:
+// no corner can be short of it but ahead. Of a point in the core none can be short at all.
+class Staircases {
+ public:
+  Staircases(const ObstaclePoints& points,
+             const Vector2d& along,
+             const Box& core,
+             double longest_side) noexcept {
+    const Float4 reach{static_cast<float>(core.max.x()), static_cast<float>(core.max.y()),
+                       static_cast<float>(-core.min.x()), static_cast<float>(-core.min.y())};
+    const Float4 reach_aside = of_next(reach);
+    const Float4 cap = static_cast<float>(longest_side) - reach - of_opposite(reach);
+    Float4 least_ahead = cap;
+    const auto take = [&](Float4 ahead, Float4 aside, Mask4 mine) {
+      // Others never count; nor does what is not there: all comparisons with NaN fail.
+      const Float4 least = with_sign_of(mine, four(kFar));
+      store4(least_ahead, &before_[4 * count_]);
+      least_ahead = min(least_ahead, max(ahead - reach, least));
+      store4(max(aside - reach_aside, least), &aside_[4 * count_]);
+      ++count_;
+    };
+    // A quadrant of the turned frame holds the end of one of the points' own quadrants, and then
+    // the beginning of the next.
+    const auto c = static_cast<float>(along.x());
+    const auto s = static_cast<float>(along.y());
+    const Range cut = where_cut(points, c, s);
+    for (std::size_t i = cut.least; i < points.steps(); ++i) {
+      const Float4 u = load4(points.ahead() + 4 * i);
+      const Float4 v = load4(points.aside() + 4 * i);
+      const Float4 aside = c * v - s * u;
+      take(c * u + s * v, aside, aside >= 0.0F);
+    }
+    for (std::size_t i = 0; i < cut.most; ++i) {
+      const Float4 u = of_next(load4(points.ahead() + 4 * i));
+      const Float4 v = of_next(load4(points.aside() + 4 * i));
+      const Float4 ahead = s * u - c * v;
+      take(ahead, c * u + s * v, ahead > 0.0F);
+    }
+    store4(least_ahead, &before_[4 * count_]);
+    store4(cap, cap_.data());
+    store4(reach, reach_.data());
+  }
+
+  void extract(std::array<Staircase, 4>& out) const noexcept {
+    // The steps at which the running minimum from behind falls, as bits.
+    const std::size_t words = count_ / kBits + 1;
+    std::array<std::array<std::uint32_t, 4>, 2 * kCapacity / kBits + 1>
+        falls;  // NOLINT(*-member-init): filled below
+    Float4 least = of_next(load4(cap_.data()));
+    for (std::size_t w = words; w-- > 0;) {
+      Bits4 bits{};
+      for (std::size_t i = std::min(count_, (w + 1) * kBits); i-- > w * kBits;) {
+        const Float4 aside = load4(&aside_[4 * i]);
+        bits = bits + bits - std::bit_cast<Bits4>(aside < least);  // true is -1
+        least = min(least, aside);
+      }
+      std::memcpy(falls[w].data(), &bits, sizeof bits);
+    }
+    for (std::size_t q = 0; q < 4; ++q) {
+      Staircase& staircase = out[q];
+      float ahead = cap_[q];
+      std::size_t count = 0;
+      for (std::size_t w = 0; w < words; ++w) {
+        for (std::uint32_t left = falls[w][q]; left != 0; left &= left - 1) {
+          const std::size_t i = w * kBits + static_cast<std::size_t>(std::countr_zero(left));
+          staircase.ahead[count] = ahead;
+          staircase.aside[count] = aside_[4 * i + q];
+          // The next step reaches less far ahead; if not, it takes the place of this one.
+          const float next = before_[4 * (i + 1) + q];
+          count += next < ahead ? 1 : 0;
+          ahead = next;
+        }
+      }
+      staircase.ahead[count] = ahead;
+      staircase.aside[count] = cap_[(q + 1) % 4];
+      staircase.begin = 0;
+      staircase.end = count + 1;
+      while (staircase.begin < staircase.end && staircase.aside[staircase.begin] < 0.0F)
+        ++staircase.begin;
+      while (staircase.begin < staircase.end && staircase.ahead[staircase.end - 1] < 0.0F)
+        --staircase.end;
+    }
+  }
+
+ private:
+  using Steps = std::array<float, 4 * (2 * kCapacity + 1)>;
+
+  Quadrants reach_;  // NOLINT(*-member-init): of the core
+  Quadrants cap_;    // NOLINT(*-member-init): how far a corner may be ahead
+  std::size_t count_ = 0;
+  Steps before_;  // NOLINT(*-member-init): the least `ahead` of the steps before
+  Steps aside_;   // NOLINT(*-member-init)
+};
+
+// The heights at which the top (or bottom) side can stop, outwards, and how far the box may then
+// reach to both sides as far as the points on this half are concerned. All counted outwards.
+struct Levels {
+  static constexpr std::size_t kMost = 2 * (2 * kCapacity + 1);
+  alignas(16) std::array<float, kMost + 4> height;   // NOLINT(*-member-init): filled by merge
+  alignas(16) std::array<float, kMost + 4> rising;   // NOLINT(*-member-init)
+  alignas(16) std::array<float, kMost + 4> falling;  // NOLINT(*-member-init)
+  std::size_t count = 0;
+
+  // From the staircase of a quadrant, whose heights are its `aside`, and that of the next one,
+  // whose heights are its `ahead`. Padded to whole lanes with levels that have no area.
+  void merge(const Staircase& rising_side, const Staircase& falling_side) noexcept {
+    std::size_t i = rising_side.begin;
+    std::size_t j = falling_side.end;
+    count = 0;
+    while (i < rising_side.end && j > falling_side.begin) {
+      const float a = rising_side.aside[i];
+      const float b = falling_side.ahead[j - 1];
+      height[count] = std::min(a, b);
+      rising[count] = rising_side.ahead[i];
+      falling[count] = falling_side.aside[j - 1];
+      ++count;
+      i += a <= b ? 1 : 0;
+      j -= b <= a ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      height[count + k] = -kFar;
+      rising[count + k] = falling[count + k] = 0.0F;
+    }
+  }
+};
+
+struct Pair {
+  std::size_t top = 0;
+  std::size_t bottom = 0;
+  float area = 0.0F;
+};
+
+// The pair of a top and a bottom level with the greatest area. Without a branch in the inner loop:
+// there are few levels, and what is not looked at costs more than it saves.
+Pair best_pair(const Levels& tops, const Levels& bottoms, const Box& core, float limit) noexcept {
+  const auto core_width = static_cast<float>(core.max.x() - core.min.x());
+  const auto core_height = static_cast<float>(core.max.y() - core.min.y());
+  const auto area = [&](std::size_t top, std::size_t bottom) {
+    // A top's rising side is the right one, a bottom's the left one.
+    const Float4 width = min(four(tops.rising[top]), load4(&bottoms.falling[bottom])) +
+                         min(four(tops.falling[top]), load4(&bottoms.rising[bottom]));
+    const Float4 height = tops.height[top] + load4(&bottoms.height[bottom]);
+    return min(width + core_width, four(limit)) * min(height + core_height, four(limit));
+  };
+  Pair best;
+  for (std::size_t top = 0; top < tops.count; ++top) {
+    Float4 greatest = four(-1.0F);
+    for (std::size_t bottom = 0; bottom < bottoms.count; bottom += 4)
+      greatest = max(greatest, area(top, bottom));
+    const float row =
+        std::max(std::max(greatest[0], greatest[1]), std::max(greatest[2], greatest[3]));
+    best.top = row > best.area ? top : best.top;
+    best.area = std::max(row, best.area);
+  }
+  for (std::size_t bottom = 0; bottom < bottoms.count; bottom += 4) {
+    const Float4 areas = area(best.top, bottom);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (areas[k] == best.area) return {.top = best.top, .bottom = bottom + k, .area = best.area};
+    }
+  }
+  return best;
+}
+
+// The part of [low, high] that is at most `limit` long, holds [core_low, core_high] and is as
+// central about it as it can be.
+void trim(double& low, double& high, double core_low, double core_high, double limit) noexcept {
+  const double excess = high - low - limit;
+  if (excess <= 0.0) return;
+  const double middle = 0.5 * (core_low + core_high);
+  low = std::clamp(middle - 0.5 * limit, low, low + excess);
+  high = low + limit;
+}
+
+}  // namespace
+
+std::optional<Box> largest_box(const ObstaclePoints& points,
+                               const Vector2d& along,
+                               const Box& core,
+                               double longest_side,
+                               double least_area) noexcept {
+  FAIRWAY_EXPECTS(along.x() >= 0.0 && along.y() >= 0.0);
+  std::array<Staircase, 4> quadrants;
+  const Staircases staircases(points, along, core, longest_side);
+  staircases.extract(quadrants);
+  Levels tops;
+  Levels bottoms;
+  tops.merge(quadrants[0], quadrants[1]);
+  bottoms.merge(quadrants[2], quadrants[3]);
+  if (tops.count == 0 || bottoms.count == 0) return std::nullopt;
+  const Pair best = best_pair(tops, bottoms, core, static_cast<float>(longest_side));
+  if (!(best.area > static_cast<float>(least_area))) return std::nullopt;
+  const float right = std::min(tops.rising[best.top], bottoms.falling[best.bottom]);
+  const float left = std::min(tops.falling[best.top], bottoms.rising[best.bottom]);
+  Box box{.min = core.min - Vector2d(left, bottoms.height[best.bottom]),
+          .max = core.max + Vector2d(right, tops.height[best.top])};
+  trim(box.min.x(), box.max.x(), core.min.x(), core.max.x(), longest_side);
+  trim(box.min.y(), box.max.y(), core.min.y(), core.max.y(), longest_side);
+  return box;
+}
+
+}  // namespace fairway

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/maps/map_file.hpp"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include <fmt/core.h>
+
+#include "fairway/io/whole_file.hpp"
+#include "fairway/io/yaml/yaml_document.hpp"
+
+namespace fairway::io {
+
+namespace {
+
+constexpr std::size_t kLongestHeader = 1U << 16;      // [bytes]
+constexpr std::size_t kLongestImage = 1'000'000'000;  // [bytes]; text PGM needs the most
+constexpr double kFurthestOrigin = 1e7;  // [m]; a double then still resolves nanometres
+
+CellState state_of_percent(double percent, const MapHeader& header) {
+  if (percent > 100.0) return CellState::Unknown;
+  if (percent >= std::rint(100.0 * header.occupied_thresh)) return CellState::Occupied;
+  if (percent <= std::rint(100.0 * header.free_thresh)) return CellState::Free;
+  return CellState::Unknown;
+}
+
+CellState state_of(std::uint32_t brightness, bool opaque, const MapHeader& header) {
+  constexpr double kWhite = MapImage::kWhite;
+  if (header.mode == MapMode::Raw) {
+    return state_of_percent(std::round(255.0 * brightness / kWhite), header);
+  }
+  if (!opaque) return CellState::Unknown;
+  // Subtracted before divided: then 51 of 255 is exactly the 0.2 of a threshold.
+  const std::uint32_t level = header.negate ? brightness : MapImage::kWhite - brightness;
+  const double occupancy = level / kWhite;
+  if (occupancy > header.occupied_thresh) return CellState::Occupied;
+  if (occupancy < header.free_thresh) return CellState::Free;
+  if (header.mode == MapMode::Trinary) return CellState::Unknown;
+  const double scaled = std::rint(100.0 * (occupancy - header.free_thresh) /
+                                  (header.occupied_thresh - header.free_thresh));
+  if (scaled >= 100.0) return CellState::Occupied;
+  return scaled <= 0.0 ? CellState::Free : CellState::Unknown;
+}
+
+std::string image_path(const std::string& yaml_path, const std::string& image) {
+  const std::filesystem::path path(image);
+  return path.is_absolute() ? image
+                            : (std::filesystem::path(yaml_path).parent_path() / path).string();
+}
+
+}  // namespace
+
+Expected<MapHeader> parse_map_header(const std::string& text, const std::string& name) {
+  static constexpr std::array<const char*, 3> kModes{"trinary", "scale", "raw"};
+  YamlFile file{.name = name, .error = {}, .warnings = {}};
+  YamlMapping map = parse_yaml_mapping(file, text);
+  MapHeader header;
+  header.image = map.text("image");
+  header.resolution = map.number("resolution", {.min = 0.0, .max = 1000.0, .min_allowed = false});
+  const std::vector<double> origin = map.numbers("origin", 3, 3);
+  header.negate = map.boolean("negate");
+  header.occupied_thresh = map.number("occupied_thresh", {.min = 0.0, .max = 1.0});
+  header.free_thresh = map.number("free_thresh", {.min = 0.0, .max = 1.0});
+  header.mode = static_cast<MapMode>(map.choice("mode", kModes, 0));
+  map.finish();
+  if (!(header.free_thresh < header.occupied_thresh)) {
+    map.complain("free_thresh", fmt::format("expected less than occupied_thresh {}, found {}",
+                                            header.occupied_thresh, header.free_thresh));
+  }
+  if (header.resolution < 1e-4) {
+    map.complain("resolution",
+                 fmt::format("expected at least 0.0001, found {}", header.resolution));
+  }
+  if (origin.size() == 3) {
+    header.origin = {.position = {origin[0], origin[1]}, .heading = origin[2]};
+    const double furthest = header.origin.position.cwiseAbs().maxCoeff();
+    if (furthest > kFurthestOrigin || std::abs(header.origin.heading) > 1000.0) {
+      map.complain("origin", fmt::format("expected at most {} m and 1000 rad, found [{}, {}, {}]",
+                                         kFurthestOrigin, origin[0], origin[1], origin[2]));
+    }
+  }
+  if (file.error) return tl::unexpected(*file.error);
+  return header;
+}
+
+Expected<OccupancyGrid> make_grid(const MapHeader& header,
+                                  const MapImage& image,
+                                  const std::string& name) {
+  try {
+    OccupancyGrid grid({.width = image.width,
+                        .height = image.height,
+                        .resolution = header.resolution,
+                        .origin = header.origin});
+    std::size_t i = 0;
+    for (int row = image.height - 1; row >= 0; --row) {
+      for (int x = 0; x < image.width; ++x, ++i) {
+        const bool opaque = image.opaque.empty() || image.opaque[i];
+        grid.set({.x = x, .y = row}, state_of(image.brightness[i], opaque, header));
+      }
+    }
+    return grid;
+  } catch (const std::invalid_argument& error) {
+    return fail(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+Expected<OccupancyGrid> read_map(const std::string& path) {
+  const Expected<std::string> text = read_whole_file(path, kLongestHeader);
+  if (!text) return tl::unexpected(text.error());
+  const Expected<MapHeader> header = parse_map_header(*text, path);
+  if (!header) return tl::unexpected(header.error());
+  const std::string picture = image_path(path, header->image);
+  const Expected<std::string> bytes = read_whole_file(picture, kLongestImage);
+  if (!bytes) return fail(fmt::format("{}: image: {}", path, bytes.error().message));
+  const Expected<MapImage> image = decode_map_image(*bytes, picture);
+  if (!image) return tl::unexpected(image.error());
+  return make_grid(*header, *image, path);
+}
+
+}  // namespace fairway::io

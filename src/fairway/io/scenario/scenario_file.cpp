@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/scenario/scenario_file.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include <fmt/core.h>
+
+#include "fairway/io/maps/map_file.hpp"
+#include "fairway/io/number_text.hpp"
+#include "fairway/io/scenario/tracks_file.hpp"
+#include "fairway/io/whole_file.hpp"
+#include "fairway/io/yaml/settings_mapping.hpp"
+#include "fairway/io/yaml/yaml_document.hpp"
+
+namespace fairway::io {
+
+namespace {
+
+constexpr std::size_t kLongestFile = 16U << 20;  // [bytes]; key frames can be many
+constexpr double kFurthest = 1e7;                // [m]
+constexpr double kLongestTime = 1e5;             // [s]
+
+void require_on_map(YamlMapping& mapping,
+                    const char* key,
+                    const Eigen::Vector2d& point,
+                    const OccupancyGrid& map) {
+  const GridFrame& frame = map.frame();
+  if (frame.contains(frame.cell_at(point))) return;
+  mapping.complain(
+      key, fmt::format("expected a point on the map, found [{}, {}]", point.x(), point.y()));
+}
+
+std::string read_name(YamlMapping& mapping,
+                      const std::string& fallback,
+                      std::set<std::string>& seen) {
+  std::string name = mapping.text("name", fallback);
+  if (!seen.insert(name).second) {
+    mapping.complain("name", fmt::format("expected a name of its own, found '{}' again", name));
+  }
+  return name;
+}
+
+std::vector<RobotTask> read_robots(YamlMapping& root, const OccupancyGrid& map) {
+  std::vector<RobotTask> robots;
+  std::set<std::string> names;
+  if (!root.has("robots")) root.complain("robots", "expected a list of robots, found no such key");
+  for (YamlMapping& mapping : root.mappings("robots")) {
+    RobotTask robot;
+    robot.name = read_name(mapping, fmt::format("robot {}", robots.size() + 1), names);
+    const std::vector<double> start = mapping.numbers("start", 3, 3);
+    const std::vector<double> goal = mapping.numbers("goal", 2, 3);
+    mapping.finish();
+    if (start.size() == 3) {
+      robot.start = {.position = {start[0], start[1]}, .heading = start[2]};
+      require_on_map(mapping, "start", robot.start.position, map);
+    }
+    if (goal.size() >= 2) {
+      robot.goal.position = {goal[0], goal[1]};
+      if (goal.size() == 3) robot.goal.heading = goal[2];
+      require_on_map(mapping, "goal", robot.goal.position, map);
+    }
+    robots.push_back(std::move(robot));
+  }
+  if (robots.empty()) root.complain("robots", "expected at least one robot, found none");
+  return robots;
+}
+
+std::vector<MovingBody> read_bodies(YamlMapping& root) {
+  std::vector<MovingBody> bodies;
+  std::set<std::string> names;
+  for (YamlMapping& mapping : root.mappings("obstacles")) {
+    MovingBody body;
+    body.name = read_name(mapping, fmt::format("obstacle {}", bodies.size() + 1), names);
+    body.radius = mapping.number("radius", {.min = 0.01, .max = 100.0}, body.radius);
+    body.loop = mapping.boolean("loop", body.loop);
+    body.passing = mapping.boolean("passing", body.passing);
+    for (const std::vector<double>& row : mapping.rows("key_frames", 3)) {
+      const MovingBody::KeyFrame frame{.time = row[0], .position = {row[1], row[2]}};
+      if (frame.position.cwiseAbs().maxCoeff() > kFurthest || std::abs(frame.time) > kLongestTime) {
+        mapping.complain("key_frames", fmt::format("expected times to {:g} s and places to {:g} m",
+                                                   kLongestTime, kFurthest));
+      }
+      if (!body.key_frames.empty() && frame.time <= body.key_frames.back().time) {
+        mapping.complain("key_frames", fmt::format("expected increasing times, found {} after {}",
+                                                   frame.time, body.key_frames.back().time));
+      }
+      body.key_frames.push_back(frame);
+    }
+    if (body.key_frames.empty()) {
+      mapping.complain("key_frames", "expected at least one [time, x, y], found none");
+    }
+    mapping.finish();
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+// People who were recorded walk through the scene, whatever the robots do.
+void add_pedestrians(YamlMapping& root, const std::filesystem::path& folder, Scenario& scenario) {
+  std::optional<YamlMapping> mapping = root.mapping("pedestrians");
+  if (!mapping) return;
+  TracksFormat format;
+  const std::filesystem::path path = mapping->text("tracks");
+  format.frame_rate =
+      mapping->number("frame_rate", {.min = 0.0, .max = 1e4, .min_allowed = false}, 25.0);
+  format.radius = mapping->number("radius", {.min = 0.01, .max = 100.0}, format.radius);
+  const double from = mapping->number("from", {.min = -kLongestTime, .max = kLongestTime}, 0.0);
+  mapping->finish();
+  if (path.empty()) return;
+  const Expected<std::vector<MovingBody>> tracks =
+      read_tracks((path.is_absolute() ? path : folder / path).string(), format);
+  if (!tracks) {
+    mapping->complain("tracks", tracks.error().message);
+    return;
+  }
+  for (MovingBody& person : replayed(*tracks, from, scenario.time_limit))
+    scenario.bodies.push_back(std::move(person));
+}
+
+void read_radio(YamlMapping& root, RadioModel& radio) {
+  std::optional<YamlMapping> mapping = root.mapping("radio");
+  if (!mapping) return;
+  radio.on = mapping->boolean("on", radio.on);
+  radio.delay = mapping->number("delay", {.min = 0.0, .max = 10.0}, radio.delay);
+  radio.loss = mapping->number("loss", {.min = 0.0, .max = 1.0}, radio.loss);
+  radio.range = mapping->number("range", {.min = 0.0, .max = kFurthest}, radio.range);
+  mapping->finish();
+}
+
+// One of the names of an enumeration; the first when the key is missing.
+template <typename Enum>
+Enum read_choice(YamlMapping& root, const char* key) {
+  constexpr auto kNames = setting_names(Enum{});
+  const std::string text = root.text(key, kNames.front());
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (text == kNames[i]) return static_cast<Enum>(i);
+  }
+  root.complain(key, fmt::format("expected {} or {}, found {}", kNames.front(), kNames.back(),
+                                 excerpt(text)));
+  return Enum{};
+}
+
+// How the robots sense and what moves them.
+void read_models(YamlMapping& root, Scenario& scenario) {
+  scenario.sensing.sensing = read_choice<Sensing>(root, "sensing");
+  if (read_choice<SensorNoise>(root, "noise") == SensorNoise::Standard)
+    use_standard_noise(scenario.sensing);
+  scenario.engine = read_choice<Engine>(root, "physics");
+}
+
+}  // namespace
+
+Expected<Scenario> read_scenario(const std::string& path, std::vector<std::string>* warnings) {
+  const Expected<std::string> text = read_whole_file(path, kLongestFile);
+  if (!text) return tl::unexpected(text.error());
+  YamlFile file{.name = path, .error = {}, .warnings = {}};
+  YamlMapping root = parse_yaml_mapping(file, *text);
+  Scenario scenario;
+  const std::filesystem::path map_path = root.text("map");
+  if (file.error) return tl::unexpected(*file.error);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const Expected<OccupancyGrid> map =
+      read_map((map_path.is_absolute() ? map_path : folder / map_path).string());
+  if (!map) {
+    root.complain("map", map.error().message);
+    return tl::unexpected(*file.error);
+  }
+  scenario.map = *map;
+  scenario.name = root.text("name", std::filesystem::path(path).stem().string());
+  scenario.time_limit = root.number(
+      "time_limit", {.min = 0.0, .max = kLongestTime, .min_allowed = false}, scenario.time_limit);
+  scenario.seed = static_cast<std::uint64_t>(root.integer("seed", {.min = 0.0}, 1));
+  if (std::optional<YamlMapping> settings = root.mapping("settings")) {
+    scenario.settings = read_settings_mapping(*settings, scenario.settings);
+    complain_unless_valid(scenario.settings, *settings);
+  }
+  read_models(root, scenario);
+  read_radio(root, scenario.radio);
+  scenario.robots = read_robots(root, scenario.map);
+  scenario.bodies = read_bodies(root);
+  if (!file.error) add_pedestrians(root, folder, scenario);
+  root.finish();
+  if (file.error) return tl::unexpected(*file.error);
+  if (warnings != nullptr)
+    warnings->insert(warnings->end(), file.warnings.begin(), file.warnings.end());
+  return scenario;
+}
+
+}  // namespace fairway::io

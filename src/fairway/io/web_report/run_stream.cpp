@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/web_report/run_stream.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fairway/geometry/angle.hpp"
+#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/web_report/compact_fields.hpp"
+#include "fairway/io/web_report/run_texts.hpp"
+
+namespace fairway::io {
+
+namespace {
+
+constexpr std::uint64_t kWorldSlot = 0;  // of the true map; those that robots see follow
+
+void append_frame(CompactFields& out, const GridFrame& frame) {
+  out.count(static_cast<std::uint64_t>(frame.width));
+  out.count(static_cast<std::uint64_t>(frame.height));
+  out.real(frame.resolution);
+  out.real(frame.origin.position.x());
+  out.real(frame.origin.position.y());
+  out.real(frame.origin.heading);
+}
+
+// Runs of equal values over all cells, row by row.
+template <typename ValueAt>
+void append_cells(CompactFields& out, std::size_t cells, const ValueAt& value_at) {
+  for (std::size_t i = 0; i < cells;) {
+    const std::uint64_t value = value_at(i);
+    std::size_t end = i + 1;
+    while (end < cells && value_at(end) == value)
+      ++end;
+    out.count(value);
+    out.count(end - i);
+    i = end;
+  }
+}
+
+// All cells of a map that a robot sees.
+std::string seen_map_fields(std::uint64_t slot, double time, const BitGrid& grid) {
+  std::string fields;
+  CompactFields out(fields);
+  out.count(slot);
+  out.count(1);  // whole
+  out.time(time);
+  append_frame(out, grid.frame());
+  const auto width = static_cast<std::size_t>(grid.frame().width);
+  append_cells(out, width * static_cast<std::size_t>(grid.frame().height), [&](std::size_t i) {
+    const CellIndex cell{.x = static_cast<int>(i % width), .y = static_cast<int>(i / width)};
+    return grid.blocked(cell) ? std::uint64_t{1} : std::uint64_t{0};
+  });
+  return fields;
+}
+
+void append_mark(CompactFields& out, const LimitMark& mark) {
+  out.count(static_cast<std::uint64_t>(mark.row.kind));
+  out.count(static_cast<std::uint64_t>(mark.shape));
+  if (mark.shape == LimitMark::Shape::None) return;
+  out.point(mark.a);
+  if (mark.shape == LimitMark::Shape::Side) out.point(mark.b);
+  if (mark.shape == LimitMark::Shape::Disc) out.millis(mark.radius);
+}
+
+void append_prediction(CompactFields& out, const MpcSolution* plan) {
+  if (plan == nullptr) return out.count(0);
+  out.count(static_cast<std::uint64_t>(plan->horizon));
+  out.count(static_cast<std::uint64_t>(std::max(0, plan->iterations)));
+  out.millis(plan->max_violation);
+  PointDeltas points(out, plan->poses[0].position);
+  for (int k = 1; k <= plan->horizon; ++k)
+    points.append(plan->poses[static_cast<std::size_t>(k)].position);
+}
+
+void append_obstacles(CompactFields& out, std::span<const MovingObstacle> obstacles) {
+  out.count(obstacles.size());
+  for (const MovingObstacle& obstacle : obstacles) {
+    out.point(obstacle.position);
+    out.point(obstacle.velocity);
+    out.millis(obstacle.radius);
+  }
+}
+
+void append_goal(CompactFields& out, const Goal& goal, unsigned flags) {
+  out.count(flags | (goal.heading ? 2U : 0U));
+  out.point(goal.position);
+  if (goal.heading) out.angle(*goal.heading);
+}
+
+void append_record(std::string& bytes, RunStream::Kind kind, const std::string& fields) {
+  bytes.push_back(static_cast<char>(kind));
+  CompactFields(bytes).count(fields.size());
+  bytes.append(fields);
+}
+
+}  // namespace
+
+void RunStream::add(Kind kind, const std::string& fields) { append_record(ready_, kind, fields); }
+
+std::string RunStream::take() { return std::exchange(ready_, {}); }
+
+std::string RunStream::beginning(double time) const {
+  std::string bytes;
+  append_record(bytes, Kind::Begin, begin_);
+  append_record(bytes, Kind::Cells, true_map_fields(time));
+  tracker_.for_each([&](int slot, const BitGrid& told) {
+    append_record(bytes, Kind::Cells,
+                  seen_map_fields(static_cast<std::uint64_t>(slot) + 1, time, told));
+  });
+  if (!tuning_.empty()) append_record(bytes, Kind::Tuning, tuning_);
+  for (const std::string& plan : plans_) {
+    if (!plan.empty()) append_record(bytes, Kind::Plan, plan);
+  }
+  for (const std::string& goal : goals_) {
+    if (!goal.empty()) append_record(bytes, Kind::Goal, goal);
+  }
+  return bytes.append(newest_);
+}
+
+void RunStream::on_start(const Scenario& scenario) {
+  tracker_.clear();
+  true_map_ = nullptr;
+  tuning_.clear();
+  newest_.clear();
+  plans_.assign(scenario.robots.size(), {});
+  goals_.assign(scenario.robots.size(), {});
+  scans_.assign(scenario.robots.size(), {});
+  lidar_ = scenario.sensing.sensing == Sensing::Lidar;
+  shown_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
+  states_.assign(scenario.map.cells().begin(), scenario.map.cells().end());
+  begin_ = begin_text(scenario);
+  add(Kind::Begin, begin_);
+  add(Kind::Cells, true_map_fields(0.0));
+}
+
+std::string RunStream::true_map_fields(double time) const {
+  std::string fields;
+  CompactFields out(fields);
+  out.count(kWorldSlot);
+  out.count(1);  // whole
+  out.time(time);
+  append_frame(out, shown_.frame());
+  append_cells(out, states_.size(),
+               [&](std::size_t i) { return static_cast<std::uint64_t>(states_[i]); });
+  return fields;
+}
+
+void RunStream::on_navigators(double time,
+                              const Settings& settings,
+                              std::span<const NavigatorStart> /*starts*/) {
+  if (lidar_) tracker_.clear();  // they have new maps
+  tuning_ = tuning_text(time, settings);
+  add(Kind::Tuning, tuning_);
+}
+
+void RunStream::on_goal(double time, std::size_t robot, const Goal& goal) {
+  if (!lidar_) return;  // the plan tells it
+  std::string fields;
+  CompactFields out(fields);
+  out.count(robot);
+  out.time(time);
+  append_goal(out, goal, 0);
+  add(Kind::Goal, fields);
+  goals_.at(robot) = std::move(fields);
+}
+
+// Distances in cm, as differences from beam to beam; 0 where nothing was hit.
+void RunStream::on_scan(const ObservedScan& seen) {
+  const LidarScan& scan = seen.scan;
+  std::string fields;
+  CompactFields out(fields);
+  out.count(seen.robot);
+  out.time(scan.time);
+  out.point(scan.last_pose.position);
+  out.angle(wrap_to_pi(scan.last_pose.heading + scan.first_angle));
+  out.real(scan.angle_step);
+  out.count(scan.ranges.size());
+  std::int64_t before = 0;
+  constexpr double kFurthest = 1e4;  // [m]
+  const double most = std::fmin(scan.max_range, kFurthest);
+  for (const float beam : scan.ranges) {
+    const auto range = static_cast<double>(beam);
+    const bool hit = range >= scan.min_range && range < most;
+    const std::int64_t now = hit ? std::llround(100.0 * range) : 0;
+    out.integer(now - before);
+    before = now;
+  }
+  scans_.at(seen.robot) = std::move(fields);
+}
+
+// Of several scans between two cycles only the last can be seen.
+void RunStream::tell_scan(std::size_t robot) {
+  std::string& scan = scans_.at(robot);
+  if (scan.empty()) return;
+  add(Kind::Scan, scan);
+  append_record(newest_, Kind::Scan, scan);
+  scan.clear();
+}
+
+void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
+  std::string fields;
+  CompactFields out(fields);
+  out.count(robot);
+  out.time(time);
+  append_goal(out, plan.goal, plan.usable() ? 1U : 0U);
+  out.text(plan.usable() ? "" : plan.reason());
+  out.count(plan.path.waypoints.size());
+  PointDeltas points(out);
+  for (const Eigen::Vector2d& waypoint : plan.path.waypoints)
+    points.append(waypoint);
+  out.count(plan.corridor.rectangles.size());
+  PointDeltas seeds(out);
+  for (std::size_t i = 0; i < plan.corridor.rectangles.size(); ++i) {
+    const OrientedRectangle rectangle = plan.corridor.admissible(i);
+    seeds.append(rectangle.seed);
+    out.angle(rectangle.orientation);
+    out.point(rectangle.min);
+    out.point(rectangle.max);
+  }
+  add(Kind::Plan, fields);
+  plans_.at(robot) = std::move(fields);
+}
+
+// The number of the map that a robot drives on; tells it first, where it is new or has changed.
+std::uint64_t RunStream::tell_cells(double time, const BitGrid* grid) {
+  if (grid == nullptr || grid == true_map_) return kWorldSlot;
+  const CellTracker::Look look = tracker_.look(*grid);
+  const auto slot = static_cast<std::uint64_t>(look.slot) + 1;
+  if (!look.whole && !look.changed) return slot;
+  std::string fields;
+  if (look.whole) {
+    fields = seen_map_fields(slot, time, *grid);
+  } else {
+    CompactFields out(fields);
+    out.count(slot);
+    out.count(0);  // changes only
+    append_changes(out, time, *look.before, *grid);
+  }
+  tracker_.settle(*grid);
+  add(Kind::Cells, fields);
+  return slot;
+}
+
+bool RunStream::is_known(const MovingObstacle& obstacle) const {
+  return std::find(true_positions_.begin(), true_positions_.end(), obstacle.position) !=
+         true_positions_.end();
+}
+
+void RunStream::on_cycle(const NavigationCycle& cycle) {
+  tell_scan(cycle.robot);
+  const std::uint64_t slot = tell_cells(cycle.input.time, cycle.input.map);
+  const std::uint64_t occupied =
+      cycle.occupied == nullptr ? 0 : tell_cells(cycle.input.time, cycle.occupied);
+  std::string fields;
+  CompactFields out(fields);
+  out.count(cycle.robot);
+  out.count(slot);
+  out.point(cycle.input.pose.position);
+  out.angle(wrap_to_pi(cycle.input.pose.heading));
+  out.millis(cycle.twist.linear);
+  out.millis(cycle.twist.angular);
+  out.millis(cycle.step.command.linear);
+  out.millis(cycle.step.command.angular);
+  out.count(static_cast<std::uint64_t>(cycle.step.status));
+  out.count(static_cast<std::uint64_t>(cycle.step.limit));
+  out.count(cycle.step.rectangle);
+  out.millis(cycle.clearance);
+  out.millis(1e3 * cycle.seconds);  // microseconds
+  append_mark(out, cycle.mark);
+  append_prediction(out, cycle.step.plan);
+  // What the robot believes to move; the page knows the true bodies already.
+  std::vector<MovingObstacle> believed;
+  for (const MovingObstacle& obstacle : cycle.input.obstacles) {
+    if (!is_known(obstacle)) believed.push_back(obstacle);
+  }
+  append_obstacles(out, believed);
+  out.count(occupied);
+  add(Kind::Cycle, fields);
+  append_record(newest_, Kind::Cycle, fields);
+}
+
+void RunStream::tell_true_map(double time, const BitGrid& obstacles) {
+  std::string fields;
+  CompactFields out(fields);
+  out.count(kWorldSlot);
+  out.count(0);  // changes only
+  if (append_changes(out, time, shown_, obstacles) == 0) return;
+  add(Kind::Cells, fields);
+  const GridFrame& frame = shown_.frame();
+  for (int y = 0; y < frame.height; ++y) {
+    if (std::ranges::equal(shown_.row(y), obstacles.row(y))) continue;
+    for (int x = 0; x < frame.width; ++x) {
+      const bool blocked = obstacles.blocked({.x = x, .y = y});
+      if (blocked == shown_.blocked({.x = x, .y = y})) continue;
+      states_[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
+              static_cast<std::size_t>(x)] = blocked ? CellState::Occupied : CellState::Free;
+    }
+  }
+  shown_ = obstacles;
+}
+
+void RunStream::on_world(const WorldView& world) {
+  for (std::size_t i = 0; i < scans_.size(); ++i)
+    tell_scan(i);  // of those that had no cycle: they stand at their goals
+  tell_true_map(world.time, *world.obstacles);
+  true_map_ = world.obstacles;
+  true_positions_.clear();
+  for (const MovingObstacle& body : world.bodies)
+    true_positions_.push_back(body.position);
+  for (const UnicycleRobot& robot : world.robots)
+    true_positions_.push_back(robot.pose.position);
+  std::string fields;
+  CompactFields out(fields);
+  out.time(world.time);
+  append_obstacles(out, world.bodies);
+  out.count(world.robots.size());
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    out.point(world.robots[i].pose.position);
+    out.angle(wrap_to_pi(world.robots[i].pose.heading));
+    out.count(world.encounters[i].collided ? 1 : 0);
+  }
+  add(Kind::World, fields);
+  newest_.clear();
+  append_record(newest_, Kind::World, fields);
+}
+
+}  // namespace fairway::io

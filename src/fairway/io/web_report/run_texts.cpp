@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/web_report/run_texts.hpp"
+
+#include <cmath>
+#include <type_traits>
+
+#include "fairway/io/recording/message_text.hpp"
+#include "fairway/io/yaml/setting_text.hpp"
+#include "fairway/mpc/solution.hpp"
+#include "fairway/navigation/navigation_status.hpp"
+
+namespace fairway::io {
+
+namespace {
+
+using Json = nlohmann::json;
+
+template <typename Enumeration>
+Json texts(Enumeration last) {
+  Json list = Json::array();
+  for (int i = 0; i <= static_cast<int>(last); ++i)
+    list.push_back(to_text(static_cast<Enumeration>(i)));
+  return list;
+}
+
+template <typename Value>
+Json entry(const char* group, const Value& value, const SettingInfo& info) {
+  Json json{{"group", group}, {"name", info.name}, {"unit", info.unit}, {"meaning", info.meaning}};
+  if constexpr (std::is_same_v<Value, bool>) {
+    json["kind"] = "switch";
+    json["value"] = value;
+  } else if constexpr (std::is_enum_v<Value>) {
+    json["kind"] = "choice";
+    json["value"] = value_text(value);
+    json["choices"] = setting_names(value);
+  } else if constexpr (std::is_same_v<Value, BodyDiscs>) {
+    json["kind"] = "discs";
+    json["value"] = to_text(value);
+  } else {
+    json["kind"] = std::is_same_v<Value, int> ? "integer" : "number";
+    json["value"] = value;
+    if (std::isfinite(info.min)) json["min"] = info.min;
+    if (std::isfinite(info.max)) json["max"] = info.max;
+  }
+  return json;
+}
+
+Json point(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); }
+
+}  // namespace
+
+Json settings_list(const Settings& settings) {
+  Json list = Json::array();
+  visit_settings(settings, [&](const char* group, auto&& visit_fields) {
+    visit_fields([&](const auto& value, const SettingInfo& info) {
+      list.push_back(entry(group, value, info));
+    });
+  });
+  return list;
+}
+
+std::string begin_text(const Scenario& scenario) {
+  Json robots = Json::array();
+  for (const RobotTask& task : scenario.robots) {
+    Json goal = point(task.goal.position);
+    if (task.goal.heading) goal.push_back(*task.goal.heading);
+    robots.push_back(
+        {{"name", task.name},
+         {"start", {task.start.position.x(), task.start.position.y(), task.start.heading}},
+         {"goal", std::move(goal)}});
+  }
+  Json bodies = Json::array();
+  for (const MovingBody& body : scenario.bodies)
+    bodies.push_back(body.name);
+  return dumped({{"version", 1},
+                 {"name", scenario.name},
+                 {"robots", std::move(robots)},
+                 {"bodies", std::move(bodies)},
+                 {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
+                 {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
+                 {"statuses", texts(NavigationStatus::GoalReached)},
+                 {"limits", texts(LimitingFactor::NoPath)},
+                 {"rows", texts(RowKind::Barrier)},
+                 {"settings", settings_list(scenario.settings)}});
+}
+
+std::string tuning_text(double time, const Settings& settings) {
+  return dumped(
+      {{"time", std::isfinite(time) ? time : 0.0}, {"settings", settings_list(settings)}});
+}
+
+}  // namespace fairway::io

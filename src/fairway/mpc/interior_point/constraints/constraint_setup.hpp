@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/mpc/interior_point/workspace.hpp"
+
+namespace fairway::interior_point {
+
+/// Lists the elastic rows that some admissible command could violate. @pre the command limits are
+/// there.
+void load_elastic_rows(const ControlProblem& problem, Workspace& w) noexcept;
+
+}  // namespace fairway::interior_point

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point/initial_point.hpp"
+
+#include <algorithm>
+
+namespace fairway::interior_point {
+namespace {
+
+// How far a guess is drawn to the middle of the hard rows, and the drive that replaces one.
+constexpr double kInwards = 0.005;
+constexpr double kDriveInwards = 0.1;
+
+}  // namespace
+
+void load_guess(const Phases& phases,
+                const InitialGuess& guess,
+                const Workspace& w,
+                Point& point) noexcept {
+  const auto given = static_cast<std::size_t>(std::clamp(guess.count, 0, kMaxHorizon));
+  if (given == 0) phases.drive_to_targets(w, point);
+  for (std::size_t k = 0; given > 0 && k < w.horizon; ++k) {
+    const Twist2& command = guess.commands[std::min(k, given - 1)];
+    point.commands[kLinear][k + 1] = command.linear;
+    point.commands[kAngular][k + 1] = command.angular;
+  }
+  const double inwards = given > 0 ? kInwards : kDriveInwards;
+  for (std::size_t j = 0; j < 2; ++j) {
+    double* commands = point.commands[j].data() + 1;
+    const CommandLimits& limits = w.limits[j];
+    clip_to_reach(limits, static_cast<int>(w.horizon), commands);
+    for (std::size_t k = 0; k < w.horizon; ++k) {
+      const double middle = 0.5 * (limits.reach_low[k] + limits.reach_high[k]);
+      commands[k] += inwards * (middle - commands[k]);
+      if (limits.fixed[k]) commands[k] = limits.low[k];
+    }
+  }
+}
+
+}  // namespace fairway::interior_point

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/mpc/interior_point/kernels.hpp"
+#include "fairway/mpc/interior_point/workspace.hpp"
+
+namespace fairway::interior_point {
+
+/// Commands to start from, strictly inside every hard row: the guess, with its last command
+/// repeated, or without one a drive to the targets; drawn a little towards the middle of what can
+/// be reached.
+void load_guess(const Phases& phases,
+                const InitialGuess& guess,
+                const Workspace& w,
+                Point& point) noexcept;
+
+}  // namespace fairway::interior_point

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point/kernels.hpp"
+
+#include "fairway/mpc/interior_point/line_search.hpp"
+#include "fairway/mpc/interior_point/newton.hpp"
+#include "fairway/mpc/interior_point/rollout_guess.hpp"
+
+namespace fairway::interior_point {
+namespace {
+
+void drive_to_targets_128(const Workspace& w, Point& point) noexcept {
+  drive_to_targets<Lanes128>(w, point);
+}
+void evaluate_128(const Workspace& w, Point& point) noexcept { evaluate<Lanes128>(w, point); }
+void start_128(Workspace& w, double mu) noexcept { start<Lanes128>(w, mu); }
+OptimalityError linearise_128(Workspace& w, double mu) noexcept {
+  return linearise<Lanes128>(w, mu);
+}
+bool solve_newton_system_128(Workspace& w, double mu) noexcept {
+  return solve_newton_system<Lanes128>(w, mu);
+}
+bool take_step_128(Workspace& w, double mu, double boundary, Filter& filter) noexcept {
+  return take_step<Lanes128>(w, mu, boundary, filter);
+}
+
+#ifdef FAIRWAY_HAS_LANES256
+#define FAIRWAY_AVX2 [[gnu::target("avx2")]]
+FAIRWAY_AVX2 void drive_to_targets_256(const Workspace& w, Point& point) noexcept {
+  drive_to_targets<Lanes256>(w, point);
+}
+FAIRWAY_AVX2 void evaluate_256(const Workspace& w, Point& point) noexcept {
+  evaluate<Lanes256>(w, point);
+}
+FAIRWAY_AVX2 void start_256(Workspace& w, double mu) noexcept { start<Lanes256>(w, mu); }
+FAIRWAY_AVX2 OptimalityError linearise_256(Workspace& w, double mu) noexcept {
+  return linearise<Lanes256>(w, mu);
+}
+FAIRWAY_AVX2 bool solve_newton_system_256(Workspace& w, double mu) noexcept {
+  return solve_newton_system<Lanes256>(w, mu);
+}
+FAIRWAY_AVX2 bool take_step_256(Workspace& w, double mu, double boundary, Filter& filter) noexcept {
+  return take_step<Lanes256>(w, mu, boundary, filter);
+}
+#endif
+
+}  // namespace
+
+const Phases& phases_128() noexcept {
+  static constexpr Phases kPhases = {.drive_to_targets = drive_to_targets_128,
+                                     .evaluate = evaluate_128,
+                                     .start = start_128,
+                                     .linearise = linearise_128,
+                                     .solve_newton_system = solve_newton_system_128,
+                                     .take_step = take_step_128};
+  return kPhases;
+}
+
+const Phases* phases_256() noexcept {
+#ifdef FAIRWAY_HAS_LANES256
+  static constexpr Phases kPhases = {.drive_to_targets = drive_to_targets_256,
+                                     .evaluate = evaluate_256,
+                                     .start = start_256,
+                                     .linearise = linearise_256,
+                                     .solve_newton_system = solve_newton_system_256,
+                                     .take_step = take_step_256};
+  if (__builtin_cpu_supports("avx2") != 0) return &kPhases;
+#endif
+  return nullptr;
+}
+
+}  // namespace fairway::interior_point

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fairway/mpc/interior_point/constraints/bounds.hpp"
+#include "fairway/mpc/interior_point/constraints/soft_constraint_values.hpp"
+#include "fairway/mpc/interior_point/constraints/soft_constraints.hpp"
+#include "fairway/mpc/interior_point/filter.hpp"
+#include "fairway/mpc/interior_point/trajectory.hpp"
+#include "fairway/mpc/interior_point/workspace.hpp"
+
+namespace fairway::interior_point {
+
+inline constexpr double kNoResidual = 1e-9;  ///< below this, residuals count as closed
+
+/// Brings all that belongs to the commands of `point` up to date, save slacks.
+template <typename Lanes>
+FAIRWAY_LANES void evaluate(const Workspace& w, Point& point) noexcept {
+  roll_out<Lanes>(w, point);
+  evaluate_elastic_rows<Lanes>(w, point);
+}
+
+/// Sums of `point` over all rows, for the line search.
+template <typename Lanes>
+FAIRWAY_LANES void sum_rows(const Workspace& w, Point& point) noexcept {
+  LogSum<Lanes> logs;
+  add_room_logs(w, point, logs);
+  sum_elastic_rows(w, point, logs);
+  point.log_sum = logs.value();
+}
+
+/// Slacks and duals to start from at `mu`, given that `w.now` is evaluated.
+template <typename Lanes>
+FAIRWAY_LANES void start(Workspace& w, double mu) noexcept {
+  start_hard_rows<Lanes>(w, mu);
+  admit_near_rows<Lanes>(w, mu);
+  sum_rows<Lanes>(w, *w.now);
+}
+
+/// `w.trial` at `length` along the step.
+template <typename Lanes>
+FAIRWAY_LANES void move_to_trial(Workspace& w, double length) noexcept {
+  move_commands<Lanes>(w, length);
+  roll_out<Lanes>(w, *w.trial);
+  LogSum<Lanes> logs;
+  add_room_logs(w, *w.trial, logs);
+  move_elastic_rows(w, length, logs);
+  w.trial->log_sum = logs.value();
+}
+
+/// Eq. (S15).
+inline Progress progress(const Workspace& w, double mu, const Point& p) noexcept {
+  return {.barrier = p.cost + w.problem->violation_weight * p.excess_sum - mu * p.log_sum,
+          .residual = p.residual_sum};
+}
+
+/// Finds the steps of all rows for the Newton step in `w.step`, and goes along it.
+/// @return Whether a trial point was accepted and became `w.now`.
+template <typename Lanes>
+[[nodiscard]] FAIRWAY_LANES bool search_line(Workspace& w,
+                                             double mu,
+                                             double boundary,
+                                             Filter& filter) noexcept {
+  constexpr double kSufficient = 1e-4;  // part of the promised decrease that is asked for
+  constexpr double kRounding = 1e-12;   // of the barrier function, relative
+  constexpr int kMaxHalvings = 15;
+
+  const double hard_used = step_hard_rows<Lanes>(w, mu);
+  const auto elastic = step_elastic_rows<Lanes>(w, mu);
+  const double used = std::max(hard_used, greatest_of(elastic.used));
+  const double slope = w.step.slope + sum_of(elastic.product + elastic.slope);  // Eq. (S16)
+  const Progress before = progress(w, mu, *w.now);
+  const double rounding = kRounding * std::abs(before.barrier);
+
+  double length = used > boundary ? boundary / used : 1.0;
+  for (int halvings = 0; halvings <= kMaxHalvings; ++halvings, length *= 0.5) {
+    move_to_trial<Lanes>(w, length);
+    Progress after = progress(w, mu, *w.trial);
+    after.barrier -= rounding;
+    if (!std::isfinite(after.barrier + after.residual) || !filter.accepts(after)) continue;
+    // Where the barrier function falls fast compared with the residual, it has to fall as promised;
+    // elsewhere one of the two has to improve, and the filter remembers the pair.
+    const bool falls =
+        slope < 0.0 && (before.residual <= kNoResidual || length * slope * slope > before.residual);
+    const bool accepted = falls ? after.barrier <= before.barrier + kSufficient * length * slope
+                                : Filter::improves(after, before);
+    if (!accepted) continue;
+    if (!falls) filter.add(before);
+    std::swap(w.now, w.trial);
+    return true;
+  }
+  return false;
+}
+
+/// See Phases.
+template <typename Lanes>
+[[nodiscard]] FAIRWAY_LANES bool take_step(Workspace& w,
+                                           double mu,
+                                           double boundary,
+                                           Filter& filter) noexcept {
+  bool changed = false;  // whether the function that has to fall is another one now
+  if (search_line<Lanes>(w, mu, boundary, filter)) {
+    changed = admit_near_rows<Lanes>(w, mu);
+  } else {
+    if (w.now->residual_sum <= kNoResidual) return false;
+    absorb_residuals<Lanes>(w);
+    changed = true;
+  }
+  if (changed) {
+    sum_rows<Lanes>(w, *w.now);
+    filter.clear();
+  }
+  return true;
+}
+
+}  // namespace fairway::interior_point

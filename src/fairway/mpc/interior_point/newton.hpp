@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/mpc/interior_point/constraints/bounds.hpp"
+#include "fairway/mpc/interior_point/constraints/soft_constraints.hpp"
+#include "fairway/mpc/interior_point/riccati.hpp"
+#include "fairway/mpc/interior_point/stages.hpp"
+#include "fairway/mpc/interior_point/trajectory.hpp"
+
+namespace fairway::interior_point {
+
+/// Optimality conditions at the iterate, and what the next Newton system needs.
+template <typename Lanes>
+FAIRWAY_LANES OptimalityError linearise(Workspace& w, double mu) noexcept {
+  RowErrors<Lanes> rows;
+  linearise_hard_rows(w, mu, rows);
+  linearise_elastic_rows(w, mu, rows);
+  return optimality_error(rows, linearise_trajectory<Lanes>(w));
+}
+
+/// Solves the Newton system; without the curvature of rows and dynamics where it is not convex with
+/// it.
+template <typename Lanes>
+[[nodiscard]] FAIRWAY_LANES bool solve_newton_system(Workspace& w, double mu) noexcept {
+  // For problems without curvature by the commands.
+  constexpr double kLeastDamping = 1e-6;
+  constexpr double kMostDamping = 1e12;
+  bool exact = true;
+  for (double damping = 0.0; damping < kMostDamping;) {
+    build_stages<Lanes>(w, mu, exact);
+    if (riccati_backward<Lanes>(w, damping)) {
+      riccati_forward(w);
+      w.step.convex = exact;
+      return true;
+    }
+    if (!exact) damping = 10.0 * damping + kLeastDamping;
+    exact = false;
+  }
+  return false;
+}
+
+}  // namespace fairway::interior_point

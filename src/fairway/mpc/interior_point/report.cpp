@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fairway::interior_point {
+namespace {
+
+// Multipliers below this hold nothing back; inactive rows have about tolerance / room.
+constexpr double kActive = 1e-3;
+
+constexpr std::array<RowKind, 4> kHardKinds = {RowKind::LinearSpeed, RowKind::AngularSpeed,
+                                               RowKind::LinearChange, RowKind::AngularChange};
+
+RowName limiting_row(const Workspace& w) noexcept {
+  RowName name;
+  double most = kActive;
+  // The duals of four rows, the first of which is called `first`.
+  const auto take = [&](const Lanes128& dual, const RowName& first) {
+    if (!(greatest_of(dual) > most)) return;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (dual[lane] <= most) continue;
+      most = dual[lane];
+      name = first;
+      name.step += static_cast<int>(lane);
+    }
+  };
+  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
+    for (std::size_t b = 0; b < w.num_blocks; ++b) {
+      const HardRows::Block& block = w.hard[kind].blocks[b];
+      take(greatest(Lanes128(block.dual_low), Lanes128(block.dual_high)),
+           {.kind = kHardKinds[kind], .step = static_cast<int>(kLanes * b), .index = 0});
+    }
+  }
+  for (std::size_t b = 0; b < w.num_blocks; ++b) {
+    const RowRange& range = w.row_ranges[b];
+    for (std::size_t i = range.corridor; i < range.watched_barrier; ++i) {
+      if (i >= range.watched_corridor && i < range.barrier) continue;
+      const ElasticRow& row = w.elastic[i];
+      take(row.dual, {.kind = row.kind, .step = row.first_step, .index = row.index});
+    }
+  }
+  return name;
+}
+
+struct Violations {
+  double sum = 0.0;
+  double greatest = 0.0;
+};
+
+Violations violations_of(const Workspace& w, const Point& point) noexcept {
+  Lanes128 sum = 0.0;
+  Lanes128 worst = 0.0;
+  for (std::size_t i = 0; i < w.num_elastic; ++i) {
+    const Lanes128 violation = greatest(-Lanes128(point.rows[i].value), Lanes128(0.0));
+    sum += violation;
+    worst = greatest(worst, violation);
+  }
+  return {.sum = sum_of(sum), .greatest = greatest_of(worst)};
+}
+
+// Numbers that are not finite differ from themselves. What is added to them later is far smaller.
+bool all_finite(const Workspace& w, const Point& p) noexcept {
+  Lanes128 difference = 0.0;
+  for (const PoseArray* array :
+       {p.commands.data(), &p.commands[kAngular], &p.x, &p.y, &p.heading}) {
+    for (std::size_t k = 1; k <= kLanes * w.num_blocks; k += kLanes)
+      difference += lanes<Lanes128>(*array, k) - lanes<Lanes128>(*array, k);
+  }
+  return sum_of(difference) == 0.0;
+}
+
+}  // namespace
+
+double greatest_violation(const Workspace& w, const Point& point) noexcept {
+  return violations_of(w, point).greatest;
+}
+
+double penalised_cost(const Workspace& w, const Point& point) noexcept {
+  return point.cost + w.problem->violation_weight * violations_of(w, point).sum;
+}
+
+void clip_commands(const Workspace& w, Point& point) noexcept {
+  for (std::size_t j = 0; j < 2; ++j)
+    clip_to_limits(w.limits[j], w.problem->horizon, point.commands[j].data() + 1);
+}
+
+bool report(const Workspace& w, MpcSolution& solution) noexcept {
+  const ControlProblem& problem = *w.problem;
+  const Point& p = *w.now;
+  solution.horizon = problem.horizon;
+  solution.cost = p.cost;
+  const Violations violations = violations_of(w, p);
+  solution.max_violation = violations.greatest;
+  solution.sum_violation = violations.sum;
+  const double x = problem.start.position.x();
+  const double y = problem.start.position.y();
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    solution.commands[k].linear = p.commands[kLinear][k + 1];
+    solution.commands[k].angular = p.commands[kAngular][k + 1];
+  }
+  for (std::size_t k = 0; k <= w.horizon; ++k) {
+    solution.poses[k].position.x() = x + p.x[k];
+    solution.poses[k].position.y() = y + p.y[k];
+    solution.poses[k].heading = p.heading[k] + w.full_turns;
+  }
+  solution.limiting = limiting_row(w);
+  return std::isfinite(p.cost) && std::isfinite(solution.sum_violation) && all_finite(w, p);
+}
+
+void report_invalid(const ControlProblem& problem, MpcSolution& solution) noexcept {
+  const auto finite_or_zero = [](double a) { return std::isfinite(a) ? a : 0.0; };
+  const Pose2 start = {.position = {finite_or_zero(problem.start.position.x()),
+                                    finite_or_zero(problem.start.position.y())},
+                       .heading = finite_or_zero(problem.start.heading)};
+  solution = {};
+  solution.status = SolveStatus::InvalidProblem;
+  solution.horizon = std::clamp(problem.horizon, 0, kMaxHorizon);
+  solution.commands.fill(Twist2{});
+  solution.poses.fill(start);
+}
+
+}  // namespace fairway::interior_point

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point/solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/interior_point/initial_point.hpp"
+#include "fairway/mpc/interior_point/kernels.hpp"
+#include "fairway/mpc/interior_point/report.hpp"
+#include "fairway/mpc/interior_point/setup.hpp"
+
+namespace fairway {
+namespace interior_point {
+namespace {
+
+// Barrier parameter: when it is lowered, and how far, Eq. (S17).
+constexpr double kSolvedEnough = 30.0;  // error of a barrier problem over mu
+constexpr double kLinearDecrease = 0.2;
+constexpr double kLastBarrier = 0.1;     // of the tolerance
+constexpr double kLeastBarrier = 1e-12;  // below it, the products of slacks and duals are rounding
+constexpr double kMostViolated = 0.1;    // of the price [m or m^2]: more does not raise the first
+// Part of the room that a step may use, at least; more as far as mu falls.
+constexpr double kBoundary = 0.99;
+constexpr double kBoundaryByDecrease = 0.5;
+// Rows must close far below what counts as a violation.
+constexpr double kResidualTolerance = 1e-8;
+// A step of the commands that is only rounding.
+constexpr double kRoundingStep = 1e-14;
+
+// The barrier parameter to begin with: greater where the start violates rows, because then the
+// duals have to go far, some up to the price itself.
+double first_barrier(const Workspace& w, const InteriorPointSettings& settings) noexcept {
+  const double violated = settings.barrier_by_violation * greatest_violation(w, *w.now);
+  return std::max(settings.initial_barrier,
+                  std::min(kMostViolated, violated) * w.problem->violation_weight);
+}
+
+double next_barrier(double mu, double least, const OptimalityError& error) noexcept {
+  while (mu > least && error.at(mu) < kSolvedEnough * mu)
+    mu = std::max(least, std::min(kLinearDecrease * mu, mu * std::sqrt(mu)));
+  return mu;
+}
+
+bool is_rounding(const NewtonStep& step, std::size_t horizon) noexcept {
+  for (const PoseArray& commands : step.commands) {
+    for (std::size_t k = 1; k <= horizon; ++k) {
+      if (!(std::abs(commands[k]) < kRoundingStep)) return false;
+    }
+  }
+  return true;
+}
+
+SolveStatus iterate(const Phases& phases,
+                    const InteriorPointSettings& settings,
+                    Workspace& w,
+                    int& iterations) noexcept {
+  const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
+  w.step.convex = true;
+  phases.evaluate(w, *w.now);
+  double mu = first_barrier(w, settings);
+  w.first_slack = settings.first_slack;
+  phases.start(w, mu);
+  Filter filter;
+  for (iterations = 0;; ++iterations) {
+    const OptimalityError error = phases.linearise(w, mu);
+    if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
+      return SolveStatus::Solved;
+    if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
+
+    const double next = next_barrier(mu, least_barrier, error);
+    const bool lowered = next < mu;
+    if (lowered) filter.clear();
+    mu = next;
+    if (!phases.solve_newton_system(w, mu)) return SolveStatus::Stalled;
+    if (!lowered && is_rounding(w.step, w.horizon)) return SolveStatus::Stalled;
+    // A slack that is left far less than mu over its dual would drive its dual up afterwards.
+    const double boundary =
+        std::max(kBoundary, 1.0 - kBoundaryByDecrease * mu / error.greatest_product);
+    if (!phases.take_step(w, mu, boundary, filter)) return SolveStatus::Stalled;
+  }
+}
+
+// Goes on from an answer that is stationary but no minimum: the Hessian was not positive definite
+// on the last step to it. So it is straight behind an obstacle with as much room to the left as to
+// the right. The answer stays what it was unless a better one is found to the left.
+void leave_saddle(const Phases& phases,
+                  const InteriorPointSettings& settings,
+                  Workspace& w,
+                  int& iterations) noexcept {
+  constexpr double kNudge = 0.2;  // of the room that commands have
+  const std::array<PoseArray, 2> saddle = w.now->commands;
+  const double merit = penalised_cost(w, *w.now);
+  InitialGuess beside{.count = static_cast<int>(w.horizon), .commands = {}};
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    const double angular = saddle[kAngular][k + 1];
+    beside.commands[k] = {
+        .linear = saddle[kLinear][k + 1],
+        .angular = angular + kNudge * (w.limits[kAngular].reach_high[k] - angular)};
+  }
+  load_guess(phases, beside, w, *w.now);
+  InteriorPointSettings rest = settings;
+  rest.max_iterations -= iterations;
+  int more = 0;
+  const SolveStatus status = iterate(phases, rest, w, more);
+  iterations += more;
+  if (status == SolveStatus::Solved && penalised_cost(w, *w.now) < merit) return;
+  w.now->commands = saddle;
+  phases.evaluate(w, *w.now);
+}
+
+bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcept {
+  const bool a_solved = a.status == SolveStatus::Solved;
+  const bool b_solved = b.status == SolveStatus::Solved;
+  if (a_solved != b_solved) return a_solved;
+  return a.cost + price * a.sum_violation < b.cost + price * b.sum_violation;
+}
+
+}  // namespace
+}  // namespace interior_point
+
+InteriorPointSolver::InteriorPointSolver() noexcept
+    : phases_(interior_point::phases_256() != nullptr ? interior_point::phases_256()
+                                                      : &interior_point::phases_128()) {}
+
+const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
+                                              const InitialGuess& guess,
+                                              const InteriorPointSettings& settings) noexcept {
+  const ProblemFault fault = validate(problem);
+  const bool contradiction = fault == ProblemFault::Contradiction;
+  if (fault != ProblemFault::None && !contradiction) {
+    interior_point::report_invalid(problem, solution_);
+    return solution_;
+  }
+  interior_point::Workspace& w = workspace_;
+  const interior_point::Phases& phases = *phases_;
+  interior_point::load_problem(problem, w);
+  interior_point::load_guess(phases, guess, w, *w.now);
+  solution_.status = interior_point::iterate(phases, settings, w, solution_.iterations);
+  if (solution_.status == SolveStatus::Solved && !w.step.convex)
+    interior_point::leave_saddle(phases, settings, w, solution_.iterations);
+
+  // An unfinished answer must not be worse than the guess was.
+  interior_point::clip_commands(w, *w.now);
+  phases.evaluate(w, *w.now);
+  if (solution_.status != SolveStatus::Solved) {
+    interior_point::load_guess(phases, guess, w, *w.trial);
+    interior_point::clip_commands(w, *w.trial);
+    phases.evaluate(w, *w.trial);
+    if (!(interior_point::penalised_cost(w, *w.now) <= interior_point::penalised_cost(w, *w.trial)))
+      std::swap(w.now, w.trial);
+  }
+  if (!interior_point::report(w, solution_)) {
+    interior_point::report_invalid(problem, solution_);
+    return solution_;
+  }
+  const bool violated = solution_.max_violation > kFeasibilityTolerance || contradiction;
+  if (solution_.status == SolveStatus::Solved && violated)
+    solution_.status = SolveStatus::LeastViolation;
+  return solution_;
+}
+
+const MpcSolution& InteriorPointSolver::solve_best(const ControlProblem& problem,
+                                                   std::span<const InitialGuess> guesses,
+                                                   const InteriorPointSettings& settings) noexcept {
+  if (guesses.empty()) return solve(problem, {}, settings);
+  int iterations = 0;
+  for (const InitialGuess& guess : guesses) {
+    const bool first = &guess == guesses.data();
+    solve(problem, guess, settings);
+    iterations += solution_.iterations;
+    if (first || interior_point::is_better(solution_, best_, problem.violation_weight))
+      best_ = solution_;
+  }
+  best_.iterations = iterations;
+  return best_;
+}
+
+}  // namespace fairway

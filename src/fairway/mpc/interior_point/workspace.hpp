@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "fairway/base/simd.hpp"
+#include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/interior_point/constraints/command_limits.hpp"
+#include "fairway/mpc/solution.hpp"
+
+// The numbers that the interior-point solver works on. Steps are computed four at a time: block b
+// holds commands 4 b .. 4 b + 3 and the poses that they lead to. Beyond the horizon commands, poses
+// and weights are zero, and rows are satisfied whatever happens. Symbols as in docs/solver.md.
+
+namespace fairway::interior_point {
+
+/// Greatest ratio of room * dual to mu, and back, (S13).
+inline constexpr double kCentrality = 100.0;
+
+inline constexpr std::size_t kMaxBlocks = (kMaxHorizon + kLanes - 1) / kLanes;
+inline constexpr std::size_t kMaxElasticRows =
+    kMaxBlocks * (4 * kMaxRectanglesPerStep + kMaxObstacles);
+
+/// Entry k belongs to command k = 0..N-1 and to the pose after it.
+using StepArray = std::array<double, kLanes * kMaxBlocks>;
+/// Entry k belongs to pose k = 0..N, or to command k - 1.
+using PoseArray = std::array<double, kLanes*(kMaxBlocks + 1)>;
+
+/// Indices of what there is one of for linear and one for angular commands.
+inline constexpr std::size_t kLinear = 0;
+inline constexpr std::size_t kAngular = 1;
+
+/// Four steps of one elastic row at one point. Slacks are not determined by the commands alone.
+struct RowState {
+  Four value;          ///< c
+  Four slack, excess;  ///< s and e
+};
+
+/// Commands and all that follows from them; the line search fills a second one.
+struct Point {
+  std::array<PoseArray, 2> commands;  ///< u_k or r_k is entry k + 1, entry 0 the previous command
+  PoseArray x, y, heading;            ///< relative to the start position; heading to its full turns
+  StepArray cosine, sine;             ///< of phi_k, the heading that step k moves along
+  std::array<RowState, kMaxElasticRows> rows;
+  double cost = 0.0;          ///< Eq. (S2)
+  double log_sum = 0.0;       ///< of all rooms, slacks and excesses
+  double excess_sum = 0.0;    ///< sum of e
+  double residual_sum = 0.0;  ///< sum of |c + e - s|
+};
+
+/// Rows  low < t < high  of one coordinate, for its commands or for their changes; strictly inside
+/// at all times. A row that is not needed has bounds so far away that it has no weight.
+struct HardRows {
+  struct Block {
+    Four low, high;
+    Four dual_low, dual_high;
+    Four inverse_below, inverse_above;  ///< 1 / (t - low), 1 / (high - t)
+  };
+  std::array<Block, kMaxBlocks> blocks;
+  // What they add to the model, by t:
+  PoseArray curvature;  ///< Sigma = dual_low / below + dual_high / above
+  PoseArray by_mu;      ///< gradient of the barrier over mu: 1 / above - 1 / below
+  PoseArray dual;       ///< gradient of the Lagrangian: dual_high - dual_low
+};
+
+/// Four steps of one elastic row  c + e = s,  s >= 0, e >= 0, with price w e; y is the multiplier
+/// of the row, z = w - y that of e >= 0.
+struct ElasticRow {
+  RowKind kind = RowKind::None;
+  int index = 0;                          ///< as in RowName
+  int first_step = 0;                     ///< of the pose that its first lane restrains
+  Four offset;                            ///< Corridor: c = offset + normal . p_k
+  Four normal_x, normal_y;                ///< gradient of c by p_k
+  Four normal_before_x, normal_before_y;  ///< Barrier: gradient of c by p_{k-1}
+  Four centre_x, centre_y;                ///< Barrier: o_k
+  Four centre_before_x, centre_before_y;  ///< Barrier: o_{k-1}
+  Four retention;                         ///< Barrier: beta, 0 beyond the horizon
+  Four near;                              ///< watched while the value is above this
+  Four dual, excess_dual;                 ///< y, z
+  Four curvature;                         ///< sigma = y z / (s z + e y)
+  Four dual_by_mu;                        ///< derivative of y hat by mu, (z - y) / (s z + e y)
+  Four dual_change;                       ///< dy
+  Four slack_ratio, excess_ratio;         ///< ds / s and de / e
+};
+
+/// The elastic rows of one block: its corridor sides, then its obstacles; of both first those that
+/// the iterates have come near, then those that are only watched.
+struct RowRange {
+  std::size_t corridor = 0, watched_corridor = 0;
+  std::size_t barrier = 0, watched_barrier = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] bool has_corridors() const noexcept { return corridor < watched_corridor; }
+  [[nodiscard]] bool has_barriers() const noexcept { return barrier < watched_barrier; }
+};
+
+/// What elastic rows add to the model by the position of four poses.
+struct PositionTerms {
+  Four xx, xy, yy;          ///< sum of sigma grad c grad c^T
+  Four bend;                ///< curvature of the rows: that times I
+  Four dual_x, dual_y;      ///< sum of y grad c
+  Four target_x, target_y;  ///< sum of y hat grad c, at mu = 0 ...
+  Four by_mu_x, by_mu_y;    ///< ... and its derivative by mu
+};
+
+/// Second derivatives of elastic rows by p_k (first) and p_{k-1} (second).
+struct CouplingTerms {
+  Four xx, xy, yx, yy;
+};
+
+/// Quadratic model of the problem around the present point.
+struct Model {
+  /// By p_k, the pose after the step; zero where no row is near.
+  std::array<PositionTerms, kMaxBlocks> now;
+  // Only where there are obstacles near:
+  std::array<PositionTerms, kMaxBlocks> before;  ///< by p_{k-1}
+  std::array<CouplingTerms, kMaxBlocks> coupling;
+  PoseArray phi_phi, linear_phi;      ///< curvature of the dynamics times the costate, by step
+  std::array<StepArray, 2> gradient;  ///< of the cost by the commands
+};
+
+/// One step of the Newton system in the coordinates of section 3 of docs/solver.md: rows of
+/// matrices over (x, y, heading), with the gradient in the last lane.
+struct Stage {
+  Four pose_x, pose_y, pose_heading;  ///< Hessian by the pose after the step
+  Four linear, angular;               ///< Hessian by the command and the pose before the step
+  Four motion;                        ///< B: (x, y) by u, (x, y) by r
+  Four command;                       ///< Hessian by the command: (uu, ur, rr); B: heading by r
+  Four coupling;  ///< minus the Hessian by the command and the one before: (u, r), then that by
+                  ///< the one before: (u, r)
+};
+
+/// Feedback of the Riccati recursion, dnu_k = gain . (pose before step k - 1, 1) + change .
+/// dnu_{k-1}.
+struct Feedback {
+  std::array<Four, 2> gain;
+  std::array<std::array<double, 2>, 2> change;
+};
+
+/// Solution of the Newton system.
+struct NewtonStep {
+  std::array<PoseArray, 2> commands;  ///< indexed as in Point; entry 0 is zero
+  PoseArray x, y;                     ///< where it moves the positions, to first order
+  double slope = 0.0;                 ///< gradient of the model along it
+  bool convex = true;                 ///< whether the exact Hessian was positive definite
+};
+
+struct Workspace {
+  const ControlProblem* problem = nullptr;
+  std::size_t horizon = 0;
+  std::size_t num_blocks = 0;
+  double half_turn = 0.0;    ///< d phi_k / d r_k: dt / 2 with midpoint integration, else 0
+  double full_turns = 0.0;   ///< taken off all headings [rad]
+  double first_slack = 0.0;  ///< least slack of an elastic row to begin with
+  StepArray target_x, target_y, target_heading, weight_x, weight_y, weight_heading;
+  std::array<StepArray, 2> command_weight;
+  std::array<PoseArray, 2> change_weight;  ///< entry k is that of nu_k - nu_{k-1}
+  std::array<CommandLimits, 2> limits;
+  std::array<StepArray, 2> is_free;     ///< 1, or 0 where the command is fixed
+  std::array<StepArray, 2> is_coupled;  ///< 1, or 0 where it or the one before is fixed
+
+  std::array<Point, 2> points;
+  Point* now = nullptr;          ///< the iterate
+  Point* trial = nullptr;        ///< the other one
+  std::array<HardRows, 4> hard;  ///< of u, r, and where there are any of their changes
+  std::size_t num_hard = 2;      ///< 2 without change bounds, else 4
+  std::array<ElasticRow, kMaxElasticRows> elastic;
+  std::array<RowRange, kMaxBlocks> row_ranges;
+  std::size_t num_elastic = 0;  ///< of those, each for four steps, watched ones included
+  Model model;
+  std::array<Stage, kMaxBlocks * kLanes> stages;
+  std::array<Feedback, kMaxHorizon> feedback;
+  NewtonStep step;
+};
+
+}  // namespace fairway::interior_point

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/ipopt/ipopt_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/mpc/derivatives.hpp"
+#include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/step_index.hpp"
+
+namespace fairway {
+namespace {
+
+using Ipopt::Index;
+using Ipopt::Number;
+
+constexpr Number kUnbounded = 2e19;         // IPOPT: beyond 1e19 there is no bound
+constexpr double kActiveMultiplier = 1e-5;  // below, a row holds nothing back
+
+double component(const Twist2& twist, int axis) noexcept {
+  return axis == 0 ? twist.linear : twist.angular;
+}
+
+}  // namespace
+
+void IpoptProblem::set(const ControlProblem& problem,
+                       const std::array<Twist2, kMaxHorizon>& start) {
+  problem_ = &problem;
+  commands_ = start;
+  rollout(problem, commands_, poses_);
+  limiting_ = {};
+  elastic_rows_.clear();
+  visit_elastic_rows(problem, [&](const RowName& row) { elastic_rows_.push_back(row); });
+  change_rows_.clear();
+  for (int k = 1; k < problem.horizon; ++k) {
+    for (int axis = 0; axis < 2; ++axis) {
+      if (std::isfinite(component(problem.max_change, axis))) change_rows_.push_back({k, axis});
+    }
+  }
+}
+
+Index IpoptProblem::num_slacks() const {
+  return mode_ == IpoptRows::Elastic ? static_cast<Index>(elastic_rows_.size()) : 0;
+}
+
+Index IpoptProblem::slack_index(std::size_t row) const {
+  return 5 * problem_->horizon + static_cast<Index>(row);
+}
+
+Index IpoptProblem::elastic_constraint(std::size_t row) const {
+  return 3 * problem_->horizon + static_cast<Index>(change_rows_.size() + row);
+}
+
+void IpoptProblem::read(const Number* x) {
+  for (int k = 0; k < problem_->horizon; ++k) {
+    const Number* command = x + command_index(k);
+    commands_[step_index(k)] = {.linear = command[0], .angular = command[1]};
+    const Number* pose = x + pose_index(k + 1);
+    poses_[step_index(k + 1)] = {.position = {pose[0], pose[1]}, .heading = pose[2]};
+  }
+}
+
+bool IpoptProblem::get_nlp_info(
+    Index& n, Index& m, Index& nnz_jac_g, Index& nnz_h_lag, IndexStyleEnum& index_style) {
+  n = 5 * problem_->horizon + num_slacks();
+  m = elastic_constraint(elastic_rows_.size());
+  nnz_jac_g = 0;
+  visit_jacobian([&](Index, Index, Number) { ++nnz_jac_g; });
+  nnz_h_lag = 0;
+  const std::vector<Number> zeros(step_index(m), 0.0);
+  visit_hessian(0.0, zeros.data(), [&](Index, Index, Number) { ++nnz_h_lag; });
+  index_style = C_STYLE;
+  return true;
+}
+
+bool IpoptProblem::get_bounds_info(
+    Index n, Number* x_l, Number* x_u, Index m, Number* g_l, Number* g_u) {
+  std::fill(x_l, x_l + n, -kUnbounded);
+  std::fill(x_u, x_u + n, kUnbounded);
+  const ControlProblem& problem = *problem_;
+  for (int k = 0; k < problem.horizon; ++k) {
+    const bool stopped = problem.stop_at_end && k == problem.horizon - 1;
+    for (int axis = 0; axis < 2; ++axis) {
+      const Index i = command_index(k) + axis;
+      x_l[i] = stopped ? 0.0 : component(problem.command_min, axis);
+      x_u[i] = stopped ? 0.0 : component(problem.command_max, axis);
+      if (k > 0) continue;
+      const double before = component(problem.previous_command, axis);
+      const double change = component(problem.max_change, axis);
+      // Where rounding makes range and change disagree, the range wins (see validate).
+      x_l[i] = std::min(std::max(x_l[i], before - change), x_u[i]);
+      x_u[i] = std::max(std::min(x_u[i], before + change), x_l[i]);
+    }
+  }
+  std::fill(x_l + slack_index(0), x_l + n, 0.0);
+
+  std::fill(g_l, g_l + m, 0.0);
+  std::fill(g_u, g_u + m, 0.0);
+  Index row = 3 * problem.horizon;
+  for (const ChangeRow& change : change_rows_) {
+    g_u[row] = component(problem.max_change, change.axis);
+    g_l[row] = -g_u[row];
+    ++row;
+  }
+  std::fill(g_u + row, g_u + m, kUnbounded);
+  return true;
+}
+
+bool IpoptProblem::get_starting_point(Index n,
+                                      bool init_x,
+                                      Number* x,
+                                      bool init_z,
+                                      Number* /*z_L*/,
+                                      Number* /*z_U*/,
+                                      Index /*m*/,
+                                      bool init_lambda,
+                                      Number* /*lambda*/) {
+  if (!init_x || init_z || init_lambda) return false;
+  for (int k = 0; k < problem_->horizon; ++k) {
+    Number* command = x + command_index(k);
+    command[0] = commands_[step_index(k)].linear;
+    command[1] = commands_[step_index(k)].angular;
+    const Pose2& next = poses_[step_index(k + 1)];
+    Number* pose = x + pose_index(k + 1);
+    pose[0] = next.position.x();
+    pose[1] = next.position.y();
+    pose[2] = next.heading;
+  }
+  for (Index i = slack_index(0); i < n; ++i) {
+    const RowName& row = elastic_rows_[step_index(i - slack_index(0))];
+    x[i] = std::max(0.0, -elastic_row(*problem_, poses_, row).margin);
+  }
+  return true;
+}
+
+bool IpoptProblem::eval_f(Index n, const Number* x, bool /*new_x*/, Number& obj_value) {
+  read(x);
+  obj_value = cost(*problem_, commands_, poses_);
+  for (Index i = slack_index(0); i < n; ++i)
+    obj_value += problem_->violation_weight * x[i];
+  return true;
+}
+
+bool IpoptProblem::eval_grad_f(Index n, const Number* x, bool /*new_x*/, Number* grad_f) {
+  read(x);
+  for (int k = 0; k < problem_->horizon; ++k) {
+    Eigen::Map<Eigen::Vector2d>(grad_f + command_index(k)) =
+        cost_gradient_by_command(*problem_, commands_, k);
+    Eigen::Map<Eigen::Vector3d>(grad_f + pose_index(k + 1)) =
+        cost_gradient_by_pose(*problem_, poses_[step_index(k + 1)], k + 1);
+  }
+  std::fill(grad_f + slack_index(0), grad_f + n, problem_->violation_weight);
+  return true;
+}
+
+bool IpoptProblem::eval_g(Index /*n*/, const Number* x, bool /*new_x*/, Index /*m*/, Number* g) {
+  read(x);
+  const ControlProblem& problem = *problem_;
+  for (int k = 0; k < problem.horizon; ++k) {
+    // Eq. (15b): pose k + 1 is where command k leads from pose k.
+    const Pose2 next =
+        step(poses_[step_index(k)], commands_[step_index(k)], problem.dt, problem.integration);
+    const Pose2& pose = poses_[step_index(k + 1)];
+    g[3 * k] = pose.position.x() - next.position.x();
+    g[3 * k + 1] = pose.position.y() - next.position.y();
+    g[3 * k + 2] = pose.heading - next.heading;
+  }
+  Number* change = g + 3 * problem.horizon;
+  for (const ChangeRow& row : change_rows_) {
+    *change++ = component(commands_[step_index(row.step)], row.axis) -
+                component(commands_[step_index(row.step - 1)], row.axis);
+  }
+  for (std::size_t i = 0; i < elastic_rows_.size(); ++i) {
+    g[elastic_constraint(i)] = elastic_row(problem, poses_, elastic_rows_[i]).margin +
+                               (num_slacks() > 0 ? x[slack_index(i)] : 0.0);
+  }
+  return true;
+}
+
+template <typename Sink>
+void IpoptProblem::visit_jacobian(Sink&& sink) const {
+  const ControlProblem& problem = *problem_;
+  for (int k = 0; k < problem.horizon; ++k) {
+    const StepJacobian jacobian = step_jacobian(poses_[step_index(k)], commands_[step_index(k)],
+                                                problem.dt, problem.integration);
+    for (int i = 0; i < 3; ++i) {
+      const Index row = 3 * k + i;
+      sink(row, pose_index(k + 1) + i, 1.0);
+      if (k > 0) {
+        sink(row, pose_index(k) + i, -1.0);
+        if (i < 2) sink(row, pose_index(k) + 2, -jacobian.by_pose(i, 2));
+      }
+      if (i < 2) sink(row, command_index(k), -jacobian.by_command(i, 0));
+      sink(row, command_index(k) + 1, -jacobian.by_command(i, 1));
+    }
+  }
+  Index change = 3 * problem.horizon;
+  for (const ChangeRow& row : change_rows_) {
+    sink(change, command_index(row.step) + row.axis, 1.0);
+    sink(change, command_index(row.step - 1) + row.axis, -1.0);
+    ++change;
+  }
+  for (std::size_t i = 0; i < elastic_rows_.size(); ++i) {
+    const RowName& name = elastic_rows_[i];
+    const ElasticRow row = elastic_row(problem, poses_, name);
+    for (int axis = 0; axis < 2; ++axis) {
+      sink(elastic_constraint(i), pose_index(name.step) + axis, row.gradient[axis]);
+      if (name.kind == RowKind::Barrier && name.step > 1)
+        sink(elastic_constraint(i), pose_index(name.step - 1) + axis, row.gradient_before[axis]);
+    }
+    if (num_slacks() > 0) sink(elastic_constraint(i), slack_index(i), 1.0);
+  }
+}
+
+// The part of -lambda . next pose, lower triangle; pose 0 is not a variable.
+template <typename Sink>
+void IpoptProblem::visit_step_hessian(int k, const Number* lambda, Sink&& sink) const {
+  const Eigen::Vector3d multiplier(lambda[3 * k], lambda[3 * k + 1], lambda[3 * k + 2]);
+  const Eigen::Matrix3d hessian = -step_hessian(poses_[step_index(k)], commands_[step_index(k)],
+                                                problem_->dt, problem_->integration, multiplier);
+  const Index linear = command_index(k);
+  const Index angular = linear + 1;
+  sink(angular, linear, hessian(1, 2));
+  sink(angular, angular, hessian(2, 2));
+  if (k == 0) return;
+  const Index heading = pose_index(k) + 2;  // before command k in the vector
+  sink(heading, heading, hessian(0, 0));
+  sink(linear, heading, hessian(0, 1));
+  sink(angular, heading, hessian(0, 2));
+}
+
+// Lower triangle of obj_factor * cost + lambda . constraints; equal places are added up by IPOPT.
+template <typename Sink>
+void IpoptProblem::visit_hessian(Number obj_factor, const Number* lambda, Sink&& sink) const {
+  const ControlProblem& problem = *problem_;
+  for (int k = 0; k < problem.horizon; ++k) {
+    const Eigen::Vector2d command = cost_hessian_by_command(problem, k);
+    const Eigen::Vector3d pose = 2.0 * problem.targets[step_index(k + 1)].weight;
+    for (int i = 0; i < 2; ++i) {
+      sink(command_index(k) + i, command_index(k) + i, obj_factor * command[i]);
+      if (k > 0) {
+        sink(command_index(k) + i, command_index(k - 1) + i,
+             obj_factor * -2.0 * problem.change_weight[i]);
+      }
+    }
+    for (int i = 0; i < 3; ++i)
+      sink(pose_index(k + 1) + i, pose_index(k + 1) + i, obj_factor * pose[i]);
+    visit_step_hessian(k, lambda, sink);
+  }
+  for (std::size_t i = 0; i < elastic_rows_.size(); ++i) {
+    const RowName& name = elastic_rows_[i];
+    if (name.kind != RowKind::Barrier) continue;  // corridor rows are linear
+    const ElasticRow row = elastic_row(problem, poses_, name);
+    const Number multiplier = lambda[elastic_constraint(i)];
+    for (int axis = 0; axis < 2; ++axis) {
+      const Index here = pose_index(name.step) + axis;
+      sink(here, here, multiplier * row.curvature);
+      if (name.step == 1) continue;
+      const Index before = pose_index(name.step - 1) + axis;
+      sink(before, before, multiplier * row.curvature_before);
+    }
+  }
+}
+
+bool IpoptProblem::eval_jac_g(Index /*n*/,
+                              const Number* x,
+                              bool /*new_x*/,
+                              Index /*m*/,
+                              Index /*nele_jac*/,
+                              Index* iRow,
+                              Index* jCol,
+                              Number* values) {
+  if (values == nullptr) {
+    visit_jacobian([&](Index row, Index column, Number) {
+      *iRow++ = row;
+      *jCol++ = column;
+    });
+    return true;
+  }
+  read(x);
+  visit_jacobian([&](Index, Index, Number value) { *values++ = value; });
+  return true;
+}
+
+bool IpoptProblem::eval_h(Index /*n*/,
+                          const Number* x,
+                          bool /*new_x*/,
+                          Number obj_factor,
+                          Index m,
+                          const Number* lambda,
+                          bool /*new_lambda*/,
+                          Index /*nele_hess*/,
+                          Index* iRow,
+                          Index* jCol,
+                          Number* values) {
+  if (values == nullptr) {
+    const std::vector<Number> zeros(step_index(m), 0.0);
+    visit_hessian(0.0, zeros.data(), [&](Index row, Index column, Number) {
+      *iRow++ = row;
+      *jCol++ = column;
+    });
+    return true;
+  }
+  read(x);
+  visit_hessian(obj_factor, lambda, [&](Index, Index, Number value) { *values++ = value; });
+  return true;
+}
+
+void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
+                                     Index /*n*/,
+                                     const Number* x,
+                                     const Number* z_L,
+                                     const Number* z_U,
+                                     Index /*m*/,
+                                     const Number* /*g*/,
+                                     const Number* lambda,
+                                     Number /*obj_value*/,
+                                     const Ipopt::IpoptData* /*ip_data*/,
+                                     Ipopt::IpoptCalculatedQuantities* /*ip_cq*/) {
+  read(x);
+  double greatest = kActiveMultiplier;
+  const auto offer = [&](const RowName& row, double multiplier) {
+    if (!(std::abs(multiplier) > greatest)) return;
+    greatest = std::abs(multiplier);
+    limiting_ = row;
+  };
+  for (int k = 0; k < problem_->horizon; ++k) {
+    for (int axis = 0; axis < 2; ++axis) {
+      const Index i = command_index(k) + axis;
+      const double multiplier = std::max(z_L[i], z_U[i]);
+      const double value = component(commands_[step_index(k)], axis);
+      const bool by_change =
+          k == 0 && component(problem_->command_min, axis) < value - kFeasibilityTolerance &&
+          component(problem_->command_max, axis) > value + kFeasibilityTolerance;
+      const RowKind speed = axis == 0 ? RowKind::LinearSpeed : RowKind::AngularSpeed;
+      const RowKind change = axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
+      offer({by_change ? change : speed, k, axis}, multiplier);
+    }
+  }
+  for (std::size_t i = 0; i < change_rows_.size(); ++i) {
+    const RowKind kind = change_rows_[i].axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
+    offer({kind, change_rows_[i].step, change_rows_[i].axis},
+          lambda[3 * problem_->horizon + static_cast<Index>(i)]);
+  }
+  for (std::size_t i = 0; i < elastic_rows_.size(); ++i)
+    offer(elastic_rows_[i], lambda[elastic_constraint(i)]);
+}
+
+}  // namespace fairway

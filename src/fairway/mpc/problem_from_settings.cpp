@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/problem_from_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fairway/base/contract.hpp"
+
+namespace fairway {
+
+namespace {
+
+struct Range {
+  double low;
+  double high;
+};
+
+// The speeds of `range`, and those that lead back to it from `last` with changes of `change`.
+Range reachable(const Range& range, double last, double change) noexcept {
+  return {.low = std::min(range.low, last + change), .high = std::max(range.high, last - change)};
+}
+
+// Commands lie within the range, the last one perhaps not; a change as wide as all that never
+// binds.
+double change_limit(double acceleration, double dt, const Range& range, double last) noexcept {
+  const double change = acceleration * dt;
+  const double widest = std::max(range.high, last) - std::min(range.low, last);
+  return change >= widest ? std::numeric_limits<double>::infinity() : change;
+}
+
+}  // namespace
+
+void set_from_settings(const MpcSettings& mpc,
+                       const RobotSettings& robot,
+                       const Twist2& last_command,
+                       ControlProblem& problem) noexcept {
+  FAIRWAY_EXPECTS(mpc.horizon >= 1 && mpc.horizon <= kMaxHorizon);
+  const double dt = mpc.step_length;
+  const Range linear{.low = robot.linear_min, .high = robot.linear_max};
+  const double turn = std::max(robot.angular_max, std::abs(last_command.angular));
+  const Range angular{.low = -robot.angular_max, .high = robot.angular_max};
+  problem.horizon = mpc.horizon;
+  problem.dt = dt;
+  problem.integration = mpc.integration;
+  problem.previous_command = last_command;
+  problem.max_change = {
+      .linear = change_limit(robot.linear_acceleration_max, dt, linear, last_command.linear),
+      .angular = change_limit(robot.angular_acceleration_max, dt, {-turn, turn}, 0.0)};
+  const Range linear_now = reachable(linear, last_command.linear, problem.max_change.linear);
+  const Range angular_now = reachable(angular, last_command.angular, problem.max_change.angular);
+  problem.command_min = {.linear = linear_now.low, .angular = angular_now.low};
+  problem.command_max = {.linear = linear_now.high, .angular = angular_now.high};
+  problem.command_weight = {mpc.weight_linear, mpc.weight_angular};
+  problem.change_weight = {mpc.weight_linear_change, mpc.weight_angular_change};
+  problem.penalise_first_change = mpc.penalise_first_change;
+  problem.cost_offset = 0.0;
+  problem.barrier_retention = 1.0 - mpc.decay_rate * dt;
+  problem.violation_weight = mpc.violation_weight;
+}
+
+}  // namespace fairway

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/planner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "fairway/corridor/corridor_builder.hpp"
+#include "fairway/map/free_space.hpp"
+#include "fairway/path/path_beginning.hpp"
+
+namespace fairway {
+
+namespace {
+
+// Shares of the wished margin and overlap that are tried in turn.
+constexpr std::array kMarginShares = {1.0, 0.5, 0.2, 0.05};
+struct CorridorTry {
+  double
+      margin_share;  // of the path's margin that stays in the rectangles' sides; the rest is play
+  double overlap_share;  // of the wished overlap
+};
+constexpr std::array kCorridorTries = {CorridorTry{0.5, 1.0}, CorridorTry{0.5, 0.25},
+                                       CorridorTry{0.5, 0.05}, CorridorTry{0.0, 0.25},
+                                       CorridorTry{0.0, 0.05}};
+
+// The disc that the corridor is built for; where start or goal have less room, what they have.
+double corridor_radius(const PreparedMap& map,
+                       const Eigen::Vector2d& start,
+                       const Eigen::Vector2d& goal,
+                       double robot_radius,
+                       double margin) {
+  const double wished = robot_radius + margin;
+  const double room = std::min(distance_to_blocked(map.obstacles, start, wished + 1.0),
+                               distance_to_blocked(map.obstacles, goal, wished + 1.0));
+  return std::max(0.0, std::min(wished, room - 4.0 * kFreeSpaceSkin));
+}
+
+// A robot that measures itself slightly inside an obstacle stands there all the same: plan for as
+// much of it as fits, so that it can leave. What it then does is still checked with all of it.
+double radius_that_fits(const PreparedMap& map, const Eigen::Vector2d& start, double radius) {
+  constexpr double kLeast = 0.9;  // share; a start with less room is blocked
+  const double room = distance_to_blocked(map.obstacles, start, radius + 1.0);
+  return room > radius ? radius : std::max(kLeast * radius, room - 4.0 * kFreeSpaceSkin);
+}
+
+// Adds to `sum` what the clock says that a stage took.
+class Stopwatch {
+ public:
+  Stopwatch(const std::function<double()>& clock, double& sum)
+      : clock_(clock),
+        sum_(sum),
+        start_(clock ? clock() : 0.0) {}
+  ~Stopwatch() {
+    if (clock_) sum_ += clock_() - start_;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  const std::function<double()>& clock_;
+  double& sum_;
+  double start_;
+};
+
+bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConnection; }
+
+}  // namespace
+
+Plan Planner::plan(const PreparedMap& map,
+                   const Eigen::Vector2d& start,
+                   const Goal& goal,
+                   const PlannerSettings& settings,
+                   const PlannerHooks& hooks) {
+  Plan plan;
+  plan.goal = goal;
+  // In the workspace the paper keeps Delta_s between path and walls; that already is the room
+  // needed.
+  const bool in_workspace = settings.corridor.space == CorridorSpace::Workspace;
+  const double body =
+      in_workspace ? std::max(settings.radius, settings.corridor.inward_offset) : settings.radius;
+  const double radius = radius_that_fits(map, start, body);
+  const bool may_shrink = settings.path.margin > 0.0 && !hooks.fixed_margin;
+  for (const double margin_share : kMarginShares) {
+    PathSettings path_settings = settings.path;
+    path_settings.margin = settings.path.margin * margin_share;
+    PathResult found;
+    {
+      const Stopwatch stopwatch(hooks.clock, plan.path_seconds);
+      found = path_planner_.find(map.obstacles, map.distances, start, goal.position, radius,
+                                 path_settings);
+    }
+    plan.path_status = found.status;
+    plan.margin = path_settings.margin;
+    if (found.status != PathStatus::Found) {
+      if (depends_on_margin(found.status) && may_shrink) continue;
+      return plan;
+    }
+    plan.path = std::move(found.path);
+    plan.whole = plan.path.length() <= hooks.corridor_length;
+    const Path driven = plan.whole ? plan.path : beginning_of(plan.path, hooks.corridor_length);
+    plan.goal = plan.whole ? goal : Goal{.position = driven.waypoints.back(), .heading = {}};
+    for (const CorridorTry& attempt : kCorridorTries) {
+      CorridorSettings corridor_settings = settings.corridor;
+      corridor_settings.min_overlap_area *= attempt.overlap_share;
+      const double corridor_body = corridor_radius(map, start, plan.goal.position, settings.radius,
+                                                   attempt.margin_share * path_settings.margin);
+      const Stopwatch stopwatch(hooks.clock, plan.corridor_seconds);
+      CorridorResult built =
+          hooks.build ? hooks.build(map.obstacles, driven, corridor_body, corridor_settings)
+                      : build_corridor(map.obstacles, driven, corridor_body, corridor_settings);
+      plan.corridor_status = built.status;
+      plan.corridor = std::move(built.corridor);
+      plan.stuck_at = built.stuck_at;
+      if (built.status == CorridorStatus::Built) return plan;
+    }
+    if (!may_shrink) break;
+  }
+  return plan;
+}
+
+}  // namespace fairway

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/safety/stop_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/map/footprint_clearance.hpp"
+#include "fairway/map/free_space.hpp"
+#include "fairway/mpc/control_problem.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Nearest approach of two points that move straight during one piece of time.
+double nearest_approach(const Vector2d& from, const Vector2d& to) noexcept {
+  const Vector2d d = to - from;
+  const double squared = d.squaredNorm();
+  const double t = squared > 0.0 ? std::clamp(-from.dot(d) / squared, 0.0, 1.0) : 0.0;
+  return (from + t * d).norm();
+}
+
+class StopCheck {
+ public:
+  StopCheck(const Pose2& pose, const CollisionEnvironment& surroundings) noexcept
+      : pose_(pose),
+        surroundings_(surroundings) {}
+
+  [[nodiscard]] double time() const noexcept { return time_; }
+
+  // Whether the body has its margin where it stands now.
+  [[nodiscard]] StopVerdict arrive() const noexcept {
+    const bool free =
+        !surroundings_.margin_where_it_stands ||
+        is_free(*surroundings_.obstacles, surroundings_.body, pose_, surroundings_.static_margin);
+    return free ? StopVerdict::Free : StopVerdict::HitsStatic;
+  }
+
+  // What comes nearer while the robot stands.
+  [[nodiscard]] StopVerdict stand(double duration) noexcept {
+    const Sweep still{.from = pose_, .to = pose_, .start = time_, .duration = duration};
+    time_ += duration;
+    return disc_meets_moving(still, surroundings_.body.circumscribed_radius())
+               ? StopVerdict::HitsMoving
+               : StopVerdict::Free;
+  }
+
+  // One cycle in which the twist ramps from `from` to `to`.
+  [[nodiscard]] StopVerdict ramp(const Twist2& from, const Twist2& to, double dt) noexcept {
+    const double h = dt / kRampPieces;
+    for (int i = 0; i < kRampPieces; ++i) {
+      const Twist2 mean = ramp_mean(from, to, i);
+      if (const StopVerdict verdict = piece(mean, h); verdict != StopVerdict::Free) return verdict;
+      pose_ = step(pose_, mean, h, Integration::Midpoint);
+      time_ += h;
+    }
+    return StopVerdict::Free;
+  }
+
+ private:
+  // First with the disc that covers the body; where that touches, with the body itself.
+  [[nodiscard]] StopVerdict piece(const Twist2& mean, double h) const noexcept {
+    const Footprint& body = surroundings_.body;
+    const Pose2 next = step(pose_, mean, h, Integration::Midpoint);
+    const Sweep whole{.from = pose_, .to = next, .start = time_, .duration = h};
+    const double radius = body.circumscribed_radius();
+    const double sagitta = std::abs(mean.linear * h * mean.angular * h) / 8.0;
+    StopVerdict verdict = StopVerdict::Free;
+    if (!is_free(*surroundings_.obstacles, pose_.position, next.position,
+                 radius + surroundings_.static_margin + sagitta)) {
+      verdict = StopVerdict::HitsStatic;
+    } else if (disc_meets_moving(whole, radius + sagitta)) {
+      verdict = StopVerdict::HitsMoving;
+    }
+    if (disc_meets_fleet(whole, radius + sagitta)) return StopVerdict::HitsMoving;
+    if (verdict == StopVerdict::Free || body.inscribed_radius() >= radius) return verdict;
+    if (surroundings_.turning_radius > 0.0 &&
+        !is_free(*surroundings_.obstacles, pose_.position, next.position,
+                 surroundings_.turning_radius + sagitta)) {
+      return StopVerdict::HitsStatic;
+    }
+
+    constexpr double kTurn = 0.02;  // [rad] per part
+    const int parts = 1 + static_cast<int>(std::abs(mean.angular) * h / kTurn);
+    Pose2 from = pose_;
+    for (int i = 0; i < parts; ++i) {
+      const Sweep part{.from = from,
+                       .to = step(from, mean, h / parts, Integration::Midpoint),
+                       .start = time_ + i * h / parts,
+                       .duration = h / parts};
+      if (!body_is_free(part)) return StopVerdict::HitsStatic;
+      if (body_meets_moving(part)) return StopVerdict::HitsMoving;
+      from = part.to;
+    }
+    return StopVerdict::Free;
+  }
+
+  // An even motion along an arc.
+  struct Sweep {
+    Pose2 from;
+    Pose2 to;
+    double start;     // [s]
+    double duration;  // [s]
+
+    [[nodiscard]] double turn() const noexcept { return std::abs(to.heading - from.heading); }
+    // An arc leaves its chord by at most length * turn / 8.
+    [[nodiscard]] double sagitta() const noexcept {
+      return (to.position - from.position).norm() * turn() / 8.0;
+    }
+  };
+
+  [[nodiscard]] bool body_is_free(const Sweep& sweep) const noexcept {
+    const Footprint& body = surroundings_.body;
+    const double margin = surroundings_.static_margin;
+    const auto keep = [&](double growth) {
+      return surroundings_.margin_where_it_stands ? std::max(margin, growth) : margin + growth;
+    };
+    if (body.is_rectangle()) {
+      // Along the middle heading the robot moves straight; at its ends it is turned by half.
+      const Pose2 middle{.position = 0.5 * (sweep.from.position + sweep.to.position),
+                         .heading = 0.5 * (sweep.from.heading + sweep.to.heading)};
+      OrientedRectangle swept = body.rectangle_at(middle);
+      const double half_way = 0.5 * (sweep.to.position - sweep.from.position).norm();
+      swept.min.x() -= half_way;
+      swept.max.x() += half_way;
+      const double corner = body.circumscribed_radius() * 0.5 * sweep.turn();
+      return is_free(*surroundings_.obstacles, swept, keep(sweep.sagitta() + corner));
+    }
+    for (int i = 0; i < body.num_discs(); ++i) {
+      const Footprint::Disc& disc = body.disc_at(i);
+      // The disc's own arc is longer than the robot's by at most its distance times the turn.
+      const double more = disc.center.norm() * sweep.turn() * sweep.turn() / 8.0;
+      if (!is_free(*surroundings_.obstacles, transform(sweep.from, disc.center),
+                   transform(sweep.to, disc.center), disc.radius + keep(sweep.sagitta() + more))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Where an obstacle is expected `time` seconds from now.
+  [[nodiscard]] Vector2d moving_at(const MovingObstacle& obstacle, double time) const noexcept {
+    return surroundings_.predict_motion
+               ? predicted_position(obstacle, surroundings_.moving_age + time)
+               : obstacle.position;
+  }
+
+  [[nodiscard]] bool disc_meets_moving(const Sweep& sweep, double radius) const noexcept {
+    for (const MovingObstacle& obstacle : surroundings_.moving) {
+      const Vector2d before = sweep.from.position - moving_at(obstacle, sweep.start);
+      const Vector2d after = sweep.to.position - moving_at(obstacle, sweep.start + sweep.duration);
+      const double keep = radius + obstacle.radius + surroundings_.moving_margin;
+      // Already too near: what counts is not to come nearer.
+      if (nearest_approach(before, after) < keep && after.norm() < before.norm()) return true;
+    }
+    return false;
+  }
+
+  // Other robots count as discs, and so does this one: they check against the same discs.
+  [[nodiscard]] bool disc_meets_fleet(const Sweep& sweep, double radius) const noexcept {
+    const double now = surroundings_.time + sweep.start;
+    for (const FleetMember& member : surroundings_.fleet) {
+      const SharedMotion& other = *member.motion;
+      const Vector2d before = sweep.from.position - other.stop.at(now);
+      const Vector2d after = sweep.to.position - other.stop.at(now + sweep.duration);
+      // Its samples are joined by straight lines; between them it leaves these by at most this.
+      const double interval = other.stop.interval;
+      const double sagitta =
+          (other.acceleration + other.speed_max * other.turn_max) * interval * interval / 8.0;
+      const double keep = radius + other.radius + sagitta + reach_beyond_stop(other, member.unseen);
+      if (nearest_approach(before, after) >= keep) continue;
+      // Already too near: what counts is not to come nearer.
+      if (after.norm() < before.norm()) return true;
+      // To what was told late, that is: if both went round each other, both would go by what is no
+      // longer so. One of two stands or goes straight away, within 60 degrees; then whatever the
+      // other one does in a few cycles without coming nearer to where it was, they part.
+      const Vector2d own = sweep.to.position - sweep.from.position;
+      const bool parts = own.dot(before) >= 0.5 * own.norm() * before.norm();
+      if (member.unseen > 0.0 && other.robot < surroundings_.robot && !parts) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool body_meets_moving(const Sweep& sweep) const noexcept {
+    const Footprint& body = surroundings_.body;
+    for (const MovingObstacle& obstacle : surroundings_.moving) {
+      const Vector2d first = moving_at(obstacle, sweep.start);
+      const Vector2d last = moving_at(obstacle, sweep.start + sweep.duration);
+      const double before = body.distance(inverse_transform(sweep.from, first));
+      const double after = body.distance(inverse_transform(sweep.to, last));
+      // Seen from the robot it moves along a curve of at most this length, and the distance changes
+      // no faster than it moves.
+      const double length =
+          (sweep.to.position - sweep.from.position - (last - first)).norm() + sweep.sagitta() +
+          sweep.turn() *
+              std::max((first - sweep.from.position).norm(), (last - sweep.to.position).norm());
+      const double nearest = 0.5 * (before + after - length);
+      const double keep = obstacle.radius + surroundings_.moving_margin;
+      if (nearest < keep && after < before) return true;
+    }
+    return false;
+  }
+
+  Pose2 pose_;
+  double time_ = 0.0;
+  CollisionEnvironment surroundings_;
+};
+
+}  // namespace
+
+bool is_late(Fleet fleet) noexcept {
+  return std::any_of(fleet.begin(), fleet.end(),
+                     [](const FleetMember& member) { return member.unseen > 0.0; });
+}
+
+StopOutcome follow_stop(const Pose2& pose,
+                        const Twist2& current,
+                        const Twist2& command,
+                        const StopSequence& stop,
+                        double dt,
+                        double hold,
+                        const CollisionEnvironment& surroundings) noexcept {
+  StopCheck check(pose, surroundings);
+  StopVerdict verdict = check.ramp(current, command, dt);
+  Twist2 before = command;
+  for (int i = 0; i < stop.count && verdict == StopVerdict::Free; ++i) {
+    const Twist2& next = stop.commands[static_cast<std::size_t>(i)];
+    verdict = check.ramp(before, next, dt);
+    before = next;
+  }
+  if (verdict == StopVerdict::Free) verdict = check.arrive();
+  while (verdict == StopVerdict::Free && check.time() < hold)
+    verdict = check.stand(dt);
+  return {.verdict = verdict, .time = check.time()};
+}
+
+StopVerdict check_stop(const Pose2& pose,
+                       const Twist2& current,
+                       const Twist2& command,
+                       const StopSequence& stop,
+                       double dt,
+                       const CollisionEnvironment& surroundings) noexcept {
+  return follow_stop(pose, current, command, stop, dt, 0.0, surroundings).verdict;
+}
+
+}  // namespace fairway

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/simulation/recorded/replay_check.hpp"
+
+#include <bit>
+#include <cstdint>
+
+#include "fairway/mpc/interior_point/real_time_solver.hpp"
+
+namespace fairway {
+
+namespace {
+
+bool same_bits(double a, double b) noexcept {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same(const NavigationStep& a, const NavigationStep& b) noexcept {
+  return same_bits(a.command.linear, b.command.linear) &&
+         same_bits(a.command.angular, b.command.angular) && a.status == b.status &&
+         a.limit == b.limit && a.wants_plan == b.wants_plan && a.rectangle == b.rectangle;
+}
+
+NavigationStep without_plan(NavigationStep step) noexcept {
+  step.plan = nullptr;
+  return step;
+}
+
+}  // namespace
+
+void ReplayCheck::on_start(const Scenario& scenario) { sensing_ = scenario.sensing; }
+
+void ReplayCheck::on_navigators(double /*time*/,
+                                const Settings& settings,
+                                std::span<const NavigatorStart> starts) {
+  navigators_.clear();
+  without_map_.clear();
+  if (solver_ == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings.mpc);
+  ControlSolver& solver = solver_ != nullptr ? *solver_ : *own_solver_;
+  for (const NavigatorStart& start : starts) {
+    if (sensing_.sensing == Sensing::Map) {
+      navigators_.emplace_back(settings, solver).reset(start.twist);
+      continue;
+    }
+    const auto beams = static_cast<std::size_t>(sensing_.lidar.beams);
+    without_map_.push_back(
+        std::make_unique<MaplessNavigator>(settings, solver, beams, start.pose.position));
+    without_map_.back()->reset(start.twist);
+  }
+}
+
+void ReplayCheck::on_goal(double /*time*/, std::size_t robot, const Goal& goal) {
+  if (!without_map_.empty()) without_map_.at(robot)->set_goal(goal);
+}
+
+void ReplayCheck::on_scan(const ObservedScan& scan) {
+  without_map_.at(scan.robot)->observe(scan.scan, scan.position);
+}
+
+void ReplayCheck::on_plan(double /*time*/, std::size_t robot, const Plan& plan) {
+  if (without_map_.empty()) navigators_.at(robot).follow(plan);
+}
+
+void ReplayCheck::on_cycle(const NavigationCycle& cycle) {
+  const NavigationInput& input = cycle.input;
+  const NavigationStep replayed =
+      without_map_.empty()
+          ? navigators_.at(cycle.robot).update(input)
+          : without_map_.at(cycle.robot)->update(input.time, input.pose, input.pose_time);
+  ++cycles_;
+  if (same(cycle.step, replayed)) return;
+  ++different_;
+  if (first_difference_) return;
+  first_difference_ = Difference{.time = cycle.input.time,
+                                 .robot = cycle.robot,
+                                 .recorded = without_plan(cycle.step),
+                                 .replayed = without_plan(replayed)};
+}
+
+void ReplayCheck::on_world(const WorldView& /*world*/) {}
+
+}  // namespace fairway

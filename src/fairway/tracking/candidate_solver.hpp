@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "fairway/mpc/control_solver.hpp"
+#include "fairway/tracking/corridor_follower.hpp"
+#include "fairway/tracking/step_regions.hpp"
+#include "fairway/tracking/tracking_settings.hpp"
+
+namespace fairway {
+
+/// The answers of one cycle, the best one first.
+struct Candidates {
+  static constexpr std::size_t kMost = 2;
+  std::size_t count = 0;
+  std::array<MpcSolution, kMost> answers;
+};
+
+/// Solves the problem of a cycle from each initial guess: the last plan, shifted, and a pursuit of
+/// the targets. Every step is bound to the rectangle that the guess is in at that step.
+///
+/// An answer that is usable comes before one that is not; of two usable ones that with the lower
+/// cost, violations included, comes first.
+///
+/// @param problem  With targets, limits and obstacles; its regions are set here.
+/// @param bands    Free bands along a detour that leaves the corridor; null: the corridor counts.
+/// @param last     The last solution; horizon 0 for none.
+/// @param shift    Time since the last solution [s].
+void solve_candidates(ControlSolver& solver,
+                      const TrackingSettings& settings,
+                      const CorridorFollower& corridor,
+                      const PathBands* bands,
+                      const MpcSolution& last,
+                      double shift,
+                      ControlProblem& problem,
+                      Candidates& candidates) noexcept;
+
+/// The commands of `solution` at the end of each control period, as many as its horizon has.
+///
+/// The base ramps linearly from each command to the next, so a period that is not the step length
+/// samples these ramps. With equal lengths these are the solution's own commands.
+/// @param before  The command that is executed now.
+void sample_commands(const MpcSolution& solution,
+                     const Twist2& before,
+                     double step_length,
+                     double period,
+                     std::array<Twist2, kMaxHorizon>& commands) noexcept;
+
+}  // namespace fairway

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/tracking/timed_targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fairway/geometry/angle.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kSlowest = 0.1;       // [m/s]; the sharpest corner is still passed
+constexpr double kBrakingShare = 0.8;  // of the acceleration limit, so that the robot can follow
+constexpr double kShortPiece = 0.02;   // [m]; directions of shorter pieces are noise
+
+double heading_of(const Vector2d& v) noexcept { return std::atan2(v.y(), v.x()); }
+
+// The speed at which a turn by `angle` can be rounded within the allowed deviation.
+double corner_speed(double angle, double deviation, const RobotSettings& robot) noexcept {
+  const double c = std::cos(0.5 * std::min(std::abs(angle), std::numbers::pi - 1e-3));
+  const double radius = deviation * c / std::max(1e-9, 1.0 - c);
+  return std::clamp(radius * robot.angular_max, kSlowest, robot.linear_max);
+}
+
+// Greatest speed at each point of the string: corners and goal.
+struct SpeedLimits {
+  std::array<double, ReferencePath::kMaxPoints> at_point;
+
+  SpeedLimits(const ReferencePath& path, double deviation, const RobotSettings& robot) noexcept {
+    const auto n = static_cast<std::size_t>(path.count);
+    at_point.fill(robot.linear_max);
+    Vector2d last = Vector2d::Zero();
+    for (std::size_t i = 1; i < n; ++i) {
+      const Vector2d piece = path.points[i] - path.points[i - 1];
+      if (piece.norm() < kShortPiece) continue;
+      if (!last.isZero(0.0)) {
+        const double turn = shortest_turn(heading_of(last), heading_of(piece));
+        at_point[i - 1] = corner_speed(turn, deviation, robot);
+      }
+      last = piece;
+    }
+    if (path.ends_at_goal) at_point[n - 1] = 0.0;
+  }
+
+  // Greatest speed at arc length s from which every later point can still be met.
+  [[nodiscard]] double at(const ReferencePath& path, double s, double braking) const noexcept {
+    double v = at_point[0];
+    for (std::size_t i = 1; i < static_cast<std::size_t>(path.count); ++i) {
+      const double ahead = path.arc[i] - s;
+      if (ahead < 0.0) continue;
+      v = std::min(v, std::sqrt(at_point[i] * at_point[i] + 2.0 * braking * ahead));
+    }
+    return v;
+  }
+};
+
+}  // namespace
+
+void set_timed_targets(const ReferencePath& path,
+                       const TargetStart& start,
+                       const TrackingSettings& tracking,
+                       const MpcSettings& mpc,
+                       const RobotSettings& robot,
+                       ControlProblem& problem) noexcept {
+  const SpeedLimits limits(path, tracking.corner_deviation, robot);
+  const double chord = tracking.chord_length;
+  const double dt = problem.dt;
+  const double braking = kBrakingShare * robot.linear_acceleration_max;
+  const double length = path.length();
+
+  const Vector2d first_chord = path.at(chord) - path.at(0.0);
+  const double first_turn = first_chord.norm() < kShortPiece
+                                ? 0.0
+                                : shortest_turn(start.heading, heading_of(first_chord));
+  // Up to this turn the robot can drive a curve; beyond it turns on the spot before the targets
+  // move.
+  constexpr double kCurveTurn = 0.5 * std::numbers::pi;
+  double waiting = std::max(0.0, std::abs(first_turn) - kCurveTurn) / robot.angular_max;
+
+  // The problem starts where the robot will be, not where it is.
+  double s = std::max(0.0, start.speed) * start.lead;
+  double v = std::max(0.0, start.speed);
+  double along = start.heading;
+  for (int k = 1; k <= problem.horizon; ++k) {
+    const double moving = std::clamp(dt - waiting, 0.0, dt);
+    waiting = std::max(0.0, waiting - dt);
+    v = std::min(v + robot.linear_acceleration_max * dt, robot.linear_max);
+    const double before_unknown = std::sqrt(2.0 * braking * std::max(0.0, start.free_length - s));
+    v = std::min(v, std::max(kSlowest, std::min(limits.at(path, s, braking), before_unknown)));
+    s = std::min(s + v * moving, length);
+
+    const Vector2d here = path.at(s);
+    const bool at_end = path.ends_at_goal && length - s < kShortPiece;
+    if (at_end && start.goal_heading) {
+      along += shortest_turn(along, *start.goal_heading);
+    } else {
+      // Near the end the chord is taken backwards from it, so that it keeps its length.
+      const double from = std::max(0.0, std::min(s, length - chord));
+      const Vector2d ahead = path.at(from + chord) - path.at(from);
+      if (ahead.norm() >= kShortPiece) along += shortest_turn(along, heading_of(ahead));
+    }
+    problem.targets[static_cast<std::size_t>(k)] = {
+        .position = here,
+        .heading = along,
+        .weight = {mpc.weight_position, mpc.weight_position, mpc.weight_heading}};
+  }
+}
+
+}  // namespace fairway

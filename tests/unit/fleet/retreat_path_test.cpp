@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/fleet/retreat_path.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "fairway/map/free_space.hpp"
+
+namespace fairway {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kRadius = 0.25;
+
+// 16 m x 6 m: a room up to x = 4 m, then a passage of 0.8 m at y = 3 m that ends at x = 14 m.
+BitGrid dead_end() {
+  BitGrid grid({.width = 160, .height = 60, .resolution = 0.1, .origin = {}}, false);
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 40; x < 160; ++x)
+      grid.set({x, y}, x >= 140 || y < 26 || y >= 34);
+  }
+  return grid;
+}
+
+SharedMotion robot_at(const Vector2d& position, const Vector2d& goal) {
+  SharedMotion motion{.position = position, .radius = kRadius, .under_way = true};
+  motion.can_step_aside = false;
+  motion.way.count = 1;
+  motion.way.points[0] = goal;
+  return motion;
+}
+
+class WayBackTest : public testing::Test {
+ protected:
+  PassingEnvironment around() {
+    return {.obstacles = &grid_, .fleet = fleet_, .passing = passing_, .radius = kRadius};
+  }
+
+  BitGrid grid_ = dead_end();
+  SharedMotion coming_ = robot_at({12, 3}, {1, 3});
+  std::vector<FleetMember> fleet_{{.motion = &coming_}};
+  std::vector<const SharedMotion*> passing_{&coming_};
+};
+
+TEST_F(WayBackTest, LeadsOutOfThePassageToAPlaceThatLetsPass) {
+  const RetreatPath way = find_retreat_path({8, 3}, around());
+  ASSERT_TRUE(way.exists());
+  EXPECT_TRUE(lets_pass(way.place(), coming_, kRadius));
+  EXPECT_TRUE(leads_aside(way, {8, 3}, around()));
+  EXPECT_GT(way.length({8, 3}), 4.0);
+  EXPECT_LT(way.length({8, 3}), 6.0);
+  Vector2d from(8, 3);
+  for (int i = 0; i < way.count; ++i) {
+    const Vector2d& to = way.points[static_cast<std::size_t>(i)];
+    EXPECT_TRUE(is_free(grid_, from, to, kRadius));
+    from = to;
+  }
+}
+
+TEST_F(WayBackTest, DoesNotExistWhereThePassageEndsBehindTheRobot) {
+  coming_ = robot_at({6, 3}, {13, 3});
+  EXPECT_FALSE(find_retreat_path({12, 3}, around()).exists());
+  EXPECT_TRUE(std::isinf(RetreatPath{}.length({12, 3})));
+}
+
+TEST_F(WayBackTest, DoesNotLeadThroughARobotThatStandsAtItsGoal) {
+  SharedMotion arrived{.position = {6, 3}, .radius = kRadius};
+  fleet_.push_back({.motion = &arrived});
+  EXPECT_FALSE(find_retreat_path({8, 3}, around()).exists());
+}
+
+TEST_F(WayBackTest, DoesNotLeadPastTheGoalOfWhoPasses) {
+  // Further in there would be a place behind the goal, and no way out of it ever after.
+  coming_ = robot_at({6, 3}, {10, 3});
+  EXPECT_FALSE(find_retreat_path({9, 3}, around()).exists());
+  coming_ = robot_at({12, 3}, {1, 3});
+  EXPECT_TRUE(find_retreat_path({9, 3}, around()).exists());
+}
+
+TEST_F(WayBackTest, LeavesRoomForThoseWhoComeAfter) {
+  const RetreatPath alone = find_retreat_path({6, 3}, around());
+  SharedMotion between = robot_at({8, 3}, {13, 3});
+  fleet_.push_back({.motion = &between});
+  const RetreatPath followed = find_retreat_path({6, 3}, around());
+  ASSERT_TRUE(alone.exists() && followed.exists());
+  EXPECT_TRUE(lets_pass(followed.place(), coming_, kRadius, 2.0 * kRadius));
+  EXPECT_GT(followed.length({6, 3}), alone.length({6, 3}) + kRadius);
+}
+
+TEST_F(WayBackTest, IsShortenedByWhatIsPassed) {
+  RetreatPath way = find_retreat_path({8, 3}, around());
+  const int before = way.count;
+  const Vector2d place = way.place();
+  shorten(way, way.points[0], grid_, kRadius);
+  EXPECT_LT(way.count, before);
+  EXPECT_EQ(way.place(), place);
+}
+
+TEST_F(WayBackTest, NoLongerLeadsAsideWhenItIsBlocked) {
+  const RetreatPath way = find_retreat_path({8, 3}, around());
+  for (int y = 26; y < 34; ++y)
+    grid_.set({60, y}, true);
+  EXPECT_FALSE(leads_aside(way, {8, 3}, around()));
+}
+
+}  // namespace
+}  // namespace fairway

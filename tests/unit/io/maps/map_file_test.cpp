@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/maps/map_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/temporary_folder.hpp"
+
+namespace fairway::io {
+namespace {
+
+using enum CellState;
+using test::TemporaryFolder;
+
+MapHeader header(MapMode mode, bool negate = false) {
+  return {.image = "m.pgm",
+          .resolution = 0.05,
+          .origin = {},
+          .negate = negate,
+          .occupied_thresh = 0.65,
+          .free_thresh = 0.196,
+          .mode = mode};
+}
+
+// The state that a grey level from 0 to 255 becomes.
+CellState state(int level, const MapHeader& header, bool opaque = true) {
+  const MapImage image{.width = 1,
+                       .height = 1,
+                       .brightness = {static_cast<std::uint32_t>(3 * 257 * level)},
+                       .opaque = {opaque}};
+  return make_grid(header, image, "m").value().at({0, 0});
+}
+
+TEST(MapFile, ReadsTheLevelsOfMapSaver) {
+  EXPECT_EQ(state(254, header(MapMode::Trinary)), Free);
+  EXPECT_EQ(state(205, header(MapMode::Trinary)), Unknown);
+  EXPECT_EQ(state(0, header(MapMode::Trinary)), Occupied);
+}
+
+TEST(MapFile, ComparesWithBothThresholdsStrictly) {
+  MapHeader h = header(MapMode::Trinary);
+  h.free_thresh = 0.2;
+  h.occupied_thresh = 0.6;
+  EXPECT_EQ(state(205, h), Free);      // 50 / 255 < 0.2
+  EXPECT_EQ(state(204, h), Unknown);   // 51 / 255 = 0.2
+  EXPECT_EQ(state(102, h), Unknown);   // 153 / 255 = 0.6
+  EXPECT_EQ(state(101, h), Occupied);  // 154 / 255 > 0.6
+}
+
+TEST(MapFile, TurnsLevelsAroundWhenNegated) {
+  EXPECT_EQ(state(254, header(MapMode::Trinary, true)), Occupied);
+  EXPECT_EQ(state(0, header(MapMode::Trinary, true)), Free);
+}
+
+TEST(MapFile, KnowsNothingBehindTransparency) {
+  EXPECT_EQ(state(254, header(MapMode::Trinary), false), Unknown);
+  EXPECT_EQ(state(254, header(MapMode::Scale), false), Unknown);
+  EXPECT_EQ(state(0, header(MapMode::Scale), false), Unknown);
+  EXPECT_EQ(state(0, header(MapMode::Raw), false), Free);
+}
+
+TEST(MapFile, RoundsScaledLevelsNextToTheThresholds) {
+  MapHeader h = header(MapMode::Scale);
+  h.free_thresh = 0.0;
+  h.occupied_thresh = 1.0;
+  EXPECT_EQ(state(255, h), Free);     // scaled to 0
+  EXPECT_EQ(state(254, h), Free);     // 0.39 rounds to 0
+  EXPECT_EQ(state(253, h), Unknown);  // 0.78 rounds to 1
+  EXPECT_EQ(state(128, h), Unknown);
+  EXPECT_EQ(state(2, h), Unknown);   // 99.2
+  EXPECT_EQ(state(1, h), Occupied);  // 99.6 rounds to 100
+}
+
+TEST(MapFile, ReadsRawLevelsAsPercent) {
+  EXPECT_EQ(state(0, header(MapMode::Raw)), Free);
+  EXPECT_EQ(state(20, header(MapMode::Raw)), Free);
+  EXPECT_EQ(state(21, header(MapMode::Raw)), Unknown);
+  EXPECT_EQ(state(65, header(MapMode::Raw)), Occupied);
+  EXPECT_EQ(state(100, header(MapMode::Raw)), Occupied);
+  EXPECT_EQ(state(101, header(MapMode::Raw)), Unknown);
+  EXPECT_EQ(state(255, header(MapMode::Raw)), Unknown);
+  EXPECT_EQ(state(0, header(MapMode::Raw, true)), Free);
+}
+
+constexpr const char* kYaml =
+    "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 1.5707963267948966]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
+TEST(MapFile, PutsTheTopRowHighestAndTurnsTheOrigin) {
+  const TemporaryFolder folder;
+  folder.write("m.pgm", "P2 2 3 255  0 255  255 255  205 255");
+  const OccupancyGrid grid = read_map(folder.write("m.yaml", kYaml)).value();
+  EXPECT_EQ(grid.frame().width, 2);
+  EXPECT_EQ(grid.frame().height, 3);
+  EXPECT_EQ(grid.at({0, 2}), Occupied);
+  EXPECT_EQ(grid.at({0, 0}), Unknown);
+  EXPECT_EQ(grid.at({1, 0}), Free);
+  // A quarter turn about the origin: the column axis points along +y, the row axis along -x.
+  EXPECT_TRUE(grid.frame().center({0, 2}).isApprox(Eigen::Vector2d(1 - 1.25, 2 + 0.25), 1e-12));
+}
+
+TEST(MapFile, SaysWhichOfItsFilesIsMissing) {
+  const TemporaryFolder folder;
+  const std::string yaml = folder.write("m.yaml", kYaml);
+  EXPECT_EQ(read_map(yaml).error().message, yaml + ": image: " + folder.path("m.pgm") +
+                                                ": expected a file, found nothing of that name");
+  EXPECT_FALSE(read_map(folder.path("none.yaml")));
+  EXPECT_FALSE(read_map(folder.path("")));
+}
+
+TEST(MapFile, TakesAnAbsoluteImagePath) {
+  const TemporaryFolder folder;
+  const TemporaryFolder other;
+  std::string yaml = kYaml;
+  yaml.replace(0, yaml.find('\n'), "image: " + other.write("x.pgm", "P2 1 1 255 255"));
+  EXPECT_EQ(read_map(folder.write("m.yaml", yaml)).value().at({0, 0}), Free);
+}
+
+TEST(MapFile, OpensNoReaderByName) {
+  const TemporaryFolder folder;
+  for (const char* image : {"@m.pgm", "-", "|cat", "mvg:m.pgm", "http://x/y.png", "m.pgm[0]"}) {
+    std::string yaml = kYaml;
+    yaml.replace(0, yaml.find('\n'), "image: '" + std::string(image) + "'");
+    EXPECT_FALSE(read_map(folder.write("m.yaml", yaml))) << image;
+  }
+}
+
+TEST(MapFile, ReadsRealMaps) {
+  const std::string folder = FAIRWAY_SHARED_DATA "/maps/";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared data at " << folder;
+  struct Case {
+    const char* name;
+    int width;
+    int height;
+  };
+  for (const Case& c : {Case{"depot", 604, 307}, Case{"tb3_world", 384, 384},
+                        Case{"willow-full-0.05", 1165, 945}}) {
+    const auto grid = read_map(folder + c.name + ".yaml");
+    ASSERT_TRUE(grid) << grid.error().message;
+    EXPECT_EQ(grid->frame().width, c.width);
+    EXPECT_EQ(grid->frame().height, c.height);
+    std::size_t free = 0;
+    std::size_t occupied = 0;
+    for (const CellState cell : grid->cells()) {
+      free += cell == Free ? 1U : 0U;
+      occupied += cell == Occupied ? 1U : 0U;
+    }
+    EXPECT_GT(free, 5000U);
+    EXPECT_GT(occupied, 500U);
+  }
+}
+
+}  // namespace
+}  // namespace fairway::io

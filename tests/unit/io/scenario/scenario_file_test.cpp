@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/scenario/scenario_file.hpp"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "fairway/io/trace_file.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace fairway::io {
+namespace {
+
+using test::TemporaryFolder;
+
+// Writes a free map of 10 m by 5 m.
+void write_map(const TemporaryFolder& folder) {
+  folder.write("m.pgm", "P5 10 5 255\n" + std::string(50, '\xff'));
+  folder.write("m.yaml",
+               "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+               "free_thresh: 0.196\n");
+}
+
+TEST(ScenarioFile, HoldsEverything) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const auto scenario = read_scenario(folder.write(
+      "s.yaml",
+      "map: m.yaml\nname: hall\ntime_limit: 33\nseed: 7\n"
+      "settings: {preset: paper, robot: {radius: 0.4}}\n"
+      "robots:\n  - {name: a, start: [1, 2, 3], goal: [8, 4]}\n"
+      "  - {start: [2, 2, 0], goal: [1, 1, -1.5]}\n"
+      "obstacles:\n  - {name: p, radius: 0.5, loop: true, key_frames: [[0, 1, 1], [2.5, 3, 4]]}\n"
+      "  - {key_frames: [[0, 5, 5]]}\n"));
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->name, "hall");
+  EXPECT_EQ(scenario->map.frame().width, 10);
+  EXPECT_EQ(scenario->time_limit, 33.0);
+  EXPECT_EQ(scenario->seed, 7U);
+  EXPECT_EQ(scenario->settings.robot.radius, 0.4);
+  EXPECT_EQ(scenario->settings.mpc.horizon, paper_settings().mpc.horizon);
+  ASSERT_EQ(scenario->robots.size(), 2U);
+  EXPECT_EQ(scenario->robots[0].name, "a");
+  EXPECT_EQ(scenario->robots[0].start.position, Eigen::Vector2d(1, 2));
+  EXPECT_EQ(scenario->robots[0].start.heading, 3.0);
+  EXPECT_EQ(scenario->robots[0].goal.position, Eigen::Vector2d(8, 4));
+  EXPECT_FALSE(scenario->robots[0].goal.heading);
+  EXPECT_EQ(scenario->robots[1].name, "robot 2");
+  EXPECT_EQ(scenario->robots[1].goal.heading, -1.5);
+  ASSERT_EQ(scenario->bodies.size(), 2U);
+  EXPECT_EQ(scenario->bodies[0].radius, 0.5);
+  EXPECT_TRUE(scenario->bodies[0].loop);
+  ASSERT_EQ(scenario->bodies[0].key_frames.size(), 2U);
+  EXPECT_EQ(scenario->bodies[0].key_frames[1].time, 2.5);
+  EXPECT_EQ(scenario->bodies[0].key_frames[1].position, Eigen::Vector2d(3, 4));
+  EXPECT_FALSE(scenario->bodies[1].loop);
+}
+
+TEST(ScenarioFile, SaysHowRobotsSenseAndWhatMovesThem) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string rest = "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [8, 4]}]\n";
+  const auto plain = read_scenario(folder.write("plain.yaml", rest));
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_EQ(plain->sensing.sensing, Sensing::Map);
+  EXPECT_EQ(plain->engine, Engine::Unicycle);
+  const auto real = read_scenario(
+      folder.write("real.yaml", rest + "sensing: lidar\nnoise: standard\nphysics: mujoco\n"));
+  ASSERT_TRUE(real) << real.error().message;
+  EXPECT_EQ(real->sensing.sensing, Sensing::Lidar);
+  EXPECT_EQ(real->sensing.lidar.latency, 0.05);
+  EXPECT_EQ(real->engine, Engine::Mujoco);
+  const auto wrong = read_scenario(folder.write("wrong.yaml", rest + "physics: magic\n"));
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message.find(":3: physics: expected unicycle or mujoco"),
+            std::string::npos)
+      << wrong.error().message;
+}
+
+TEST(ScenarioFile, SaysHowRobotsHearEachOther) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string rest = "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [8, 4]}]\n";
+  const auto some =
+      read_scenario(folder.write("s.yaml", rest + "radio: {delay: 0.2, loss: 0.25}\n"));
+  ASSERT_TRUE(some) << some.error().message;
+  EXPECT_TRUE(some->radio.on);
+  EXPECT_EQ(some->radio.delay, 0.2);
+  EXPECT_EQ(some->radio.loss, 0.25);
+  const auto none = read_scenario(folder.write("n.yaml", rest + "radio: {on: false}\n"));
+  ASSERT_TRUE(none) << none.error().message;
+  EXPECT_FALSE(none->radio.on);
+  const std::string path = folder.write("w.yaml", rest + "radio: {loss: 2}\n");
+  const auto wrong = read_scenario(path);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().message.find(path + ":3: radio.loss: expected "), 0U)
+      << wrong.error().message;
+}
+
+TEST(ScenarioFile, ReplaysPedestriansFromATimeOfTheRecording) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  folder.write("tracks.txt",
+               "0 7 1.0 0 1.0 0 0 0\n10 7 2.0 0 1.0 0 0 0\n\n"
+               "100 3 5e0 0 1 0 0 0\n110 3 5 0 2.0 0 0 0\n");
+  const std::string rest =
+      "map: m.yaml\ntime_limit: 20\nrobots: [{start: [1, 1, 0], goal: [2, 2]}]\n";
+  const auto all = read_scenario(
+      folder.write("all.yaml", rest + "pedestrians: {tracks: tracks.txt, frame_rate: 10}\n"));
+  ASSERT_TRUE(all) << all.error().message;
+  ASSERT_EQ(all->bodies.size(), 2U);
+  EXPECT_EQ(all->bodies[0].name, "person 3");
+  EXPECT_TRUE(all->bodies[0].passing);
+  EXPECT_EQ(all->bodies[0].key_frames[1].time, 11.0);
+  const auto later = read_scenario(folder.write(
+      "later.yaml",
+      rest + "pedestrians: {tracks: tracks.txt, frame_rate: 10, from: 10.5, radius: 0.25}\n"));
+  ASSERT_TRUE(later) << later.error().message;
+  ASSERT_EQ(later->bodies.size(), 1U);
+  EXPECT_EQ(later->bodies[0].at(0.0).position, Eigen::Vector2d(5, 1.5));
+  EXPECT_EQ(later->bodies[0].radius, 0.25);
+}
+
+TEST(ScenarioFile, SaysWhatIsWrongWithTracks) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string path = folder.write(
+      "s.yaml",
+      "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [2, 2]}]\npedestrians:\n  tracks: t.txt\n");
+  const auto message = [&](const std::string& tracks) {
+    const std::string file = folder.write("t.txt", tracks);
+    const auto scenario = read_scenario(path);
+    if (scenario) return std::string("no error");
+    const std::string before = path + ":4: pedestrians.tracks: " + file;
+    const std::string& text = scenario.error().message;
+    return text.substr(0, before.size()) == before ? text.substr(before.size()) : text;
+  };
+  EXPECT_EQ(message(""), ":1: expected tracks of people, found none");
+  EXPECT_EQ(message("1 2 3 4 5 6 7 8\n1 2 x 4 5 6 7 8\n"), ":2: x: expected a number, found 'x'");
+  EXPECT_EQ(message("1 2 3\n"), ":1: z: expected a number, found the end of the line");
+  EXPECT_EQ(message("1 2 3 4 5 6 7 8 9\n"), ":1: expected 8 numbers, found more: '9'");
+  EXPECT_EQ(message("1 2.5 3 4 5 6 7 8\n"),
+            ":1: id: expected a whole number from 0 to 1e+09, found 2.5");
+  EXPECT_EQ(message("1 2 3 4 nan 6 7 8\n"), ":1: y: expected a number, found 'nan'");
+  EXPECT_EQ(message("5 2 3 4 5 6 7 8\n5 2 3 4 5 6 7 8\n"),
+            ":2: frame: expected one after 5 of person 2, found 5");
+  std::filesystem::remove(std::filesystem::path(path).parent_path() / "t.txt");
+  const auto absent = read_scenario(path);
+  ASSERT_FALSE(absent);
+  EXPECT_EQ(absent.error().message.find(path + ":4: pedestrians.tracks: "), 0U)
+      << absent.error().message;
+}
+
+TEST(ScenarioFile, TakesDefaultsForWhatItLeavesOut) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const auto scenario = read_scenario(
+      folder.write("s.yaml", "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [2, 2]}]\n"));
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_EQ(scenario->name, "s");
+  EXPECT_EQ(scenario->time_limit, Scenario{}.time_limit);
+  EXPECT_EQ(scenario->robots[0].name, "robot 1");
+}
+
+TEST(ScenarioFile, ItsErrorsAreOneLineWhateverItHolds) {
+  const TemporaryFolder folder;
+  const auto scenario = read_scenario(folder.write("s.yaml", "map: \"a\\nb.yaml\"\nrobots: []\n"));
+  ASSERT_FALSE(scenario);
+  EXPECT_EQ(scenario.error().message.find('\n'), std::string::npos) << scenario.error().message;
+}
+
+TEST(ScenarioFile, RefusesTwoRobotsOfOneName) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string path =
+      folder.write("s.yaml",
+                   "map: m.yaml\nrobots:\n  - {name: a, start: [1, 1, 0], goal: [2, 2]}\n"
+                   "  - {name: a, start: [3, 1, 0], goal: [2, 2]}\n");
+  EXPECT_EQ(read_scenario(path).error().message,
+            path + ":4: robots[1].name: expected a name of its own, found 'a' again");
+}
+
+TEST(ScenarioFile, ReadsOurOwnScenarios) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FAIRWAY_SOURCE_DIR "/scenarios")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const auto scenario = read_scenario(entry.path().string());
+    // Its tracks are not part of the project.
+    if (entry.path().stem() == "pedestrians" && !scenario) {
+      EXPECT_NE(scenario.error().message.find("pedestrians.tracks: "), std::string::npos);
+      continue;
+    }
+    EXPECT_TRUE(scenario) << scenario.error().message;
+    ++count;
+  }
+  EXPECT_GT(count, 0);
+}
+
+TEST(TraceFile, HasARowPerRobotAndCycle) {
+  EpisodeResult episode;
+  episode.robots = {{.name = "a"}, {.name = "b, \"c\""}};
+  episode.trace.rows = {{.time = 0.5,
+                         .robot = 0,
+                         .pose = {.position = {1, -2}, .heading = 0.25},
+                         .twist = {.linear = 0.5, .angular = -0.5},
+                         .command = {.linear = 0.75, .angular = 0.125},
+                         .status = NavigationStatus::Ok,
+                         .limit = LimitingFactor::Speed,
+                         .rectangle = 3,
+                         .clearance = 1.5},
+                        {.time = 0.5, .robot = 1}};
+  EXPECT_EQ(trace_csv(episode),
+            "time,robot,x,y,heading,linear,angular,status,command_linear,command_angular,limit,"
+            "rectangle,clearance\n"
+            "0.5,a,1,-2,0.25,0.5,-0.5,ok,0.75,0.125,speed limit,3,1.5\n"
+            "0.5,\"b, \"\"c\"\"\",0,0,0,0,0,no plan,0,0,none,0,0\n");
+}
+
+}  // namespace
+}  // namespace fairway::io

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cstdlib>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "fairway/mpc/interior_point/solver.hpp"
+#include "fairway/mpc/start_guesses.hpp"
+#include "support/allocation_guard.hpp"
+#include "support/random_control_problem.hpp"
+
+namespace fairway {
+namespace {
+
+TEST(AllocationGuard, SeesMalloc) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  const test::AllocationGuard guard;
+  void* volatile block = std::malloc(10);  // NOLINT(cppcoreguidelines-no-malloc)
+  std::free(block);                        // NOLINT(cppcoreguidelines-no-malloc)
+  EXPECT_EQ(guard.count(), 1U);
+}
+
+TEST(InteriorPointSolver, NeverAllocates) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  const auto solver = std::make_unique<InteriorPointSolver>();
+  test::Random random(81);
+  for (int trial = 0; trial < 50; ++trial) {
+    const ControlProblem problem = test::random_control_problem(
+        random, {.max_horizon = kMaxHorizon, .max_obstacles = kMaxObstacles});
+    std::array<InitialGuess, 3> guesses;
+    const test::AllocationGuard guard;
+    spread_guesses(problem, {}, guesses);
+    static_cast<void>(solver->solve_best(problem, guesses));
+    EXPECT_EQ(guard.count(), 0U);
+  }
+}
+
+}  // namespace
+}  // namespace fairway

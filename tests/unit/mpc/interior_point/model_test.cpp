@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+// The solver's own, fast expressions against evaluation.hpp and against differences.
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+#include "fairway/mpc/derivatives.hpp"
+#include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/interior_point/initial_point.hpp"
+#include "fairway/mpc/interior_point/kernels.hpp"
+#include "fairway/mpc/interior_point/line_search.hpp"
+#include "fairway/mpc/interior_point/newton.hpp"
+#include "fairway/mpc/interior_point/setup.hpp"
+#include "support/central_difference.hpp"
+#include "support/random_control_problem.hpp"
+
+namespace fairway::interior_point {
+namespace {
+
+using Eigen::VectorXd;
+using Lanes = Lanes128;
+
+constexpr double kMu = 0.7;
+
+std::size_t size_of(const ControlProblem& problem) {
+  return static_cast<std::size_t>(problem.horizon);
+}
+
+VectorXd flat(const Workspace& w, const std::array<PoseArray, 2>& commands) {
+  const auto n = static_cast<Eigen::Index>(w.horizon);
+  VectorXd v(2 * n);
+  v << Eigen::Map<const VectorXd>(commands[kLinear].data() + 1, n),
+      Eigen::Map<const VectorXd>(commands[kAngular].data() + 1, n);
+  return v;
+}
+
+void set_commands(const Workspace& w, const VectorXd& v, Point& point) {
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    point.commands[kLinear][k + 1] = v[static_cast<Eigen::Index>(k)];
+    point.commands[kAngular][k + 1] = v[static_cast<Eigen::Index>(k + w.horizon)];
+  }
+}
+
+/// Calls visit(i) for every elastic row that is not only watched.
+template <typename Visit>
+void for_near_rows(const Workspace& w, Visit&& visit) {
+  for (std::size_t b = 0; b < w.num_blocks; ++b) {
+    const RowRange& range = w.row_ranges[b];
+    for (std::size_t i = range.corridor; i < range.watched_corridor; ++i)
+      visit(i);
+    for (std::size_t i = range.barrier; i < range.watched_barrier; ++i)
+      visit(i);
+  }
+}
+
+double stationarity_of(Workspace& w) {
+  RowErrors<Lanes> errors;
+  linearise_hard_rows(w, kMu, errors);
+  linearise_elastic_rows(w, kMu, errors);
+  return linearise_trajectory<Lanes>(w);
+}
+
+/// The iteration at its beginning, with duals that are anything but central.
+double begin(const ControlProblem& problem, test::Random& random, Workspace& w) {
+  load_problem(problem, w);
+  InitialGuess guess;
+  guess.count = problem.horizon;
+  for (Twist2& command : guess.commands)
+    command = test::random_command(random, problem);
+  load_guess(phases_128(), guess, w, *w.now);
+  w.first_slack = 0.05;
+  evaluate<Lanes>(w, *w.now);
+  start_hard_rows<Lanes>(w, kMu);
+  admit_near_rows<Lanes>(w, kMu);
+  for_near_rows(w, [&](std::size_t i) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      w.elastic[i].dual[lane] *= random.uniform(0.5, 2.0);
+      w.elastic[i].excess_dual[lane] = problem.violation_weight - w.elastic[i].dual[lane];
+      w.now->rows[i].excess[lane] *= random.uniform(0.5, 2.0);
+    }
+  });
+  for (std::size_t k = 0; k < w.horizon; ++k)
+    w.hard[kLinear].blocks[k / kLanes].dual_low[k % kLanes] *= random.uniform(0.5, 2.0);
+  return stationarity_of(w);
+}
+
+template <typename Check>
+void for_random_problems(std::uint64_t seed, int count, Check&& check) {
+  const auto w = std::make_unique<Workspace>();
+  test::Random random(seed);
+  for (int trial = 0; trial < count; ++trial) {
+    SCOPED_TRACE(trial);
+    const ControlProblem problem = test::random_control_problem(random);
+    const double stationarity = begin(problem, random, *w);
+    check(problem, stationarity, *w);
+  }
+}
+
+TEST(InteriorPointModel, PosesCostAndRowsAreThoseOfTheEvaluation) {
+  for_random_problems(111, 300, [](const ControlProblem& problem, double, Workspace& w) {
+    std::vector<Twist2> commands(size_of(problem));
+    for (std::size_t k = 0; k < commands.size(); ++k)
+      commands[k] = {.linear = w.now->commands[kLinear][k + 1],
+                     .angular = w.now->commands[kAngular][k + 1]};
+    std::vector<Pose2> poses(commands.size() + 1);
+    rollout(problem, commands, poses);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      const Eigen::Vector2d position(w.now->x[k], w.now->y[k]);
+      EXPECT_LT((position + problem.start.position - poses[k].position).norm(), 1e-13);
+    }
+    EXPECT_NEAR(w.now->cost, cost(problem, commands, poses), 1e-11);
+
+    evaluate_elastic_rows<Lanes>(w,
+                                 *w.now);  // of watched rows too, which the iteration does not need
+    // Every row is either listed with its value, or left out and then far from being violated.
+    visit_elastic_rows(problem, [&](const RowName& name) {
+      const double margin = elastic_row(problem, poses, name).margin;
+      bool found = false;
+      for (std::size_t i = 0; i < w.num_elastic; ++i) {
+        const ElasticRow& row = w.elastic[i];
+        if (row.kind != name.kind || row.index != name.index || name.step < row.first_step ||
+            name.step >= row.first_step + static_cast<int>(kLanes))
+          continue;
+        found = true;
+        const auto lane = static_cast<std::size_t>(name.step - row.first_step);
+        EXPECT_NEAR(w.now->rows[i].value[lane], margin, 1e-12);
+      }
+      if (!found) {
+        EXPECT_GT(margin, 0.0);
+      }
+    });
+    // What is only watched is satisfied, and what fills up the four of a row too.
+    for (std::size_t b = 0; b < w.num_blocks; ++b) {
+      const RowRange& range = w.row_ranges[b];
+      for (std::size_t i = range.corridor; i < range.end; ++i) {
+        const bool watched =
+            (i >= range.watched_corridor && i < range.barrier) || i >= range.watched_barrier;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          const bool beyond = w.elastic[i].first_step + static_cast<int>(lane) > problem.horizon;
+          if (watched || beyond) {
+            EXPECT_GE(w.now->rows[i].value[lane], 0.0);
+          }
+        }
+      }
+    }
+  });
+}
+
+// The Lagrangian with the duals that the workspace holds, as a function of the commands.
+double lagrangian(Workspace& w, const VectorXd& v) {
+  Point& point = *w.trial;
+  set_commands(w, v, point);
+  evaluate<Lanes>(w, point);
+  double value = point.cost;
+  for_near_rows(w, [&](std::size_t i) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      value -= w.elastic[i].dual[lane] * point.rows[i].value[lane];
+  });
+  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
+    const PoseArray& c = point.commands[kind % 2];
+    for (std::size_t k = 0; k < w.horizon; ++k) {
+      const HardRows::Block& block = w.hard[kind].blocks[k / kLanes];
+      const double dual = block.dual_high[k % kLanes] - block.dual_low[k % kLanes];
+      value += dual * (kind >= 2 ? c[k + 1] - c[k] : c[k + 1]);
+    }
+  }
+  return value;
+}
+
+// The step balances rounding, which second differences magnify, against the third derivative.
+VectorXd lagrangian_gradient(Workspace& w, const VectorXd& v) {
+  return test::central_difference(
+             [&](const VectorXd& x) { return VectorXd::Constant(1, lagrangian(w, x)); }, v, 2e-5)
+      .row(0);
+}
+
+TEST(InteriorPointModel, StationarityIsTheDerivativeOfTheLagrangian) {
+  for_random_problems(
+      112, 60, [](const ControlProblem& problem, double stationarity, Workspace& w) {
+        VectorXd gradient = lagrangian_gradient(w, flat(w, w.now->commands));
+        for (std::size_t j = 0; j < 2; ++j) {
+          for (std::size_t k = 0; k < size_of(problem); ++k) {
+            if (w.limits[j].fixed[k]) gradient[static_cast<Eigen::Index>(j * w.horizon + k)] = 0.0;
+          }
+        }
+        EXPECT_NEAR(stationarity, gradient.cwiseAbs().maxCoeff(), 1e-5 * (1.0 + stationarity));
+      });
+}
+
+// Model gradient at the commands: that of cost, barrier and aimed-at duals.
+VectorXd model_gradient(Workspace& w, const VectorXd& v) {
+  const std::array<ElasticRow, kMaxElasticRows> elastic = w.elastic;
+  const std::array<HardRows, 4> hard = w.hard;
+  for_near_rows(w, [&](std::size_t i) {
+    ElasticRow& row = w.elastic[i];
+    const RowState& state = w.now->rows[i];
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      row.dual[lane] +=
+          kMu * row.dual_by_mu[lane] - row.curvature[lane] * state.value[lane];  // y hat
+  });
+  for (HardRows& rows : w.hard) {
+    for (HardRows::Block& block : rows.blocks) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        block.dual_low[lane] = kMu * block.inverse_below[lane];
+        block.dual_high[lane] = kMu * block.inverse_above[lane];
+      }
+    }
+  }
+  VectorXd gradient = lagrangian_gradient(w, v);
+  w.elastic = elastic;
+  w.hard = hard;
+  return gradient;
+}
+
+TEST(InteriorPointModel, RiccatiStepSolvesTheNewtonSystem) {
+  int solved = 0;
+  for_random_problems(113, 60, [&](const ControlProblem& problem, double, Workspace& w) {
+    build_stages<Lanes>(w, kMu, true);
+    if (!riccati_backward<Lanes>(w, 0.0)) return;
+    ++solved;
+    riccati_forward(w);
+    const VectorXd at = flat(w, w.now->commands);
+    const VectorXd step = flat(w, w.step.commands);
+    const VectorXd gradient = model_gradient(w, at);
+    const auto n = static_cast<Eigen::Index>(w.horizon);
+
+    // Hessian of the Lagrangian times the step, by differences of its gradient along the step ...
+    const double h = 1e-3 / std::max(1e-3, step.cwiseAbs().maxCoeff());
+    VectorXd residual =
+        (lagrangian_gradient(w, at + h * step) - lagrangian_gradient(w, at - h * step)) / (2.0 * h);
+    residual += gradient;
+    // ... and the terms sigma grad c (grad c . step) of all rows.
+    const auto values = [&](const VectorXd& v) {
+      set_commands(w, v, *w.trial);
+      evaluate<Lanes>(w, *w.trial);
+      std::vector<double> all;
+      for_near_rows(w, [&](std::size_t i) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+          all.push_back(w.trial->rows[i].value[lane]);
+      });
+      return all;
+    };
+    const auto value_changes = [&](const VectorXd& direction) -> VectorXd {
+      const std::vector<double> ahead = values(at + 1e-5 * direction);
+      const std::vector<double> behind = values(at - 1e-5 * direction);
+      const auto count = static_cast<Eigen::Index>(ahead.size());
+      return (Eigen::Map<const VectorXd>(ahead.data(), count) -
+              Eigen::Map<const VectorXd>(behind.data(), count)) /
+             2e-5;
+    };
+    std::vector<double> curvature;
+    for_near_rows(w, [&](std::size_t i) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        curvature.push_back(w.elastic[i].curvature[lane]);
+    });
+    const VectorXd along = value_changes(step);
+    for (Eigen::Index c = 0; c < at.size(); ++c) {
+      const VectorXd by_command = value_changes(VectorXd::Unit(at.size(), c));
+      for (std::size_t i = 0; i < curvature.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        residual[c] += curvature[i] * by_command[row] * along[row];
+      }
+      const auto j = static_cast<std::size_t>(c / n);
+      const auto k = static_cast<std::size_t>(c % n);
+      residual[c] += w.hard[j].curvature[k] * step[c];
+      if (w.num_hard > 2) {
+        const PoseArray& changes = w.hard[2 + j].curvature;
+        if (k > 0) residual[c] += changes[k] * (step[c] - step[c - 1]);
+        if (k + 1 < w.horizon) residual[c] -= changes[k + 1] * (step[c + 1] - step[c]);
+      }
+      if (w.limits[j].fixed[k]) residual[c] = step[c];
+    }
+    const double scale = 1.0 + gradient.cwiseAbs().maxCoeff();
+    EXPECT_LT(residual.cwiseAbs().maxCoeff(), 2e-4 * scale) << "horizon " << problem.horizon;
+
+    // The slope is that of the model, whose gradient fixed commands do not follow.
+    double slope = 0.0;
+    for (Eigen::Index c = 0; c < at.size(); ++c)
+      slope += gradient[c] * step[c];
+    EXPECT_NEAR(w.step.slope, slope, 1e-4 * (1.0 + std::abs(slope)));
+  });
+  EXPECT_GT(solved, 20);
+}
+
+}  // namespace
+}  // namespace fairway::interior_point

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/recovery_behaviour.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace fairway {
+namespace {
+
+constexpr double kDt = 0.1;
+constexpr double kPatience = 0.4;
+
+TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
+  RecoveryBehaviour recovery;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(recovery.update(20.0 - 0.1 * i, false, false, true, kDt, kPatience),
+              RecoveryAction::None);
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(recovery.update(10.1, true, false, true, kDt, kPatience), RecoveryAction::None);
+  }
+}
+
+TEST(RecoveryBehaviour, StandingGoesThroughAllThatCanBeTried) {
+  for (const bool can_back : {false, true}) {
+    RecoveryBehaviour recovery;
+    std::set<RecoveryAction> seen;
+    for (int i = 0; i < 200; ++i) {
+      seen.insert(recovery.update(5.0, true, false, can_back, kDt, kPatience));
+    }
+    EXPECT_TRUE(seen.contains(RecoveryAction::Turn));
+    EXPECT_TRUE(seen.contains(RecoveryAction::Plan));
+    EXPECT_TRUE(seen.contains(RecoveryAction::Wait));
+    EXPECT_EQ(seen.contains(RecoveryAction::Back), can_back);
+    EXPECT_EQ(seen.contains(RecoveryAction::TurnToClearance), !can_back);
+  }
+}
+
+TEST(RecoveryBehaviour, WhatIsRefusedGivesWayToTheNextThingSoon) {
+  RecoveryBehaviour recovery;
+  std::set<RecoveryAction> seen;
+  int cycles = 0;
+  for (; !seen.contains(RecoveryAction::Wait) && cycles < 100; ++cycles) {
+    const RecoveryAction action = recovery.update(5.0, true, false, true, kDt, kPatience);
+    seen.insert(action);
+    if (action != RecoveryAction::None) recovery.refuse();
+  }
+  EXPECT_LT(cycles * kDt, 2.0);
+  for (const RecoveryAction action : {RecoveryAction::Turn, RecoveryAction::Plan,
+                                      RecoveryAction::Back, RecoveryAction::TurnToClearance})
+    EXPECT_TRUE(seen.contains(action));
+}
+
+TEST(RecoveryBehaviour, TwoRefusalsAreNoReasonToGiveUp) {
+  RecoveryBehaviour recovery;
+  for (int i = 0; i < 5; ++i)
+    (void)recovery.update(5.0, true, false, true, kDt, kPatience);
+  recovery.refuse();
+  recovery.refuse();
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(recovery.update(5.0, false, false, true, kDt, kPatience), RecoveryAction::Turn);
+  }
+}
+
+TEST(RecoveryBehaviour, AnAlignedRobotThatStandsIsPlannedForAtOnce) {
+  RecoveryBehaviour recovery;
+  for (int i = 0; i < 3; ++i)
+    (void)recovery.update(5.0, true, true, false, kDt, kPatience);
+  EXPECT_EQ(recovery.update(5.0, true, true, false, kDt, kPatience), RecoveryAction::Plan);
+}
+
+TEST(RecoveryBehaviour, SwingingOnTheSpotIsNoProgress) {
+  RecoveryBehaviour recovery;
+  int plans = 0;
+  for (int i = 0; i < 100; ++i) {
+    plans += recovery.update(5.0 + 0.01 * (i % 2), false, false, false, kDt, kPatience) ==
+             RecoveryAction::Plan;
+  }
+  EXPECT_GE(plans, 3);
+}
+
+TEST(RecoveryBehaviour, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
+  for (const double step : {0.1, 0.0}) {  // [m] per cycle: driving on, and not
+    RecoveryBehaviour recovery;
+    double remaining = 10.0;
+    int actions = 0;
+    for (int i = 0; i < 100; ++i) {
+      if (i % 10 == 9) {  // the way changes to and fro
+        const double longer = i % 20 == 9 ? 5.0 : -5.0;
+        recovery.change_way(longer);
+        remaining += longer;
+      }
+      remaining -= step;
+      actions +=
+          recovery.update(remaining, false, false, false, kDt, kPatience) != RecoveryAction::None
+              ? 1
+              : 0;
+    }
+    EXPECT_EQ(actions > 0, step == 0.0);
+  }
+}
+
+TEST(RecoveryBehaviour, ProgressEndsIt) {
+  RecoveryBehaviour recovery;
+  for (int i = 0; i < 6; ++i)
+    (void)recovery.update(5.0, true, false, false, kDt, kPatience);
+  EXPECT_EQ(recovery.update(4.8, false, false, false, kDt, kPatience), RecoveryAction::None);
+}
+
+}  // namespace
+}  // namespace fairway
