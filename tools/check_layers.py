@@ -15,7 +15,7 @@ TARGETS = [
     ("fairway", [], [
         "base", "geometry", "map", "prediction", "path", "corridor/rectangle", "corridor", "mpc",
         "mpc/interior_point", "mpc/interior_point/constraints", "planning", "tracking", "safety", "fleet",
-        "perception", "navigation", ""]),
+        "perception", "navigation", "navigation/facade", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
         "simulation/sensors", "simulation", "simulation/scenarios", "simulation/recorded",

@@ -10,9 +10,8 @@ namespace fairway::bridge {
 
 namespace {
 
-constexpr double kProgress = 0.05;  // [m] nearer to the goal count as getting on
-constexpr int kLastZeros = 5;       // commands: a base that misses one must not coast
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kLastZeros = 5;    // commands: a base that misses one must not coast
+constexpr double kNever = -1e9;  // [s]; of a measurement that there was not
 
 bool is_zero(const Twist2& twist) noexcept { return twist.linear == 0.0 && twist.angular == 0.0; }
 
@@ -35,35 +34,41 @@ Expected<void> validate(const PilotOptions& options) {
 Pilot::Pilot(const Settings& settings, const PilotOptions& options)
     : settings_(settings),
       options_(options) {
-  if (options_.use_map) make_guide();
+  if (options_.use_map) make_navigator();
 }
 
-void Pilot::make_guide() {
-  plans_seen_ = 0;
+Settings Pilot::with_options(const Settings& settings) const {
+  Settings own = settings;
+  own.planning.background = options_.plan_in_background;
+  own.navigation.patience = options_.patience;
+  own.perception.max_beams = static_cast<int>(options_.max_beams);
+  return own;
+}
+
+void Pilot::make_navigator() {
   if (options_.use_map) {
-    guide_ = make_map_guide(settings_, options_);
-    if (map_) guide_->set_map(*map_);
+    navigator_.emplace(MapNavigator(with_options(settings_)));
+    if (map_) navigator_->set_map(*map_);
   } else if (!odometry_.empty() && is_finite(odometry_.pose())) {
-    guide_ = make_mapless_guide(settings_, options_.max_beams, odometry_.pose().position);
+    navigator_.emplace(MaplessNavigator(with_options(settings_), odometry_.pose().position));
   }
 }
 
 void Pilot::set_settings(const Settings& settings) {
   settings_ = settings;
-  if (!guide_) return;
-  make_guide();
-  guide_->reset(sent_);
-  if (goal_) guide_->set_goal(*goal_);
+  if (!navigator_) return;
+  navigator_->set_settings(with_options(settings));
+  navigator_->reset(sent_);
 }
 
 void Pilot::set_map(const OccupancyGrid& map) {
   map_ = map;
-  if (guide_) guide_->set_map(map);
+  if (navigator_) navigator_->set_map(map);
 }
 
 void Pilot::add_odometry(double time, const Pose2& pose, const Twist2& twist) {
   odometry_.add(time, pose, twist);
-  if (!guide_) make_guide();
+  if (!navigator_) make_navigator();
 }
 
 void Pilot::set_localisation(const Pose2& odometry_in_map, double time) {
@@ -81,13 +86,15 @@ std::optional<Pose2> Pilot::pose() const {
 }
 
 bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_robot) {
-  if (!guide_ || !options_.use_scan || (options_.use_map && !localisation_)) return false;
+  if (!navigator_ || !options_.use_scan || (options_.use_map && !localisation_)) return false;
   const std::optional<Pose2> first = odometry_.at(scan.time - duration);
   const std::optional<Pose2> last = odometry_.at(scan.time);
   if (!first || !last) return false;
   scan.first_pose = in_world(compose(*first, sensor_on_robot));
   scan.last_pose = in_world(compose(*last, sensor_on_robot));
-  guide_->observe(scan, in_world(*last).position);
+  if (options_.use_map && !map_) return true;  // there is nothing to add it to
+  navigator_->observe(scan, in_world(*last).position);
+  scanned_ = true;
   return true;
 }
 
@@ -95,7 +102,6 @@ void Pilot::set_goal(const Goal& goal) {
   FAIRWAY_EXPECTS(is_finite(goal.position));
   goal_ = goal;
   fresh_goal_ = true;
-  least_remaining_ = kInfinity;
 }
 
 void Pilot::cancel() {
@@ -104,13 +110,30 @@ void Pilot::cancel() {
   if (state_ == PilotState::Idle) return;
   state_ = PilotState::Stopping;
   zeros_left_ = kLastZeros;
-  if (guide_) guide_->cancel();
+  if (navigator_) navigator_->cancel();
 }
 
 std::optional<SharedMotion> Pilot::share(std::uint32_t robot, double time) const {
   const std::optional<Pose2> now = pose();
   if (!options_.use_map || !now) return std::nullopt;
-  return guide_->navigator().share(robot, time, *now);
+  return navigator_->share(robot, time, *now);
+}
+
+Measurements Pilot::measure(double time) {
+  seen_ = board_.collect(time);
+  Measurements measured{.time = time,
+                        .pose_time = kNever,
+                        .obstacles = seen_.obstacles,
+                        .obstacles_time = seen_.time,
+                        .obstacles_due = board_.has_detectors()};
+  if (options_.use_scan && !scanned_) measured.map_time = kNever;
+  if (const std::optional<Pose2> now = pose()) {
+    measured.pose = *now;
+    if (options_.use_map) measured.fleet = fleet_.around(now->position, time);
+    const bool lost = options_.use_map && time - localisation_time_ > options_.localisation_timeout;
+    if (!lost) measured.pose_time = odometry_.time();
+  }
+  return measured;
 }
 
 PilotStep Pilot::cycle(double time) {
@@ -118,24 +141,17 @@ PilotStep Pilot::cycle(double time) {
   if (fresh_goal_) {
     state_ = PilotState::Driving;
     fresh_goal_ = false;
-    progress_time_ = time;
-    if (guide_) guide_->set_goal(*goal_);
+    if (navigator_) navigator_->set_goal(*goal_);
   }
   if (state_ == PilotState::Idle) {
     // Others may drive it meanwhile: a drive begins with what it does, and the fleet is told so.
-    if (guide_ && !odometry_.empty()) guide_->reset(odometry_.twist());
+    if (navigator_ && !odometry_.empty()) navigator_->reset(odometry_.twist());
     return answer;
   }
 
-  GuideInput input{.time = time, .pose = {}, .pose_time = -kInfinity, .board = board_};
-  if (const std::optional<Pose2> now = pose()) {
-    input.pose = *now;
-    if (options_.use_map) input.fleet = fleet_.around(now->position, time);
-    const bool lost = options_.use_map && time - localisation_time_ > options_.localisation_timeout;
-    if (!lost) input.pose_time = odometry_.time();
-  }
+  const Measurements measured = measure(time);
   NavigationStep step{.status = NavigationStatus::Stale, .limit = LimitingFactor::StalePose};
-  if (guide_) step = guide_->update(input);
+  if (navigator_) step = navigator_->update(measured);
 
   answer.send = true;
   answer.command = step.command;
@@ -143,49 +159,35 @@ PilotStep Pilot::cycle(double time) {
   answer.limit = step.limit;
   answer.rectangle = step.rectangle;
   answer.plan = step.plan;
-  answer.pose_time = input.pose_time;
-  if (guide_) {
-    answer.new_plan = guide_->plans_made() != plans_seen_;
-    plans_seen_ = guide_->plans_made();
-  }
+  answer.pose_time = *measured.pose_time;
+  answer.new_plan = navigator_ && navigator_->follows_new_plan();
+  has_planned_ = has_planned_ || answer.new_plan;
   sent_ = step.command;
   if (state_ == PilotState::Driving) {
-    watch_progress(time, step, answer);
+    judge(step, answer);
   } else if (is_zero(step.command) && --zeros_left_ <= 0) {
     state_ = PilotState::Idle;
   }
   return answer;
 }
 
-void Pilot::watch_progress(double time, const NavigationStep& step, PilotStep& answer) {
-  const bool current = guide_ && guide_->plan_is_current();
-  if (current && step.status == NavigationStatus::GoalReached) {
+// Whether the drive has ended, and how.
+void Pilot::judge(const NavigationStep& step, PilotStep& answer) {
+  if (step.status == NavigationStatus::GoalReached) {
     answer.end = GoalEnd::Reached;
     cancel();
-    return;
+  } else if (step.status == NavigationStatus::GaveUp) {
+    answer.end = GoalEnd::GivenUp;
+    answer.reason = reason_of(step);
+    cancel();
   }
-  if (step.status == NavigationStatus::GoalReached) answer.status = NavigationStatus::NoPlan;
-  // The string has points once the robot was found in the corridor.
-  if (current && guide_->navigator().corridor().reference_path().count > 0) {
-    const double remaining = guide_->navigator().corridor().remaining();
-    if (answer.new_plan) least_remaining_ = remaining;
-    if (remaining < least_remaining_ - kProgress) {
-      least_remaining_ = remaining;
-      progress_time_ = time;
-    }
-  }
-  if (time - progress_time_ < options_.patience) return;
-  answer.end = GoalEnd::GivenUp;
-  answer.reason = reason_of(step);
-  cancel();
 }
 
 std::string Pilot::reason_of(const NavigationStep& step) const {
   std::string text = to_text(step.status);
   if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
-  const bool planned = guide_ && guide_->plans_made() > 0;
-  if (planned && !guide_->navigator().plan().usable()) {
-    text += std::string(": ") + guide_->navigator().plan().reason();
+  if (has_planned_ && !navigator_->plan().usable()) {
+    text += std::string(": ") + navigator_->plan().reason();
   }
   return text;
 }

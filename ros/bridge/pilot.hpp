@@ -3,11 +3,25 @@
 
 #include <string>
 
+#include "bridge/any_navigator.hpp"
 #include "bridge/fleet_board.hpp"
-#include "bridge/guide.hpp"
+#include "bridge/obstacle_board.hpp"
 #include "bridge/pose_history.hpp"
 
 namespace fairway::bridge {
+
+/// What a node decides once, when it starts.
+struct PilotOptions {
+  bool use_map = true;                ///< drive on a map; else on what the scans have shown
+  bool use_scan = true;               ///< scans are needed, and their age is checked
+  bool plan_in_background = true;     ///< false: the cycle waits for plans, and is deterministic
+  std::size_t max_beams = 4096;       ///< beams of a scan that are used, the first ones
+  double patience = 20.0;             ///< a goal without progress for so long is given up [s]
+  double localisation_timeout = 2.0;  ///< oldest pose of the odometry's frame in the map [s]
+};
+
+/// Whether a robot can be driven that way; the error names the option.
+[[nodiscard]] Expected<void> validate(const PilotOptions& options);
 
 /// What the pilot is doing.
 enum class PilotState : std::uint8_t {
@@ -87,13 +101,21 @@ class Pilot {
   [[nodiscard]] std::optional<Pose2> pose() const;
 
   /// The plan that is followed and what the tracker sees; null before the first odometry.
-  [[nodiscard]] const Guide* guide() const noexcept { return guide_.get(); }
+  [[nodiscard]] const AnyNavigator* navigator() const noexcept {
+    return navigator_ ? &*navigator_ : nullptr;
+  }
+
+  /// Whether any plan was made, be it usable or not.
+  [[nodiscard]] bool has_planned() const noexcept { return has_planned_; }
+
   [[nodiscard]] const PoseHistory& odometry() const noexcept { return odometry_; }
 
  private:
-  void make_guide();
+  void make_navigator();
+  [[nodiscard]] Settings with_options(const Settings& settings) const;
   [[nodiscard]] Pose2 in_world(const Pose2& pose) const;
-  void watch_progress(double time, const NavigationStep& step, PilotStep& answer);
+  [[nodiscard]] Measurements measure(double time);
+  void judge(const NavigationStep& step, PilotStep& answer);
   [[nodiscard]] std::string reason_of(const NavigationStep& step) const;
 
   Settings settings_;
@@ -104,14 +126,14 @@ class Pilot {
   double localisation_time_ = 0.0;
   ObstacleBoard board_;
   FleetBoard fleet_;
-  std::unique_ptr<Guide> guide_;  // without a map, only once the first pose is known
+  std::optional<AnyNavigator> navigator_;  // without a map, only once the first pose is known
+  SeenObstacles seen_;                     // by others, in this cycle
+  bool scanned_ = false;                   // a scan was used
   std::optional<Goal> goal_;
   PilotState state_ = PilotState::Idle;
   int zeros_left_ = 0;  // commands to send while stopping, once it stands
-  int plans_seen_ = 0;
-  double least_remaining_ = 0.0;
-  double progress_time_ = 0.0;  // when the robot last got nearer to its goal
-  bool fresh_goal_ = false;     // set since the last cycle
+  bool has_planned_ = false;
+  bool fresh_goal_ = false;  // set since the last cycle
   Twist2 sent_;
 };
 

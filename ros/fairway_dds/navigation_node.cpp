@@ -162,7 +162,7 @@ void NavigationNode::run_cycle(double now) {
     if (step.end == bridge::GoalEnd::Reached || text != told_) tell_status(text);
   }
   if (step.new_plan) {
-    const Plan& plan = pilot_.guide()->navigator().plan();
+    const Plan& plan = pilot_.navigator()->plan();
     plan_.send(PathMessage(plan.path, world_frame(), now).get());
     corridor_.send(CorridorMessage(plan.corridor, world_frame(), now).get());
   }

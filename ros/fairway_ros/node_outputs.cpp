@@ -69,8 +69,8 @@ void NodeOutputs::show(const bridge::Pilot& pilot,
   if (const auto pose = pilot.pose(); pose && footprint_.getNumSubscribers() > 0) {
     footprint_.publish(to_message(pilot.settings().robot, *pose, now));
   }
-  if (pilot.guide() == nullptr) return;
-  const Plan& plan = pilot.guide()->navigator().plan();
+  if (pilot.navigator() == nullptr) return;
+  const Plan& plan = pilot.navigator()->plan();
   if (step.new_plan) plan_.publish(to_message(plan.path, now));
   if (step.new_plan || step.rectangle != shown_rectangle_) {
     corridor_.publish(corridor_markers(plan.corridor, step.rectangle, now));
@@ -80,10 +80,10 @@ void NodeOutputs::show(const bridge::Pilot& pilot,
     prediction_.publish(to_message(*step.plan, pilot.settings().mpc.step_length, now));
   }
   if (obstacles_.getNumSubscribers() > 0) {
-    obstacles_.publish(to_cloud(pilot.guide()->tracked(), now));
+    obstacles_.publish(to_cloud(pilot.navigator()->tracked(), now));
   }
   if (obstacle_markers_.getNumSubscribers() > 0) {
-    obstacle_markers_.publish(obstacle_markers(pilot.guide()->tracked(), now));
+    obstacle_markers_.publish(obstacle_markers(pilot.navigator()->tracked(), now));
   }
 }
 
@@ -112,11 +112,11 @@ void NodeOutputs::publish_status(const bridge::Pilot& pilot,
     add("scan_to_command_seconds", io::number_text(sent - scan->taken));
     add("received_to_command_seconds", io::number_text(sent - scan->received));
   }
-  if (pilot.guide() != nullptr) {
-    const Plan& plan = pilot.guide()->navigator().plan();
+  if (pilot.navigator() != nullptr) {
+    const Plan& plan = pilot.navigator()->plan();
     add("rectangle", std::to_string(step.rectangle + 1) + " of " +
                          std::to_string(plan.corridor.rectangles.size()));
-    if (!plan.usable() && pilot.guide()->plans_made() > 0) add("plan", plan.reason());
+    if (!plan.usable() && pilot.has_planned()) add("plan", plan.reason());
   }
   status_.publish(status);
 }

@@ -7,7 +7,7 @@
 
 #include <ros/node_handle.h>
 
-#include "bridge/guide.hpp"
+#include "bridge/pilot.hpp"
 #include "fairway/navigation/settings.hpp"
 
 namespace fairway::ros1 {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bridge/obstacle_board.hpp"
-#include "fairway/navigation/navigator.hpp"
+#include "fairway/navigation/facade/map_navigator.hpp"
 
 namespace fairway::nav2 {
 
@@ -31,9 +31,8 @@ struct FollowerStep {
 /// Follows a path that another planner made, inside a map that moves with the robot: the part of
 /// Nav2's controller that does not depend on Nav2.
 ///
-/// The path is cut where it leaves the map; what is left is covered with a corridor where the
-/// robot's disc fits along it, else Fairway plans its own way to where it ends. Made anew twice a
-/// second and when the navigator asks.
+/// The navigator cuts the path where it leaves the map, covers what is left with a corridor where
+/// the robot's disc fits along it, and else plans its own way to where it ends.
 class PathFollower {
  public:
   /// @pre settings are valid.
@@ -57,24 +56,15 @@ class PathFollower {
   [[nodiscard]] FollowerStep update(const FollowerInput& input);
 
   [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
-  [[nodiscard]] const Plan& plan() const noexcept { return navigator_->plan(); }
+  [[nodiscard]] const Plan& plan() const noexcept { return navigator_.plan(); }
 
  private:
-  void make_navigator(const Twist2& twist);
-  void replan(const FollowerInput& input);
-  /// What of the path lies ahead and inside the map, from the robot on.
-  [[nodiscard]] Path path_ahead(const FollowerInput& input) const;
+  [[nodiscard]] Settings limited() const;
 
   Settings settings_;
   std::optional<double> speed_limit_;
-  std::unique_ptr<Navigator> navigator_;
-  Planner planner_;
-  Path path_;
-  std::optional<double> goal_heading_;
-  bool wants_plan_ = true;
+  MapNavigator navigator_;
   bool starts_ = true;  // no command was sent since the last reset
-  double plan_time_;
-  Twist2 sent_;
 };
 
 }  // namespace fairway::nav2

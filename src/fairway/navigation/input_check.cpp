@@ -8,7 +8,12 @@ namespace fairway {
 LimitingFactor check_input(const NavigationInput& input,
                            const SafetySettings& settings,
                            DeadReckoning& reckoning) noexcept {
-  if (!is_finite(input.pose) || !std::isfinite(input.time)) return LimitingFactor::NonFinitePose;
+  // More turns than a robot makes in a drive: a heading in degrees.
+  constexpr double kMostHeading = 64.0;  // [rad]
+  if (!is_finite(input.pose) || !std::isfinite(input.time) ||
+      std::abs(input.pose.heading) > kMostHeading) {
+    return LimitingFactor::InvalidPose;
+  }
   // Written so that a stamp that is not finite is stale. A stamp from the future is no better.
   const auto fresh = [&](double stamp, double timeout) {
     return std::abs(input.time - stamp) <= timeout;
@@ -20,8 +25,8 @@ LimitingFactor check_input(const NavigationInput& input,
     return LimitingFactor::StaleMap;
   for (const MovingObstacle& obstacle : input.obstacles) {
     if (!is_finite(obstacle.position) || !is_finite(obstacle.velocity) ||
-        !std::isfinite(obstacle.radius)) {
-      return LimitingFactor::NonFiniteTracks;
+        !(obstacle.radius >= 0.0 && std::isfinite(obstacle.radius))) {
+      return LimitingFactor::InvalidTracks;
     }
   }
   if ((input.obstacles_due || !input.obstacles.empty()) &&
@@ -29,16 +34,23 @@ LimitingFactor check_input(const NavigationInput& input,
     return LimitingFactor::StaleTracks;
   }
   for (const FleetMember& member : input.fleet) {
-    if (!is_finite(*member.motion)) return LimitingFactor::NonFiniteTracks;
+    if (!is_finite(*member.motion)) return LimitingFactor::InvalidTracks;
     if (!fresh(member.motion->time, settings.tracks_timeout)) return LimitingFactor::StaleTracks;
   }
   return LimitingFactor::None;
 }
 
+bool CycleClock::plausible(double time, double period) noexcept {
+  constexpr double kMostPeriods = 100.0;  // between two cycles; times in milliseconds have 1000
+  const double interval = time - last_;
+  last_ = time;
+  slow_ = interval > kMostPeriods * period ? slow_ + 1 : 0;
+  return slow_ < 2;
+}
+
 NavigationStatus status_for(LimitingFactor bad_input) noexcept {
-  return bad_input == LimitingFactor::NonFinitePose ||
-                 bad_input == LimitingFactor::NonFiniteTracks ||
-                 bad_input == LimitingFactor::PoseJump
+  return bad_input == LimitingFactor::InvalidPose || bad_input == LimitingFactor::InvalidTracks ||
+                 bad_input == LimitingFactor::PoseJump || bad_input == LimitingFactor::InvalidTime
              ? NavigationStatus::BadInput
              : NavigationStatus::Stale;
 }

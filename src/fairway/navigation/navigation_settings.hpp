@@ -11,6 +11,7 @@ struct NavigationSettings {
   double goal_tolerance = 0.1;  ///< distance at which the goal is reached [m], 0.001 to 10 (d_max)
   double heading_tolerance = 0.1;  ///< likewise for a goal's heading [rad], 0.001 to 3.15
   double stall_timeout = 0.4;      ///< standstill that starts a recovery [s], 0.05 to 1000
+  double patience = 0.0;  ///< time without progress after which the goal is dropped [s]; 0: never
 };
 
 template <typename Settings, typename Visitor>
@@ -25,6 +26,9 @@ void visit_navigation(Settings& s, Visitor&& field) {
   field(s.stall_timeout,
         SettingInfo{"stall_timeout", "s", "standstill before the goal that starts a recovery", 0.05,
                     1000});
+  field(s.patience,
+        SettingInfo{"patience", "s",
+                    "time without progress after which the goal is dropped; 0: never", 0, 1e5});
 }
 
 }  // namespace fairway

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace fairway {
@@ -17,7 +18,13 @@ enum class NavigationStatus : std::uint8_t {
   Infeasible,   ///< the solver has no usable answer: stopping
   NoPlan,       ///< no goal, or no path or corridor to it: standing
   GoalReached,  ///< at the goal: standing
+  Planning,     ///< a first plan is being made in the background: standing
+  GaveUp,       ///< no progress for `navigation.patience`: the goal is dropped, standing
 };
+
+/// How many there are.
+inline constexpr std::size_t kNavigationStatuses =
+    static_cast<std::size_t>(NavigationStatus::GaveUp) + 1;
 
 [[nodiscard]] constexpr const char* to_text(NavigationStatus status) noexcept {
   switch (status) {
@@ -41,6 +48,10 @@ enum class NavigationStatus : std::uint8_t {
       return "no plan";
     case NavigationStatus::GoalReached:
       return "goal reached";
+    case NavigationStatus::Planning:
+      return "planning";
+    case NavigationStatus::GaveUp:
+      return "gave up";
   }
   return "unknown";
 }
@@ -57,11 +68,14 @@ enum class LimitingFactor : std::uint8_t {
   StalePose,
   StaleMap,
   StaleTracks,
-  NonFinitePose,
-  NonFiniteTracks,
-  PoseJump,  ///< the pose is not where the commands lead
+  InvalidPose,    ///< not finite, or its heading is not in radians
+  InvalidTracks,  ///< a moving obstacle is not finite, or has a negative radius
+  PoseJump,       ///< the pose is not where the commands lead
   SolverFailed,
   NoPath,
+  InvalidGoal,  ///< the goal is not finite, or its heading is not in radians
+  InvalidTime,  ///< the times of the cycles are not in seconds
+  SmallerPlan,  ///< the plan was made for a smaller robot
 };
 
 [[nodiscard]] constexpr const char* to_text(LimitingFactor limit) noexcept {
@@ -86,16 +100,22 @@ enum class LimitingFactor : std::uint8_t {
       return "stale map";
     case LimitingFactor::StaleTracks:
       return "stale tracks";
-    case LimitingFactor::NonFinitePose:
-      return "pose not finite";
-    case LimitingFactor::NonFiniteTracks:
-      return "tracks not finite";
+    case LimitingFactor::InvalidPose:
+      return "invalid pose";
+    case LimitingFactor::InvalidTracks:
+      return "invalid tracks";
     case LimitingFactor::PoseJump:
       return "pose jumps";
     case LimitingFactor::SolverFailed:
       return "solver failed";
     case LimitingFactor::NoPath:
       return "no path";
+    case LimitingFactor::InvalidGoal:
+      return "invalid goal";
+    case LimitingFactor::InvalidTime:
+      return "times are not in seconds";
+    case LimitingFactor::SmallerPlan:
+      return "plan for a smaller robot";
   }
   return "unknown";
 }

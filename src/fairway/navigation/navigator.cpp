@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "fairway/fleet/motion_report.hpp"
@@ -15,8 +14,7 @@
 #include "fairway/safety/collision_environment.hpp"
 #include "fairway/tracking/free_distance.hpp"
 #include "fairway/tracking/problem_setup.hpp"
-#include "fairway/tracking/timed_targets.hpp"
-#include "fairway/tracking/waypoint_targets.hpp"
+#include "fairway/tracking/targets.hpp"
 
 namespace fairway {
 
@@ -24,13 +22,6 @@ namespace {
 
 constexpr double kStandingLinear = 0.02;  // [m/s]; slower is a standstill
 constexpr double kNoticeable = 1e-3;      // [m]; smaller violations are within the plan's margin
-
-const Settings& checked(const Settings& settings) {
-  if (const Expected<void> valid = validate(settings); !valid) {
-    throw std::invalid_argument(valid.error().message);
-  }
-  return settings;
-}
 
 }  // namespace
 
@@ -53,7 +44,8 @@ Navigator::Navigator(const Settings& settings, ControlSolver& solver)
 
 void Navigator::follow(Plan plan) {
   plan_ = std::move(plan);
-  corridor_ = plan_.usable()
+  plan_is_too_small_ = plan_.usable() && !fits(plan_, settings_.robot.radius);
+  corridor_ = plan_.usable() && !plan_is_too_small_
                   ? CorridorFollower(plan_.corridor, plan_.goal.position, settings_.tracking)
                   : CorridorFollower();
   fleet_.change_way();
@@ -87,9 +79,12 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
       bad != LimitingFactor::None) {
     return stop(status_for(bad), bad);
   }
+  if (!clock_.plausible(given.time, period_)) {
+    return stop(NavigationStatus::BadInput, LimitingFactor::InvalidTime);
+  }
   NavigationInput input = given;
   input.pose = reckoning_.advanced(given.pose, given.pose_time, given.time);
-  if (!plan_.usable()) return stop(NavigationStatus::NoPlan, LimitingFactor::NoPath);
+  if (corridor_.empty()) return without_plan(input);
   if (plan_time_ < 0.0) plan_time_ = input.time;
   if (goal_check_.update((input.pose.position - plan_.goal.position).norm(), sent_.linear,
                          settings_.navigation.goal_tolerance)) {
@@ -113,6 +108,12 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
   if (rebuild > 0.0 && input.time - plan_time_ >= rebuild) result.wants_plan = true;
   result.rectangle = corridor_.current();
   return result;
+}
+
+NavigationStep Navigator::without_plan(const NavigationInput& input) noexcept {
+  if (plan_is_too_small_) return stop(NavigationStatus::NoPlan, LimitingFactor::SmallerPlan);
+  return stop(input.planning ? NavigationStatus::Planning : NavigationStatus::NoPlan,
+              LimitingFactor::NoPath);
 }
 
 // Stops at the goal's position; turns to its heading first, if it has one.
@@ -171,24 +172,18 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
                    .fleet = input.fleet,
                    .time = input.time + lag_},
                   input.pose.position, problem_);
-  switch (settings_.tracking.target_mode) {
-    case TargetMode::ReferencePath:
-      set_timed_targets(way_,
-                        {.speed = sent_.linear,
+  const double free_length =
+      distance_to_stop_in(*input.map, way_, robot, mpc.horizon * mpc.step_length);
+  set_targets({.corridor = corridor_,
+               .path = way_,
+               .goal = plan_.goal,
+               .pose = input.pose,
+               .start = {.speed = sent_.linear,
                          .lead = lag_,
                          .heading = input.pose.heading,
                          .goal_heading = plan_.goal.heading,
-                         .free_length = distance_to_stop_in(*input.map, way_, robot,
-                                                            mpc.horizon * mpc.step_length)},
-                        settings_.tracking, mpc, robot, problem_);
-      break;
-    case TargetMode::DualWaypoints:
-      set_dual_targets(corridor_, plan_.goal, input.pose, mpc, problem_);
-      break;
-    case TargetMode::OverlapCentroid:
-      set_centroid_target(corridor_, plan_.goal, input.pose, mpc, problem_);
-      break;
-  }
+                         .free_length = free_length}},
+              settings_.tracking, mpc, robot, problem_);
 }
 
 // Sends the best answer whose stop is proven; else stops.

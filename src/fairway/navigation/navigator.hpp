@@ -9,6 +9,7 @@
 #include "fairway/mpc/control_solver.hpp"
 #include "fairway/navigation/dead_reckoning.hpp"
 #include "fairway/navigation/goal_check.hpp"
+#include "fairway/navigation/input_check.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/navigation/recovery_behaviour.hpp"
 #include "fairway/navigation/settings.hpp"
@@ -32,7 +33,8 @@ class Navigator {
   /// @throws std::invalid_argument unless validate(settings) holds.
   Navigator(const Settings& settings, ControlSolver& solver);
 
-  /// Follows a plan from now on. With an unusable plan the robot brakes and stays stopped.
+  /// Follows a plan from now on. With an unusable plan, or one that was made for a smaller robot,
+  /// the robot brakes and stays stopped.
   void follow(Plan plan);
 
   /// Forgets the plan: the robot brakes to a standstill.
@@ -61,6 +63,7 @@ class Navigator {
   Navigator(const Settings& settings, std::unique_ptr<ControlSolver> own, ControlSolver* other);
 
   [[nodiscard]] NavigationStep cycle(const NavigationInput& input) noexcept;
+  [[nodiscard]] NavigationStep without_plan(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void note_remaining() noexcept;
   void coordinate(const NavigationInput& input) noexcept;
@@ -91,11 +94,13 @@ class Navigator {
   Twist2 sent_;                               // in the last cycle
   Twist2 sent_before_;                        // in the one before
   SafeStop stop_;
+  CycleClock clock_;
   DeadReckoning reckoning_;
   GoalCheck goal_check_;
   double plan_time_ = -1.0;  // when the present plan was first driven on
   double remaining_ = std::numeric_limits<double>::infinity();  // in the last cycle [m]
-  bool new_way_ = false;                                        // since then
+  bool plan_is_too_small_ = false;
+  bool new_way_ = false;  // since then
   RecoveryBehaviour recovery_;
 };
 

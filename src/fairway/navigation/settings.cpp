@@ -2,6 +2,7 @@
 #include "fairway/navigation/settings.hpp"
 
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -85,6 +86,13 @@ Expected<void> validate(const Settings& settings) {
     return fail("robot.linear_acceleration_max: expected enough to stop within 200 control cycles");
   }
   return {};
+}
+
+const Settings& checked(const Settings& settings) {
+  if (const Expected<void> valid = validate(settings); !valid) {
+    throw std::invalid_argument(valid.error().message);
+  }
+  return settings;
 }
 
 }  // namespace fairway

@@ -62,4 +62,7 @@ void visit_settings(S& s, GroupVisitor&& group) {
 /// The error names `group.name`, what was expected and what was found.
 [[nodiscard]] Expected<void> validate(const Settings& settings);
 
+/// The settings themselves. @throws std::invalid_argument unless validate(settings) holds.
+[[nodiscard]] const Settings& checked(const Settings& settings);
+
 }  // namespace fairway

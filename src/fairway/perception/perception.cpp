@@ -6,14 +6,13 @@
 namespace fairway {
 
 Perception::Perception(const PerceptionSettings& settings,
-                       std::size_t max_beams,
                        const Eigen::Vector2d& position)
     : settings_(settings),
-      max_beams_(max_beams),
+      max_beams_(static_cast<std::size_t>(settings.max_beams)),
       grid_(settings, position),
-      tracker_(settings, max_beams),
+      tracker_(settings, max_beams_),
       time_(-std::numeric_limits<double>::infinity()) {
-  beams_.reserve(max_beams);
+  beams_.reserve(max_beams_);
 }
 
 void Perception::observe(const LidarScan& scan,

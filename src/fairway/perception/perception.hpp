@@ -14,9 +14,7 @@ namespace fairway {
 /// used. Deterministic.
 class Perception {
  public:
-  Perception(const PerceptionSettings& settings,
-             std::size_t max_beams,
-             const Eigen::Vector2d& position);
+  Perception(const PerceptionSettings& settings, const Eigen::Vector2d& position);
 
   /// Takes in one scan.
   /// @param position  Where the robot was at the scan's time, in the same frame.

@@ -24,6 +24,7 @@ struct PerceptionSettings {
   double acceleration_noise = 1.5;  ///< how fast moving objects change their velocity [m/s^2]
   double forget_after = 2.0;        ///< a moving object that is hidden this long is forgotten [s]
   double uncertainty_share = 1.0;   ///< standard deviations added to a moving object's radius []
+  int max_beams = 4096;             ///< beams used of a scan, the first ones, 1 to 100000
 };
 
 template <typename Settings, typename Visitor>
@@ -65,6 +66,8 @@ void visit_perception(Settings& s, Visitor&& field) {
   field(s.uncertainty_share,
         SettingInfo{"uncertainty_share", "",
                     "standard deviations added to a moving object's radius", 0, 10});
+  field(s.max_beams,
+        SettingInfo{"max_beams", "", "beams used of a scan, the first ones", 1, 100000});
 }
 
 }  // namespace fairway

@@ -1,59 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
 
-#include "fairway/corridor/corridor.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
-#include "fairway/map/bit_grid.hpp"
-#include "fairway/map/distance_field.hpp"
 #include "fairway/path/path_planner.hpp"
 #include "fairway/path/path_settings.hpp"
+#include "fairway/planning/plan.hpp"
+#include "fairway/planning/prepared_map.hpp"
 
 namespace fairway {
-
-/// A static map in the forms that planning and driving read.
-struct PreparedMap {
-  BitGrid obstacles;
-  DistanceField distances;
-
-  PreparedMap() = default;  ///< everything blocked
-  explicit PreparedMap(BitGrid bits) : obstacles(std::move(bits)), distances(obstacles) {}
-  explicit PreparedMap(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied)
-      : PreparedMap(BitGrid(grid, unknown)) {}
-};
-
-/// Where to go. Without a heading any heading will do.
-struct Goal {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  std::optional<double> heading;
-};
-
-/// A way to a goal: path and corridor, or why there is none.
-struct Plan {
-  PathStatus path_status = PathStatus::NoConnection;
-  CorridorStatus corridor_status = CorridorStatus::EmptyPath;
-  Path path;
-  Corridor corridor;
-  Goal goal;
-  bool whole = true;              ///< whether the corridor covers all of the path
-  double margin = 0.0;            ///< room beyond the robot's radius that the path keeps [m]
-  double stuck_at = 0.0;          ///< where on the path the corridor broke, if it did [m]
-  double path_seconds = 0.0;      ///< spent on paths, when a clock was lent [s]
-  double corridor_seconds = 0.0;  ///< spent on corridors, when a clock was lent [s]
-
-  [[nodiscard]] bool usable() const noexcept {
-    return path_status == PathStatus::Found && corridor_status == CorridorStatus::Built;
-  }
-
-  /// Why it is not usable, for a person.
-  [[nodiscard]] const char* reason() const noexcept {
-    return path_status != PathStatus::Found ? to_text(path_status) : to_text(corridor_status);
-  }
-};
 
 /// The settings that a plan depends on.
 struct PlannerSettings {

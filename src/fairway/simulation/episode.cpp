@@ -16,8 +16,6 @@ namespace fairway {
 
 namespace {
 
-constexpr std::size_t kStatuses = static_cast<std::size_t>(NavigationStatus::GoalReached) + 1;
-
 class Episode final : public EpisodeControl {
  public:
   Episode(const Scenario& scenario, const EpisodeHooks& hooks)
@@ -30,7 +28,8 @@ class Episode final : public EpisodeControl {
     if (hooks_.observer != nullptr) hooks_.observer->on_start(scenario);
     for (const RobotTask& task : scenario.robots) {
       goals_.push_back(task.goal);
-      result_.robots.push_back({.name = task.name, .status_counts = std::vector<int>(kStatuses)});
+      result_.robots.push_back(
+          {.name = task.name, .status_counts = std::vector<int>(kNavigationStatuses)});
     }
     commands_.resize(goals_.size());
     done_.resize(goals_.size());
@@ -79,11 +78,8 @@ class Episode final : public EpisodeControl {
     }
     if (changed.last.x < 0) return;
     map_.distances.update(map_.obstacles, changed);
-    for (std::size_t i = 0; i < drivers_.size(); ++i) {
-      if (done_[i] || !drivers_[i]->knows_map()) continue;
-      drivers_[i]->plan_again(world_);
-      show_plan(i);
-    }
+    for (const auto& driver : drivers_)
+      driver->note_map_change();
   }
 
   void set_body(std::size_t index, const MovingBody& body) override {
@@ -128,8 +124,7 @@ class Episode final : public EpisodeControl {
 
   void head_for_goal(std::size_t i) {
     if (hooks_.observer != nullptr) hooks_.observer->on_goal(world_.time(), i, goals_[i]);
-    drivers_[i]->head_for(goals_[i], world_);
-    if (drivers_[i]->knows_map()) show_plan(i);
+    drivers_[i]->head_for(goals_[i]);
   }
 
   void measure() {
@@ -175,9 +170,6 @@ class Episode final : public EpisodeControl {
       result.reached = true;
       result.time = world_.time();
       done_[i] = true;
-    } else if (step.wants_plan && drivers_[i]->knows_map()) {
-      drivers_[i]->plan_again(world_);
-      show_plan(i);
     }
   }
 

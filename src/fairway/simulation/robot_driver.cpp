@@ -3,7 +3,9 @@
 
 #include <limits>
 
-#include "fairway/navigation/mapless_navigator.hpp"
+#include "fairway/navigation/facade/map_navigator.hpp"
+#include "fairway/navigation/facade/mapless_navigator.hpp"
+#include "fairway/perception/perception.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/lidar_senses.hpp"
 
@@ -23,17 +25,17 @@ class MapDriver final : public RobotDriver {
       : context_(context),
         robot_(robot),
         result_(result),
-        navigator_(context.settings, context.solver) {
+        navigator_(context.settings, context.map, context.planner, context.solver) {
     navigator_.reset(world.robots()[robot].twist);
+    navigator_.lend_clock(context.clock);
     tell(world);
   }
 
-  [[nodiscard]] bool knows_map() const override { return true; }
   [[nodiscard]] double next_measurement() const override {
     return std::numeric_limits<double>::infinity();
   }
   void measure(const World& /*world*/) override {}
-  [[nodiscard]] const Navigator& navigator() const override { return navigator_; }
+  [[nodiscard]] const Navigator& navigator() const override { return navigator_.navigator(); }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
     const Pose2& pose = world.robots()[robot_].pose;
@@ -43,20 +45,19 @@ class MapDriver final : public RobotDriver {
     } else {
       world.moving_around(robot_, seen_);
     }
-    DrivenCycle cycle{.input = {.time = world.time(),
-                                .pose = pose,
-                                .pose_time = world.time(),
-                                .obstacles = seen_,
-                                .obstacles_time = world.time(),
-                                .map = &world.obstacles(),
-                                .map_time = world.time(),
-                                .fleet = {},
-                                .robot = static_cast<std::uint32_t>(robot_)},
-                      .step = {}};
-    if (radio) cycle.input.fleet = context_.radio.hear(robot_, pose.position, world.time());
+    Measurements measured{.time = world.time(),
+                          .pose = pose,
+                          .obstacles = seen_,
+                          .robot = static_cast<std::uint32_t>(robot_)};
+    if (radio) measured.fleet = context_.radio.hear(robot_, pose.position, world.time());
     const double before = now(context_);
-    cycle.step = navigator_.update(cycle.input);
-    cycle.seconds = now(context_) - before;
+    const NavigationStep step = navigator_.update(measured);
+    const double planning = navigator_.planning_seconds();
+    const DrivenCycle cycle{.input = navigator_.input(),
+                            .step = step,
+                            .seconds = now(context_) - before - planning,
+                            .new_plan = navigator_.follows_new_plan()};
+    if (context_.clock && navigator_.planned()) result_.plan_seconds.push_back(planning);
     tell(world);
     return cycle;
   }
@@ -66,17 +67,8 @@ class MapDriver final : public RobotDriver {
     tell(world);
   }
 
-  void head_for(const Goal& goal, const World& world) override {
-    goal_ = goal;
-    plan_again(world);
-  }
-
-  void plan_again(const World& world) override {
-    const double before = now(context_);
-    navigator_.follow(context_.planner.plan(context_.map, world.robots()[robot_].pose.position,
-                                            goal_, planner_settings(context_.settings)));
-    if (context_.clock) result_.plan_seconds.push_back(now(context_) - before);
-  }
+  void head_for(const Goal& goal) override { navigator_.set_goal(goal); }
+  void note_map_change() override { navigator_.map_changed(); }
 
  private:
   void tell(const World& world) {
@@ -88,8 +80,7 @@ class MapDriver final : public RobotDriver {
   DriverContext context_;
   std::size_t robot_;
   RobotResult& result_;
-  Navigator navigator_;
-  Goal goal_;
+  MapNavigator navigator_;
   std::vector<MovingObstacle> seen_;
 };
 
@@ -103,27 +94,23 @@ class LidarDriver final : public RobotDriver {
       : context_(context),
         result_(result),
         senses_(context.scenario.sensing, world, robot, context.scenario.seed + robot),
-        navigator_(context.settings,
-                   context.solver,
-                   static_cast<std::size_t>(context.scenario.sensing.lidar.beams),
-                   world.robots()[robot].pose.position),
+        navigator_(context.settings, context.solver, world.robots()[robot].pose.position),
         robot_(robot) {
     navigator_.reset(world.robots()[robot].twist);
   }
 
-  [[nodiscard]] bool knows_map() const override { return false; }
   [[nodiscard]] double next_measurement() const override { return senses_.next_scan(); }
   void measure(const World& world) override { senses_.measure(world); }
   [[nodiscard]] const Navigator& navigator() const override { return navigator_.navigator(); }
-  void head_for(const Goal& goal, const World& /*world*/) override { navigator_.set_goal(goal); }
-  void plan_again(const World& /*world*/) override {}
+  void head_for(const Goal& goal) override { navigator_.set_goal(goal); }
+  void note_map_change() override {}
   void tell_standing(const World& world) override { look_around(world.time()); }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
     const double before = now(context_);
     look_around(world.time());
     const double sensed = now(context_);
-    const NavigationStep step = navigator_.update(world.time(), senses_.pose());
+    const NavigationStep step = navigator_.update({.time = world.time(), .pose = senses_.pose()});
     const double after = now(context_);
     if (context_.clock) {
       result_.sense_seconds.push_back(sensed - before);

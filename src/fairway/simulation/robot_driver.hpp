@@ -31,9 +31,6 @@ class RobotDriver {
   RobotDriver& operator=(const RobotDriver&) = delete;
   virtual ~RobotDriver() = default;
 
-  /// Whether it is told when the map changes.
-  [[nodiscard]] virtual bool knows_map() const = 0;
-
   /// When `measure` wants to be called next [s]; infinite for never.
   [[nodiscard]] virtual double next_measurement() const = 0;
 
@@ -43,12 +40,11 @@ class RobotDriver {
   /// One control cycle at the world's time.
   [[nodiscard]] virtual DrivenCycle drive(const World& world) = 0;
 
-  /// Makes a way to `goal` from where the robot is.
-  virtual void head_for(const Goal& goal, const World& world) = 0;
+  /// Sends the robot to `goal`; the next cycle makes a plan.
+  virtual void head_for(const Goal& goal) = 0;
 
-  /// Makes a new way to the same goal after a cycle that wants one. A driver without a map has
-  /// seen to it within the cycle.
-  virtual void plan_again(const World& world) = 0;
+  /// The map that the robot knows has changed. A robot that drives by its lidar sees it itself.
+  virtual void note_map_change() = 0;
 
   /// Instead of `drive`, where it has arrived or cannot move any more: tells the other robots that
   /// it stands where it is, and need not be waited for.

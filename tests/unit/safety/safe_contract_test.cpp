@@ -88,14 +88,14 @@ TEST_F(SafeContract, StopsOnAStaleOrMissingMap) {
 TEST_F(SafeContract, StopsOnAPoseOrTimeThatIsNotFinite) {
   NavigationInput told = input();
   told.pose.heading = kNan;
-  expect_stop(told, NavigationStatus::BadInput, LimitingFactor::NonFinitePose);
+  expect_stop(told, NavigationStatus::BadInput, LimitingFactor::InvalidPose);
 }
 
 TEST_F(SafeContract, StopsOnTracksThatAreNotFinite) {
   obstacles_ = {{.position = {5, 2}, .velocity = {kNan, 0}, .radius = 0.3}};
   const NavigationStep step = cycle(input());
   EXPECT_EQ(step.status, NavigationStatus::BadInput);
-  EXPECT_EQ(step.limit, LimitingFactor::NonFiniteTracks);
+  EXPECT_EQ(step.limit, LimitingFactor::InvalidTracks);
   EXPECT_NEAR(step.command.linear, last_.command.linear - 0.2, 1e-6);
 }
 

@@ -78,8 +78,8 @@ std::string begin_text(const Scenario& scenario) {
                  {"bodies", std::move(bodies)},
                  {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
                  {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
-                 {"statuses", texts(NavigationStatus::GoalReached)},
-                 {"limits", texts(LimitingFactor::NoPath)},
+                 {"statuses", texts(NavigationStatus::GaveUp)},
+                 {"limits", texts(LimitingFactor::SmallerPlan)},
                  {"rows", texts(RowKind::Barrier)},
                  {"settings", settings_list(scenario.settings)}});
 }

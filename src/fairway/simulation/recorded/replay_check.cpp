@@ -41,19 +41,16 @@ void ReplayCheck::on_navigators(double /*time*/,
       navigators_.emplace_back(settings, solver).reset(start.twist);
       continue;
     }
-    const auto beams = static_cast<std::size_t>(sensing_.lidar.beams);
-    without_map_.push_back(
-        std::make_unique<MaplessNavigator>(settings, solver, beams, start.pose.position));
-    without_map_.back()->reset(start.twist);
+    without_map_.emplace_back(settings, solver, start.pose.position).reset(start.twist);
   }
 }
 
 void ReplayCheck::on_goal(double /*time*/, std::size_t robot, const Goal& goal) {
-  if (!without_map_.empty()) without_map_.at(robot)->set_goal(goal);
+  if (!without_map_.empty()) without_map_.at(robot).set_goal(goal);
 }
 
 void ReplayCheck::on_scan(const ObservedScan& scan) {
-  without_map_.at(scan.robot)->observe(scan.scan, scan.position);
+  without_map_.at(scan.robot).observe(scan.scan, scan.position);
 }
 
 void ReplayCheck::on_plan(double /*time*/, std::size_t robot, const Plan& plan) {
@@ -65,7 +62,8 @@ void ReplayCheck::on_cycle(const NavigationCycle& cycle) {
   const NavigationStep replayed =
       without_map_.empty()
           ? navigators_.at(cycle.robot).update(input)
-          : without_map_.at(cycle.robot)->update(input.time, input.pose, input.pose_time);
+          : without_map_.at(cycle.robot).update(
+                {.time = input.time, .pose = input.pose, .pose_time = input.pose_time});
   ++cycles_;
   if (same(cycle.step, replayed)) return;
   ++different_;

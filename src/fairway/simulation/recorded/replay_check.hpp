@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fairway/navigation/mapless_navigator.hpp"
+#include "fairway/navigation/facade/mapless_navigator.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
 namespace fairway {
@@ -48,7 +48,7 @@ class ReplayCheck final : public EpisodeObserver {
   std::unique_ptr<ControlSolver> own_solver_;
   SensingModel sensing_;
   std::vector<Navigator> navigators_;                           // of robots that know the map
-  std::vector<std::unique_ptr<MaplessNavigator>> without_map_;  // of robots with a lidar
+  std::vector<MaplessNavigator> without_map_;  // of robots with a lidar
   long cycles_ = 0;
   long different_ = 0;
   std::optional<Difference> first_difference_;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <utility>
+#include <variant>
+
+#include "fairway/navigation/facade/map_navigator.hpp"
+#include "fairway/navigation/facade/mapless_navigator.hpp"
+
+namespace fairway::bridge {
+
+/// One of the library's two navigators, whose interfaces are alike.
+class AnyNavigator {
+ private:
+  template <typename Visitor>
+  decltype(auto) visit(Visitor&& visitor) {
+    return std::visit(std::forward<Visitor>(visitor), navigator_);
+  }
+  template <typename Visitor>
+  decltype(auto) visit(Visitor&& visitor) const {
+    return std::visit(std::forward<Visitor>(visitor), navigator_);
+  }
+
+ public:
+  explicit AnyNavigator(MapNavigator navigator) : navigator_(std::move(navigator)) {}
+  explicit AnyNavigator(MaplessNavigator navigator) : navigator_(std::move(navigator)) {}
+
+  /// Ignored by a navigator that drives without a map.
+  void set_map(const OccupancyGrid& map) {
+    if (auto* const with_map = std::get_if<MapNavigator>(&navigator_)) with_map->set_map(map);
+  }
+  void observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+    visit([&](auto& navigator) { navigator.observe(scan, position); });
+  }
+  void set_goal(const Goal& goal) {
+    visit([&](auto& navigator) { navigator.set_goal(goal); });
+  }
+  void cancel() {
+    visit([](auto& navigator) { navigator.cancel(); });
+  }
+  void reset(const Twist2& actual) {
+    visit([&](auto& navigator) { navigator.reset(actual); });
+  }
+  void set_settings(const Settings& settings) {
+    visit([&](auto& navigator) { navigator.set_settings(settings); });
+  }
+  [[nodiscard]] NavigationStep update(const Measurements& measurements) {
+    return visit([&](auto& navigator) { return navigator.update(measurements); });
+  }
+  [[nodiscard]] const Plan& plan() const {
+    return visit([](const auto& navigator) -> const Plan& { return navigator.plan(); });
+  }
+  [[nodiscard]] bool plan_is_current() const {
+    return visit([](const auto& navigator) { return navigator.plan_is_current(); });
+  }
+  [[nodiscard]] bool follows_new_plan() const {
+    return visit([](const auto& navigator) { return navigator.follows_new_plan(); });
+  }
+  [[nodiscard]] MovingObstacles tracked() const {
+    return visit([](const auto& navigator) { return navigator.tracked(); });
+  }
+  [[nodiscard]] SharedMotion share(std::uint32_t robot, double time, const Pose2& pose) const {
+    return visit([&](const auto& navigator) { return navigator.share(robot, time, pose); });
+  }
+
+ private:
+  std::variant<MapNavigator, MaplessNavigator> navigator_;
+};
+
+}  // namespace fairway::bridge

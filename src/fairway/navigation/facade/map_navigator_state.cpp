@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/facade/map_navigator_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fairway/map/free_space.hpp"
+#include "fairway/map/grid_overlay.hpp"
+#include "fairway/navigation/facade/obstacle_merge.hpp"
+#include "fairway/tracking/corridor_check.hpp"
+
+namespace fairway {
+
+namespace {
+
+// The cells of `map` under the window of another grid.
+CellWindow window_under(const GridFrame& window, const GridFrame& map) noexcept {
+  CellWindow cells = kNoCells;
+  for (const double x : {0.0, static_cast<double>(window.width)}) {
+    for (const double y : {0.0, static_cast<double>(window.height)}) {
+      const CellIndex corner = map.cell_at(window.to_world({x, y}));
+      cells = united(cells, {.first = {.x = corner.x - 1, .y = corner.y - 1},
+                             .last = {.x = corner.x + 1, .y = corner.y + 1}});
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+MapNavigator::State::State(const Settings& given,
+                           ControlSolver* solver,
+                           const PreparedMap* shared_map,
+                           Planner* shared_planner)
+    : settings(given),
+      solver_(solver),
+      shared_map_(shared_map),
+      shared_planner_(shared_planner) {
+  constexpr std::size_t kManyObstacles = 256;
+  moving_.reserve(kManyObstacles);
+  make_parts();
+}
+
+void MapNavigator::State::make_parts() {
+  navigator = solver_ != nullptr ? std::make_unique<Navigator>(settings, *solver_)
+                                 : std::make_unique<Navigator>(settings);
+  planning = shared_map_ != nullptr
+                 ? std::make_unique<MapPlanning>(settings, *shared_map_, *shared_planner_)
+                 : std::make_unique<MapPlanning>(settings);
+  planning->lend_clock(clock);
+}
+
+void MapNavigator::State::set_settings(const Settings& given) {
+  Navigator checked = solver_ != nullptr ? Navigator(given, *solver_) : Navigator(given);
+  settings = given;
+  make_parts();
+  navigator->reset(sent_);
+  if (perception) perception.emplace(settings.perception, input.pose.position);
+  if (task) set_task(*std::exchange(task, std::nullopt));
+}
+
+void MapNavigator::State::set_task(NavigationTask given) {
+  task = std::move(given);
+  ++task_number_;
+  task_is_new_ = task->valid;
+  plan_is_current = false;
+  gave_up = false;
+  progress_.reset();
+  if (!task->valid) navigator->cancel();
+}
+
+void MapNavigator::State::change(const CellWindow& window) {
+  map_changed_ = true;
+  planning->note_change(window);
+  if (perception && map) overlay_scans();
+}
+
+void MapNavigator::State::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+  if (!perception) perception.emplace(settings.perception, position);
+  perception->observe(scan, position, settings.robot.radius);
+  scans_changed_ = true;
+  if (map) overlay_scans();
+}
+
+void MapNavigator::State::overlay_scans() {
+  seen_ = *map;
+  add_obstacles(perception->grid().occupied(), seen_);
+  const CellWindow now = window_under(perception->grid().frame(), map->frame());
+  planning->note_change(united(scanned_, now));
+  scanned_ = now;
+}
+
+const BitGrid* MapNavigator::State::obstacles() const noexcept {
+  if (shared_map_ != nullptr) return &shared_map_->obstacles;
+  if (!map) return nullptr;
+  return perception ? &seen_ : &*map;
+}
+
+bool MapNavigator::State::pose_is_known(const Measurements& m) const noexcept {
+  return is_finite(m.pose) && std::isfinite(m.time) &&
+         std::abs(m.time - m.pose_time.value_or(m.time)) <= settings.safety.pose_timeout;
+}
+
+// Whether the plan is still free, after the map or the scans have changed.
+void MapNavigator::State::look_at_changes() {
+  if (!map_changed_ && !scans_changed_) return;
+  const CorridorFollower& corridor = navigator->corridor();
+  const double radius = settings.robot.radius;
+  const BitGrid* fixed = shared_map_ != nullptr ? &shared_map_->obstacles : &*map;
+  if (navigator->plan().usable()) {
+    if (map_changed_) {
+      blocked_by_map_ = !corridor_is_free(*fixed, corridor, radius, 4.0 * kFreeSpaceSkin);
+    }
+    // A cell of a scan that flickers at the side is no reason for another plan.
+    const double flicker = perception ? 0.5 * settings.perception.resolution : 0.0;
+    blocked_ = blocked_by_map_ ||
+               (perception && !corridor_is_free(*obstacles(), corridor, radius, flicker));
+  }
+  may_be_better_ = may_be_better_ || map_changed_;
+  map_changed_ = false;
+  scans_changed_ = false;
+}
+
+// The policy: at once for a new goal or a map that blocks the plan; everything else not more often
+// than `retry_period`.
+bool MapNavigator::State::needs_plan(double time) {
+  if (!task || !task->valid || planning->busy() || obstacles() == nullptr) return false;
+  if (task_is_new_) return true;
+  look_at_changes();
+  if (blocked_by_map_ && navigator->plan().usable()) return true;
+  if (time - plan_time_ < settings.planning.retry_period && time >= plan_time_) return false;
+  return !navigator->plan().usable() || asked_ || blocked_ || may_be_better_;
+}
+
+void MapNavigator::State::start_plan(const Measurements& m) {
+  asked_number_ = task_number_;
+  plan_time_ = m.time;
+  task_is_new_ = false;
+  planned = true;
+  planning->start(*obstacles(),
+                  {.start = m.pose.position, .goal = task->goal, .along = task->along});
+}
+
+// A plan that is not clearly shorter is not worth a change.
+bool MapNavigator::State::is_clearly_shorter(const Path& path) const noexcept {
+  constexpr double kShorter = 0.25;                                     // [m]
+  constexpr double kShorterShare = 0.05;                                // of what remains
+  if (navigator->corridor().reference_path().count == 0) return false;  // not driven on yet
+  const double remaining = navigator->corridor().remaining();
+  return path.length() < remaining - std::max(kShorter, kShorterShare * remaining);
+}
+
+void MapNavigator::State::take_plan() {
+  std::optional<Plan> plan = planning->take();
+  if (!plan || !task || asked_number_ != task_number_) return;
+  const bool has_old = plan_is_current && navigator->plan().usable();
+  const bool only_better = has_old && !asked_ && !blocked_ && !task->along;
+  may_be_better_ = false;
+  if (only_better && !(plan->usable() && is_clearly_shorter(plan->path))) return;
+  asked_ = false;
+  // An old plan is better than none while only scans say that it is blocked: they may be wrong
+  // about a narrow place, and every command is checked before it is sent.
+  if (!plan->usable() && has_old && !blocked_by_map_) return;
+  follow(*std::move(plan));
+}
+
+void MapNavigator::State::follow(Plan plan) {
+  navigator->follow(std::move(plan));
+  plan_is_current = true;
+  follows_new_plan = true;
+  blocked_ = false;
+  blocked_by_map_ = false;
+}
+
+void MapNavigator::State::set_input(const Measurements& m) {
+  input = input_of(m);
+  input.map = obstacles();
+  input.planning = task && planning->busy();
+  if (!perception) return;
+  input.map_time = std::min(input.map_time, std::max(kNeverMeasured, perception->time()));
+  merge_tracked(*perception, moving_, input);
+  input.obstacles_due = true;
+}
+
+// The navigator's answer, seen from the task.
+NavigationStep MapNavigator::State::judged(NavigationStep step) {
+  if (!task) {
+    if (gave_up && step.status == NavigationStatus::NoPlan) step.status = NavigationStatus::GaveUp;
+    return step;
+  }
+  if (!task->valid) {
+    step.status = NavigationStatus::BadInput;
+    step.limit = LimitingFactor::InvalidGoal;
+    return step;
+  }
+  if (step.status == NavigationStatus::GoalReached) {
+    if (plan_is_current && navigator->plan().whole) return step;
+    // At the end of a plan that leads no further, or to the goal before this one.
+    step.status = plan_is_current ? NavigationStatus::Blocked : NavigationStatus::Planning;
+    step.limit = LimitingFactor::NoPath;
+    step.wants_plan = true;
+  }
+  std::optional<double> remaining;
+  if (plan_is_current && navigator->corridor().reference_path().count > 0)
+    remaining = navigator->corridor().remaining();
+  const double stalled = progress_.update(input.time, remaining, follows_new_plan);
+  if (settings.navigation.patience > 0.0 && stalled >= settings.navigation.patience) {
+    task.reset();
+    gave_up = true;
+    if (navigator->plan().usable()) navigator->cancel();  // else the plan tells why there is none
+    step.status = NavigationStatus::GaveUp;
+  }
+  return step;
+}
+
+NavigationStep MapNavigator::State::update(const Measurements& m) {
+  follows_new_plan = false;
+  planned = false;
+  take_plan();
+  if (pose_is_known(m) && needs_plan(m.time)) {
+    start_plan(m);
+    if (!settings.planning.background) take_plan();
+  }
+  set_input(m);
+  const NavigationStep step = judged(navigator->update(input));
+  asked_ = asked_ || step.wants_plan;
+  sent_ = step.command;
+  return step;
+}
+
+}  // namespace fairway

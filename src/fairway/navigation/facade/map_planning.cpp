@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/facade/map_planning.hpp"
+
+#include <exception>
+#include <utility>
+
+namespace fairway {
+
+MapPlanning::MapPlanning(const Settings& settings)
+    : settings_(planner_settings(settings)),
+      background_(settings.planning.background),
+      own_map_(std::make_unique<PreparedMap>()),
+      own_planner_(std::make_unique<Planner>()) {
+  map_ = own_map_.get();
+  planner_ = own_planner_.get();
+}
+
+MapPlanning::MapPlanning(const Settings& settings, const PreparedMap& map, Planner& planner)
+    : settings_(planner_settings(settings)),
+      background_(false),
+      map_(&map),
+      planner_(&planner) {}
+
+void MapPlanning::start(const BitGrid& obstacles, PlanRequest request) {
+  request_ = std::move(request);
+  made_.reset();
+  const CellWindow changed = std::exchange(changed_, kNoCells);
+  if (!background_) {
+    const double before = clock_ ? clock_() : 0.0;
+    if (own_map_) own_map_->update(obstacles, changed);
+    make();
+    if (clock_) seconds_ = clock_() - before;
+    return;
+  }
+  // The cells are copied here, where nobody else changes them; distances are the thread's work.
+  worker_.start([this, changed, cells = obstacles] {
+    own_map_->update(cells, changed);
+    make();
+  });
+}
+
+void MapPlanning::make() {
+  try {
+    made_ = request_.along
+                ? plan_along(*planner_, *map_, request_.start, *request_.along, settings_)
+                : planner_->plan(*map_, request_.start, request_.goal, settings_);
+  } catch (const std::exception&) {  // out of memory: no plan, and another attempt later
+    made_ = Plan{};
+  }
+}
+
+std::optional<Plan> MapPlanning::take() {
+  if (background_) {
+    if (!worker_.finished()) return std::nullopt;
+    worker_.collect();
+  }
+  return std::exchange(made_, std::nullopt);
+}
+
+}  // namespace fairway

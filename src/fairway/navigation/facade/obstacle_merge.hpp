@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fairway/navigation/navigation_step.hpp"
+#include "fairway/perception/perception.hpp"
+
+namespace fairway {
+
+/// The time of a measurement that there was not [s].
+inline constexpr double kNeverMeasured = -1e9;
+
+/// The input of a cycle from its measurements; without a map.
+[[nodiscard]] NavigationInput input_of(const Measurements& measurements) noexcept;
+
+/// Adds the obstacles that the own lidar tracks to those of others, all brought to the older of
+/// their times. @param merged  Holds them until the next call; keeps its memory.
+void merge_tracked(const Perception& perception,
+                   std::vector<MovingObstacle>& merged,
+                   NavigationInput& input);
+
+}  // namespace fairway

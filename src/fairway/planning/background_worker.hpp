@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <thread>
+
+namespace fairway {
+
+/// Runs one job at a time in a thread of its own, which begins with the first job.
+///
+/// The thread that owns the worker calls its functions; none of them waits but `wait` and the
+/// destructor. What the job reads and writes belongs to the job from `start` until `finished`
+/// returns true.
+class BackgroundWorker {
+ public:
+  BackgroundWorker() = default;
+  BackgroundWorker(const BackgroundWorker&) = delete;
+  BackgroundWorker& operator=(const BackgroundWorker&) = delete;
+  ~BackgroundWorker();  ///< waits for the job
+
+  /// @pre idle. A job must not throw.
+  void start(std::function<void()> job);
+
+  [[nodiscard]] bool idle() const noexcept { return state_.load() == State::Idle; }
+  [[nodiscard]] bool finished() const noexcept { return state_.load() == State::Finished; }
+
+  /// Makes a finished worker idle again. @pre finished.
+  void collect() noexcept;
+
+  /// Waits until the job, if there is one, is finished.
+  void wait() const noexcept;
+
+ private:
+  enum class State : int { Idle, Running, Finished, Ending };
+
+  void run();
+
+  std::function<void()> job_;
+  std::atomic<State> state_{State::Idle};
+  std::thread thread_;
+};
+
+}  // namespace fairway

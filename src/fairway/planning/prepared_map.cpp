@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/prepared_map.hpp"
+
+#include <algorithm>
+
+namespace fairway {
+
+void PreparedMap::update(const BitGrid& bits, const CellWindow& changed) {
+  // Beyond this share of the cells a window is no cheaper than all of it.
+  constexpr double kLargeShare = 0.25;
+  const GridFrame& frame = bits.frame();
+  const CellWindow inside{
+      .first = {.x = std::max(0, changed.first.x), .y = std::max(0, changed.first.y)},
+      .last = {.x = std::min(frame.width - 1, changed.last.x),
+               .y = std::min(frame.height - 1, changed.last.y)}};
+  const bool same = same_cells(frame, obstacles.frame());
+  if (same && is_empty(inside)) return;
+  const double width = inside.last.x - inside.first.x + 1;
+  const double height = inside.last.y - inside.first.y + 1;
+  if (!same || width * height > kLargeShare * frame.width * frame.height) {
+    obstacles = bits;
+    distances.update(obstacles);
+    return;
+  }
+  for (int y = inside.first.y; y <= inside.last.y; ++y) {
+    for (int x = inside.first.x; x <= inside.last.x; ++x) {
+      const CellIndex cell{.x = x, .y = y};
+      if (obstacles.blocked(cell) != bits.blocked(cell)) obstacles.set(cell, bits.blocked(cell));
+    }
+  }
+  distances.update(obstacles, inside);
+}
+
+CellWindow united(const CellWindow& a, const CellWindow& b) noexcept {
+  if (is_empty(a)) return b;
+  if (is_empty(b)) return a;
+  return {.first = {.x = std::min(a.first.x, b.first.x), .y = std::min(a.first.y, b.first.y)},
+          .last = {.x = std::max(a.last.x, b.last.x), .y = std::max(a.last.y, b.last.y)}};
+}
+
+bool same_cells(const GridFrame& a, const GridFrame& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
+         a.origin.position == b.origin.position && a.origin.heading == b.origin.heading;
+}
+
+}  // namespace fairway
