@@ -2,35 +2,27 @@
 // A map goes in, velocity commands come out.
 #include <cstdio>
 
-#include "fairway/navigation/navigator.hpp"
-#include "fairway/planning/planner.hpp"
-#include "fairway/simulation/unicycle_robot.hpp"
+#include "fairway/fairway.hpp"
 
 int main() {
-  fairway::OccupancyGrid grid({.width = 200, .height = 120, .resolution = 0.05, .origin = {}});
+  fairway::OccupancyGrid map({.width = 200, .height = 120, .resolution = 0.05, .origin = {}});
   for (int y = 0; y < 80; ++y)
-    grid.set({100, y}, fairway::CellState::Occupied);
+    map.set({100, y}, fairway::CellState::Occupied);
 
-  const fairway::PreparedMap map(grid);
   const fairway::Settings settings;
-  fairway::Planner planner;
-  fairway::Navigator navigator(settings);
-  fairway::UnicycleRobot robot{.pose = {.position = {1, 1}, .heading = 0}};
-  navigator.follow(
-      planner.plan(map, robot.pose.position, {.position = {9, 1}}, planner_settings(settings)));
+  const double period = settings.navigation.control_period;  // [s]
+  fairway::MapNavigator navigator(settings, map);
+  navigator.set_goal({.position = {9, 1}});
+  fairway::Pose2 robot{.position = {1, 1}, .heading = 0};
 
-  for (double time = 0; time < 60; time += settings.navigation.control_period) {
-    const auto step = navigator.update({.time = time,
-                                        .pose = robot.pose,
-                                        .pose_time = time,
-                                        .map = &map.obstacles,
-                                        .map_time = time});
+  for (double time = 0; time < 60; time += period) {
+    const auto step = navigator.update({.time = time, .pose = robot});
     if (step.status == fairway::NavigationStatus::GoalReached) {
-      std::printf("reached (%.2f, %.2f) in %.1f s\n", robot.pose.position.x(),
-                  robot.pose.position.y(), time);
+      std::printf("reached (%.2f, %.2f) in %.1f s\n", robot.position.x(), robot.position.y(), time);
       return 0;
     }
-    robot.advance(step.command, settings.navigation.control_period);  // your robot base goes here
+    // Your robot base goes here.
+    robot = fairway::step(robot, step.command, period, fairway::Integration::Midpoint);
   }
   return 1;
 }

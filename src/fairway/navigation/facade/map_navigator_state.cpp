@@ -176,7 +176,7 @@ void MapNavigator::State::follow(Plan plan) {
 void MapNavigator::State::set_input(const Measurements& m) {
   input = input_of(m);
   input.map = obstacles();
-  input.planning = task && planning->busy();
+  input.planning = task && !plan_is_current && planning->busy();
   if (!perception) return;
   input.map_time = std::min(input.map_time, std::max(kNeverMeasured, perception->time()));
   merge_tracked(*perception, moving_, input);

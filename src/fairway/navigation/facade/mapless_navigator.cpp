@@ -229,7 +229,7 @@ NavigationStep MaplessNavigator::State::update(const Measurements& m) {
   input = input_of(m);
   input.map = &perception.grid().not_seen_free();
   input.map_time = perception.time();
-  input.planning = task && planning->busy();
+  input.planning = task && !plan_is_current && planning->busy();
   merge_tracked(perception, moving_, input);
   const NavigationStep step = judged(navigator.update(input));
   asked_for_plan_ = step.wants_plan;
