@@ -21,6 +21,7 @@ Plan straight_plan() {
        .orientation = 0.5 * std::numbers::pi,
        .min = {-2.0, -3.0},
        .max = {2.0, 3.0}}};
+  plan.corridor.robot_radius = RobotSettings{}.radius;
   return plan;
 }
 

@@ -35,8 +35,9 @@ void MapNavigator::set_map(const OccupancyGrid& map) {
 }
 
 void MapNavigator::set_map(const BitGrid& obstacles) {
+  const bool moved = !state_->map || !same_cells(obstacles.frame(), state_->map->frame());
   state_->map = obstacles;
-  state_->change(all_cells(obstacles.frame()));
+  state_->change(all_cells(obstacles.frame()), moved);
 }
 
 void MapNavigator::update_map(const OccupancyGrid& map, CellIndex first, CellIndex last) {

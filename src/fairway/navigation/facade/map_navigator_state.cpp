@@ -70,8 +70,9 @@ void MapNavigator::State::set_task(NavigationTask given) {
   if (!task->valid) navigator->cancel();
 }
 
-void MapNavigator::State::change(const CellWindow& window) {
+void MapNavigator::State::change(const CellWindow& window, bool moved) {
   map_changed_ = true;
+  map_moved_ = map_moved_ || moved;
   planning->note_change(window);
   if (perception && map) overlay_scans();
 }
@@ -109,7 +110,8 @@ void MapNavigator::State::look_at_changes() {
   const double radius = settings.robot.radius;
   const BitGrid* fixed = shared_map_ != nullptr ? &shared_map_->obstacles : &*map;
   if (navigator->plan().usable()) {
-    if (map_changed_) {
+    // A window that moved does not hold all of the corridor, which says nothing about it.
+    if (map_changed_ && !map_moved_) {
       blocked_by_map_ = !corridor_is_free(*fixed, corridor, radius, 4.0 * kFreeSpaceSkin);
     }
     // A cell of a scan that flickers at the side is no reason for another plan.
@@ -118,6 +120,7 @@ void MapNavigator::State::look_at_changes() {
                (perception && !corridor_is_free(*obstacles(), corridor, radius, flicker));
   }
   may_be_better_ = may_be_better_ || map_changed_;
+  map_moved_ = false;
   map_changed_ = false;
   scans_changed_ = false;
 }

@@ -24,8 +24,8 @@ struct MapNavigator::State {
   void set_task(NavigationTask given);
   void observe(const LidarScan& scan, const Eigen::Vector2d& position);
 
-  /// The map has changed inside a window.
-  void change(const CellWindow& window);
+  /// The map has changed inside a window. @param moved  It lies elsewhere now.
+  void change(const CellWindow& window, bool moved = false);
 
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
   [[nodiscard]] const BitGrid* obstacles() const noexcept;
@@ -68,6 +68,7 @@ struct MapNavigator::State {
   int task_number_ = 0;
   int asked_number_ = 0;         // the task of the plan that was asked for last
   bool task_is_new_ = false;     // no plan was asked for since
+  bool map_moved_ = false;       // since the plan was looked at
   bool map_changed_ = false;     // since the plan was looked at
   bool scans_changed_ = false;   // likewise
   bool blocked_ = false;         // the plan, somewhere
