@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "experiments/paper/figures/drive_figures.hpp"
+#include "experiments/paper/figures/stuck_figure.hpp"
 #include "experiments/paper/tables/drive_tables.hpp"
 #include "experiments/paper/tables/text_format.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/paper/case2.hpp"
 
+#include "experiments/paper/figures/broken_claim_figures.hpp"
 #include "experiments/paper/figures/corridor_figures.hpp"
 #include "experiments/paper/figures/field_figures.hpp"
 #include "experiments/paper/tables/corridor_tables.hpp"

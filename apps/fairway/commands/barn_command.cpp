@@ -14,6 +14,7 @@
 #include "cli/settings_options.hpp"
 #include "commands/commands.hpp"
 #include "experiments/barn/barn_file.hpp"
+#include "experiments/barn/barn_summary.hpp"
 #include "experiments/thread_clock.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/trace_file.hpp"
@@ -28,51 +29,6 @@ namespace {
 
 using ReadWorlds = Expected<std::vector<BarnWorld>> (*)(const std::string&,
                                                         const std::vector<int>&);
-
-// One trial of one world with what is printed about it.
-struct Trial {
-  BarnScore score;
-  double clearance = 0.0;
-  double separation = 0.0;
-};
-
-// All trials, and their cycles together.
-struct Summary {
-  std::vector<Trial> trials;
-  std::vector<double> arrivals;
-  std::vector<double> cycle_seconds;
-  std::vector<double> sense_seconds;
-  std::vector<double> plan_seconds;
-
-  void add(const BarnScore& score, const EpisodeResult& result) {
-    const RobotResult& robot = result.robots.front();
-    trials.push_back({score, robot.min_clearance, robot.min_separation});
-    if (score.success) arrivals.push_back(score.time);
-    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    append(cycle_seconds, robot.cycle_seconds);
-    append(sense_seconds, robot.sense_seconds);
-    append(plan_seconds, robot.plan_seconds);
-  }
-
-  template <typename Value>
-  [[nodiscard]] double mean(Value&& value) const {
-    double sum = 0.0;
-    for (const Trial& trial : trials)
-      sum += static_cast<double>(value(trial.score));
-    return trials.empty() ? 0.0 : sum / static_cast<double>(trials.size());
-  }
-  [[nodiscard]] double success_rate() const {
-    return mean([](const BarnScore& s) { return s.success; });
-  }
-  [[nodiscard]] double contact_rate() const {
-    return mean([](const BarnScore& s) { return s.collided; });
-  }
-  [[nodiscard]] double mean_score() const {
-    return mean([](const BarnScore& s) { return s.score; });
-  }
-};
 
 Json microseconds(const std::vector<double>& seconds) {
   const Quantiles q = quantiles(seconds);
@@ -102,13 +58,13 @@ struct BarnCommand {
                                           const Scenario& scenario,
                                           const PhysicsMaker& engine,
                                           bool only_run,
-                                          Summary& summary);
+                                          BarnSummary& summary);
   [[nodiscard]] Expected<void> keep_trace(const std::string& run,
                                           const Scenario& scenario,
                                           const BarnScore& score,
                                           const EpisodeResult& result);
   [[nodiscard]] Expected<void> make_folders() const;
-  [[nodiscard]] Json summary_json(const Summary& summary) const;
+  [[nodiscard]] Json summary_json(const BarnSummary& summary) const;
 };
 
 Expected<std::vector<int>> BarnCommand::numbers() const {
@@ -167,7 +123,7 @@ Expected<BarnScore> BarnCommand::drive(const BarnWorld& world,
                                        const Scenario& scenario,
                                        const PhysicsMaker& engine,
                                        bool only_run,
-                                       Summary& summary) {
+                                       BarnSummary& summary) {
   const std::string run = fmt::format("world_{:03}_trial_{}", world.number, trial);
   if (!trace_dir.empty()) outputs.keep_page();
   if (const auto opened = outputs.open(only_run ? "" : run); !opened)
@@ -204,9 +160,9 @@ Expected<void> BarnCommand::make_folders() const {
   return {};
 }
 
-Json BarnCommand::summary_json(const Summary& summary) const {
+Json BarnCommand::summary_json(const BarnSummary& summary) const {
   Json all = Json::array();
-  for (const Trial& trial : summary.trials) {
+  for (const BarnTrial& trial : summary.trials) {
     const BarnScore& score = trial.score;
     Json row{{"world", score.world},
              {"trial", score.trial},
@@ -244,7 +200,7 @@ Expected<int> BarnCommand::run() {
   if (!all) return tl::unexpected(all.error());
   if (const auto made = make_folders(); !made) return tl::unexpected(made.error());
 
-  Summary summary;
+  BarnSummary summary;
   Progress progress("barn");
   std::string failures;
   for (const BarnWorld& world : *all) {

@@ -7,6 +7,7 @@
 #include "cli/json_text.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
+#include "fairway/io/recording/reading/recording_reader.hpp"
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/web_report/report.hpp"
 #include "fairway/simulation/recorded/observer_list.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "experiments/paper/chapter.hpp"
 #include "experiments/paper/studies/corridor_study.hpp"
@@ -18,13 +17,5 @@ namespace fairway::reproduction {
 /// On a map that is parallel to the axes: SRC, MDSRC and ours.
 [[nodiscard]] Figure structured_figure(const std::shared_ptr<const CorridorComparison>& map,
                                        const std::string& caption);
-
-/// A published rectangle that holds obstacles, close up; none when no map has one.
-[[nodiscard]] std::optional<Figure> hopping_figure(MapKind kind,
-                                                   const std::vector<CorridorComparison>& maps);
-
-/// Published neighbours that overlap but no longer do once contracted, close up; none likewise.
-[[nodiscard]] std::optional<Figure> break_figure(MapKind kind,
-                                                 const std::vector<CorridorComparison>& maps);
 
 }  // namespace fairway::reproduction

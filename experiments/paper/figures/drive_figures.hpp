@@ -2,10 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "experiments/paper/chapter.hpp"
-#include "experiments/paper/tables/drive_tables.hpp"
+#include "experiments/paper/studies/drive_runs.hpp"
 
 namespace fairway::reproduction {
 
@@ -17,9 +16,5 @@ namespace fairway::reproduction {
 
 /// Every map's change against SMPC, with means and intervals.
 [[nodiscard]] Figure change_figure(const std::shared_ptr<const DriveRuns>& runs);
-
-/// Where dual targets leave the robot stuck: the first map of each course; none when it never was.
-[[nodiscard]] std::optional<Figure> stuck_figure(
-    const std::vector<std::shared_ptr<const DriveRuns>>& courses);
 
 }  // namespace fairway::reproduction

@@ -2,24 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "experiments/paper/chapter.hpp"
-#include "experiments/paper/studies/field_study.hpp"
-#include "experiments/paper/studies/sample_statistics.hpp"
+#include "experiments/paper/tables/field_tables.hpp"
 
 namespace fairway::reproduction {
-
-/// The fields of several seeds; the first is the one that Figure 9 shows.
-struct FieldSample {
-  std::uint64_t first_seed = 0;
-  std::vector<FieldSeries> series;
-
-  /// One number of every field with the given number of obstacles (by its place in
-  /// kFieldObstacles).
-  [[nodiscard]] std::vector<double> counts(std::size_t obstacles, RectangleKind kind) const;
-  [[nodiscard]] std::vector<double> areas(std::size_t obstacles, RectangleKind kind) const;
-};
 
 /// Figure 9: the fields of the first seed with their points and rectangles.
 [[nodiscard]] Figure field_map_figure(const std::shared_ptr<const FieldSample>& sample);
@@ -27,14 +14,5 @@ struct FieldSample {
 [[nodiscard]] Figure field_chart_figure(const std::shared_ptr<const FieldSample>& sample);
 /// By how much MDSRC exceeds SRC, field by field, over the number of obstacles.
 [[nodiscard]] Figure field_gain_figure(const std::shared_ptr<const FieldSample>& sample);
-
-/// The values behind Figure 10, with the tests.
-[[nodiscard]] Table field_table(const FieldSample& sample);
-[[nodiscard]] Json field_numbers(const FieldSample& sample);
-
-/// Gain of MDSRC over SRC with 20 obstacles less that with 5, field by field [percentage points]:
-/// positive means that the advantage grows.
-[[nodiscard]] Estimate area_gain_growth(const FieldSample& sample);
-[[nodiscard]] Estimate count_gain_growth(const FieldSample& sample);
 
 }  // namespace fairway::reproduction

@@ -68,4 +68,7 @@ inline constexpr io::Color kFsrcColor = io::palette::kOrange;
 inline constexpr io::Color kMdsrcColor = io::palette::kBlue;
 inline constexpr io::Color kOursColor = io::palette::kGreen;
 
+/// Planned paths in every figure.
+inline const io::Stroke kPathStroke{.color = io::palette::kBlack, .width = 0.9, .dash = {3.0, 2.0}};
+
 }  // namespace fairway::reproduction

@@ -24,20 +24,6 @@ std::string pair_name(const DriverPair& pair) {
   return std::string(to_text(pair.kind)) + " against " + to_text(pair.base);
 }
 
-double value(const Drive& drive, DriveMeasure measure) {
-  switch (measure) {
-    case DriveMeasure::Length:
-      return drive.length;
-    case DriveMeasure::Time:
-      return drive.time;
-    case DriveMeasure::Smoothness:
-      return drive.smoothness;
-    case DriveMeasure::Switches:
-      return drive.switches;
-  }
-  return 0.0;
-}
-
 // Its name in results.json; units there are m and s.
 const char* key_of(DriveMeasure measure) {
   switch (measure) {
@@ -123,49 +109,6 @@ Json driver_json(const DriveRuns& runs, DriverKind kind) {
 
 }  // namespace
 
-const char* to_text(DriveMeasure measure) noexcept {
-  switch (measure) {
-    case DriveMeasure::Length:
-      return "length [m]";
-    case DriveMeasure::Time:
-      return "time [s]";
-    case DriveMeasure::Smoothness:
-      return "smoothness";
-    case DriveMeasure::Switches:
-      return "switches";
-  }
-  return "unknown";
-}
-
-std::vector<const DriveComparison*> DriveRuns::comparable() const {
-  std::vector<const DriveComparison*> result;
-  for (const DriveComparison& map : maps) {
-    if (map.all_reached()) result.push_back(&map);
-  }
-  return result;
-}
-
-int DriveRuns::reached(DriverKind kind) const {
-  return static_cast<int>(std::count_if(
-      maps.begin(), maps.end(), [&](const DriveComparison& map) { return map.of(kind).reached; }));
-}
-
-int DriveRuns::collided(DriverKind kind) const {
-  return static_cast<int>(std::count_if(
-      maps.begin(), maps.end(), [&](const DriveComparison& map) { return map.of(kind).collided; }));
-}
-
-std::vector<double> values(const DriveRuns& runs, DriverKind kind, DriveMeasure measure) {
-  std::vector<double> result;
-  for (const DriveComparison* map : runs.comparable())
-    result.push_back(value(map->of(kind), measure));
-  return result;
-}
-
-Estimate change(const DriveRuns& runs, DriverKind kind, DriverKind base, DriveMeasure measure) {
-  return estimate(percent_over(values(runs, kind, measure), values(runs, base, measure)));
-}
-
 Table drive_table(const DriveRuns& runs) {
   Table table{
       .caption = fmt::format(
@@ -209,7 +152,7 @@ Table drive_example_table(const DriveComparison& map) {
     std::vector<std::string> row = {to_text(kind),
                                     std::to_string(d.plan.corridor.rectangles.size())};
     for (const DriveMeasure measure : kDriveMeasures)
-      row.push_back(fixed(value(d, measure), decimals(measure)));
+      row.push_back(fixed(value_of(d, measure), decimals(measure)));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -25,7 +25,11 @@ class MapDriver final : public RobotDriver {
       : context_(context),
         robot_(robot),
         result_(result),
-        navigator_(context.settings, context.map, context.planner, context.solver) {
+        navigator_(
+            context.settings.planning.background
+                ? MapNavigator(context.settings, context.solver)
+                : MapNavigator(context.settings, context.map, context.planner, context.solver)) {
+    if (context.settings.planning.background) navigator_.set_map(context.map.obstacles);
     navigator_.reset(world.robots()[robot].twist);
     navigator_.lend_clock(context.clock);
     tell(world);
@@ -68,7 +72,13 @@ class MapDriver final : public RobotDriver {
   }
 
   void head_for(const Goal& goal) override { navigator_.set_goal(goal); }
-  void note_map_change() override { navigator_.map_changed(); }
+  void note_map_change() override {
+    if (context_.settings.planning.background) {
+      navigator_.set_map(context_.map.obstacles);
+    } else {
+      navigator_.map_changed();
+    }
+  }
 
  private:
   void tell(const World& world) {

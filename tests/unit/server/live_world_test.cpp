@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/io/recording/reading/recording_reader.hpp"
 #include "fairway/simulation/recorded/replay_check.hpp"
 
 namespace fairway::app {

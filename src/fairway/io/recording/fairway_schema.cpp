@@ -43,7 +43,8 @@ Json cycle() {
                        {"pose_time", "number"},
                        {"obstacles_time", "number"},
                        {"map", "integer"},
-                       {"map_time", "number"}});
+                       {"map_time", "number"},
+                       {"planning", "boolean"}});
   input["properties"]["pose"] = pose();
   json["properties"]["input"] = input;
   json["properties"]["command"] = twist();

@@ -232,6 +232,7 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
             {"clearance", exact::to_json(cycle.clearance)},
             {"seconds", exact::to_json(cycle.seconds)},
             {"mark", exact::to_json(cycle.mark)}};
+  if (cycle.input.planning) json["input"]["planning"] = true;
   if (cycle.occupied != nullptr) json["occupied"] = tell_cells(time, *cycle.occupied);
   if (step.plan != nullptr) json["prediction"] = exact::to_json(*step.plan);
   write(robot.cycle, time, dumped(json));

@@ -7,7 +7,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/io/recording/exact_json.hpp"
-#include "fairway/io/web_report/compact_fields.hpp"
+#include "fairway/io/web_report/run_fields.hpp"
 #include "fairway/io/web_report/run_texts.hpp"
 
 namespace fairway::io {
@@ -15,79 +15,6 @@ namespace fairway::io {
 namespace {
 
 constexpr std::uint64_t kWorldSlot = 0;  // of the true map; those that robots see follow
-
-void append_frame(CompactFields& out, const GridFrame& frame) {
-  out.count(static_cast<std::uint64_t>(frame.width));
-  out.count(static_cast<std::uint64_t>(frame.height));
-  out.real(frame.resolution);
-  out.real(frame.origin.position.x());
-  out.real(frame.origin.position.y());
-  out.real(frame.origin.heading);
-}
-
-// Runs of equal values over all cells, row by row.
-template <typename ValueAt>
-void append_cells(CompactFields& out, std::size_t cells, const ValueAt& value_at) {
-  for (std::size_t i = 0; i < cells;) {
-    const std::uint64_t value = value_at(i);
-    std::size_t end = i + 1;
-    while (end < cells && value_at(end) == value)
-      ++end;
-    out.count(value);
-    out.count(end - i);
-    i = end;
-  }
-}
-
-// All cells of a map that a robot sees.
-std::string seen_map_fields(std::uint64_t slot, double time, const BitGrid& grid) {
-  std::string fields;
-  CompactFields out(fields);
-  out.count(slot);
-  out.count(1);  // whole
-  out.time(time);
-  append_frame(out, grid.frame());
-  const auto width = static_cast<std::size_t>(grid.frame().width);
-  append_cells(out, width * static_cast<std::size_t>(grid.frame().height), [&](std::size_t i) {
-    const CellIndex cell{.x = static_cast<int>(i % width), .y = static_cast<int>(i / width)};
-    return grid.blocked(cell) ? std::uint64_t{1} : std::uint64_t{0};
-  });
-  return fields;
-}
-
-void append_mark(CompactFields& out, const LimitMark& mark) {
-  out.count(static_cast<std::uint64_t>(mark.row.kind));
-  out.count(static_cast<std::uint64_t>(mark.shape));
-  if (mark.shape == LimitMark::Shape::None) return;
-  out.point(mark.a);
-  if (mark.shape == LimitMark::Shape::Side) out.point(mark.b);
-  if (mark.shape == LimitMark::Shape::Disc) out.millis(mark.radius);
-}
-
-void append_prediction(CompactFields& out, const MpcSolution* plan) {
-  if (plan == nullptr) return out.count(0);
-  out.count(static_cast<std::uint64_t>(plan->horizon));
-  out.count(static_cast<std::uint64_t>(std::max(0, plan->iterations)));
-  out.millis(plan->max_violation);
-  PointDeltas points(out, plan->poses[0].position);
-  for (int k = 1; k <= plan->horizon; ++k)
-    points.append(plan->poses[static_cast<std::size_t>(k)].position);
-}
-
-void append_obstacles(CompactFields& out, std::span<const MovingObstacle> obstacles) {
-  out.count(obstacles.size());
-  for (const MovingObstacle& obstacle : obstacles) {
-    out.point(obstacle.position);
-    out.point(obstacle.velocity);
-    out.millis(obstacle.radius);
-  }
-}
-
-void append_goal(CompactFields& out, const Goal& goal, unsigned flags) {
-  out.count(flags | (goal.heading ? 2U : 0U));
-  out.point(goal.position);
-  if (goal.heading) out.angle(*goal.heading);
-}
 
 void append_record(std::string& bytes, RunStream::Kind kind, const std::string& fields) {
   bytes.push_back(static_cast<char>(kind));
@@ -138,12 +65,8 @@ void RunStream::on_start(const Scenario& scenario) {
 std::string RunStream::true_map_fields(double time) const {
   std::string fields;
   CompactFields out(fields);
-  out.count(kWorldSlot);
-  out.count(1);  // whole
-  out.time(time);
-  append_frame(out, shown_.frame());
-  append_cells(out, states_.size(),
-               [&](std::size_t i) { return static_cast<std::uint64_t>(states_[i]); });
+  append_whole_map(out, kWorldSlot, time, shown_.frame(),
+                   [&](std::size_t i) { return static_cast<std::uint64_t>(states_[i]); });
   return fields;
 }
 

@@ -64,6 +64,10 @@ class MaplessNavigator {
   /// One control cycle: plans if there is need, then navigates. As MapNavigator::update.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
 
+  /// Runs a cycle of a recorded run again, whose plans were made in a thread: takes over `plan` if
+  /// the recorded cycle did, makes none itself, and then drives as `update` does.
+  [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
+
   /// As MapNavigator::share.
   [[nodiscard]] SharedMotion share(std::uint32_t robot,
                                    double time,

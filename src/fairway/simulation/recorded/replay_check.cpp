@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 
@@ -34,6 +35,8 @@ void ReplayCheck::on_navigators(double /*time*/,
                                 std::span<const NavigatorStart> starts) {
   navigators_.clear();
   without_map_.clear();
+  background_ = settings.planning.background;
+  arrived_.assign(starts.size(), std::nullopt);
   if (solver_ == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings.mpc);
   ControlSolver& solver = solver_ != nullptr ? *solver_ : *own_solver_;
   for (const NavigatorStart& start : starts) {
@@ -54,16 +57,27 @@ void ReplayCheck::on_scan(const ObservedScan& scan) {
 }
 
 void ReplayCheck::on_plan(double /*time*/, std::size_t robot, const Plan& plan) {
-  if (without_map_.empty()) navigators_.at(robot).follow(plan);
+  if (without_map_.empty()) {
+    navigators_.at(robot).follow(plan);
+  } else if (background_) {
+    arrived_.at(robot) = plan;
+  }
+}
+
+// Without a map the plans are made again, too, unless a thread made them: then they arrive when
+// they did.
+NavigationStep ReplayCheck::replay(const NavigationCycle& cycle) {
+  const NavigationInput& input = cycle.input;
+  if (without_map_.empty()) return navigators_.at(cycle.robot).update(input);
+  MaplessNavigator& navigator = without_map_.at(cycle.robot);
+  if (background_) {
+    return navigator.replay(input, std::exchange(arrived_.at(cycle.robot), std::nullopt));
+  }
+  return navigator.update({.time = input.time, .pose = input.pose, .pose_time = input.pose_time});
 }
 
 void ReplayCheck::on_cycle(const NavigationCycle& cycle) {
-  const NavigationInput& input = cycle.input;
-  const NavigationStep replayed =
-      without_map_.empty()
-          ? navigators_.at(cycle.robot).update(input)
-          : without_map_.at(cycle.robot).update(
-                {.time = input.time, .pose = input.pose, .pose_time = input.pose_time});
+  const NavigationStep replayed = replay(cycle);
   ++cycles_;
   if (same(cycle.step, replayed)) return;
   ++different_;

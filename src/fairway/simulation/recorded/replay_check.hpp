@@ -44,11 +44,15 @@ class ReplayCheck final : public EpisodeObserver {
   }
 
  private:
+  [[nodiscard]] NavigationStep replay(const NavigationCycle& cycle);
+
   ControlSolver* solver_;
   std::unique_ptr<ControlSolver> own_solver_;
   SensingModel sensing_;
-  std::vector<Navigator> navigators_;                           // of robots that know the map
-  std::vector<MaplessNavigator> without_map_;  // of robots with a lidar
+  std::vector<Navigator> navigators_;           // of robots that know the map
+  std::vector<MaplessNavigator> without_map_;   // of robots with a lidar
+  bool background_ = false;                     // plans were made in a thread
+  std::vector<std::optional<Plan>> arrived_{};  // of each robot, for its next cycle
   long cycles_ = 0;
   long different_ = 0;
   std::optional<Difference> first_difference_;

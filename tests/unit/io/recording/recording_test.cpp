@@ -10,6 +10,7 @@
 #include "fairway/io/mcap/mcap_reader.hpp"
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
+#include "fairway/io/recording/reading/recording_reader.hpp"
 #include "fairway/io/web_report/run_stream.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/recorded/replay_check.hpp"

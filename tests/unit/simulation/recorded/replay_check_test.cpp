@@ -83,6 +83,23 @@ TEST(ReplayCheck, GetsEveryCommandOfARobotWithALidarAgainFromItsScansAndPoses) {
   EXPECT_EQ(check.different(), 0);
 }
 
+// Plans that a thread has made arrive in cycles that depend on the machine; the recording says which.
+TEST(ReplayCheck, GetsEveryCommandAgainWherePlansWereMadeInAThread) {
+  for (const Sensing sensing : {Sensing::Map, Sensing::Lidar}) {
+    Scenario scenario = meeting();
+    scenario.settings.planning.background = true;
+    scenario.sensing.sensing = sensing;
+    scenario.sensing.lidar.beams = 180;
+    scenario.time_limit = 60.0;
+    ReplayCheck check;
+    const EpisodeResult result = run_episode(scenario, {.observer = &check});
+    EXPECT_EQ(check.cycles(), result.robots[0].cycles + result.robots[1].cycles);
+    EXPECT_EQ(check.different(), 0);
+    EXPECT_GT(result.robots[0].status_counts[static_cast<std::size_t>(NavigationStatus::Planning)],
+              0);
+  }
+}
+
 // Somebody plays with it: another goal, other settings, a wall that nobody tells it of.
 TEST(ReplayCheck, FollowsARobotWithALidarThroughAllThatIsChanged) {
   Scenario scenario = meeting();

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "fairway/io/recording/reading/recording_reader.hpp"
+
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "fairway/io/base64.hpp"
 #include "fairway/io/mcap/mcap_reader.hpp"
 #include "fairway/io/recording/exact_json.hpp"
 #include "fairway/io/recording/fleet_ledger.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
-#include "fairway/io/recording/recording.hpp"
+#include "fairway/io/recording/reading/message_values.hpp"
 #include "fairway/io/whole_file.hpp"
-#include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
 
@@ -19,35 +20,7 @@ namespace {
 
 using exact::Json;
 
-constexpr int kMostBeams = 100'000;
 constexpr std::size_t kMaxFile = std::size_t{4} << 30U;  // [bytes]
-
-template <typename Enumeration>
-Enumeration checked(const Json& json, Enumeration last) {
-  const int number = json.get<int>();
-  if (number < 0 || number > static_cast<int>(last)) throw std::invalid_argument("unknown status");
-  return static_cast<Enumeration>(number);
-}
-
-OccupancyGrid occupancy(const GridFrame& frame, const Json& grid) {
-  const auto cells = from_base64(grid.at("data").get_ref<const std::string&>());
-  if (!cells || cells->size() != static_cast<std::size_t>(frame.width) *
-                                     static_cast<std::size_t>(frame.height)) {
-    throw std::invalid_argument("expected as many cells as the map's size says");
-  }
-  OccupancyGrid map(frame);
-  for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width; ++x) {
-      const char cell =
-          (*cells)[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
-                   static_cast<std::size_t>(x)];
-      map.set({.x = x, .y = y}, cell == 0     ? CellState::Free
-                                : cell == 100 ? CellState::Occupied
-                                              : CellState::Unknown);
-    }
-  }
-  return map;
-}
 
 // Takes messages one by one and tells the observer what they mean.
 class Player {
@@ -93,13 +66,6 @@ class Player {
     if (schema == "fairway.World") return world(json);
   }
 
-  Settings settings(const Json& json) const {
-    const Expected<Settings> parsed =
-        parse_settings(json.at("settings").get<std::string>(), "settings");
-    if (!parsed) throw std::invalid_argument(parsed.error().message);
-    return *parsed;
-  }
-
   std::size_t robot(const Json& json) const {
     const auto index = json.at("robot").get<std::size_t>();
     if (index >= robots_) throw std::invalid_argument("expected a robot of the scenario");
@@ -117,39 +83,8 @@ class Player {
     return &found->second;
   }
 
-  std::vector<MovingObstacle> obstacles(const Json& list) const {
-    std::vector<MovingObstacle> result;
-    for (const Json& item : list)
-      result.push_back(exact::to_obstacle(item));
-    return result;
-  }
-
   void scenario(const Json& json) {
-    if (json.at("version").get<int>() != 1) throw std::invalid_argument("expected version 1");
-    Scenario scenario;
-    scenario.name = json.at("name").get<std::string>();
-    scenario.map = occupancy(exact::to_frame(json.at("frame")), map_message_);
-    scenario.settings = settings(json);
-    for (const Json& task : json.at("robots")) {
-      scenario.robots.push_back({.name = task.at("name").get<std::string>(),
-                                 .start = exact::to_pose(task.at("start")),
-                                 .goal = exact::to_goal(task.at("goal"))});
-    }
-    for (const Json& item : json.at("bodies")) {
-      MovingBody body{.name = item.at("name").get<std::string>(),
-                      .radius = exact::to_number(item.at("radius")),
-                      .key_frames = {},
-                      .loop = item.at("loop").get<bool>(),
-                      .passing = item.value("passing", false)};
-      for (const Json& frame : item.at("key_frames"))
-        body.key_frames.push_back(
-            {.time = exact::to_number(frame.at(0)), .position = exact::to_point(frame.at(1))});
-      scenario.bodies.push_back(std::move(body));
-    }
-    scenario.time_limit = exact::to_number(json.at("time_limit"));
-    scenario.seed = json.at("seed").get<std::uint64_t>();
-    if (json.contains("sensing")) scenario.sensing = sensing(json.at("sensing"));
-    if (json.value("physics", "unicycle") == "mujoco") scenario.engine = Engine::Mujoco;
+    const Scenario scenario = to_scenario(json, map_message_);
     lidar_ = scenario.sensing.sensing == Sensing::Lidar;
     frame_ = scenario.map.frame();
     robots_ = scenario.robots.size();
@@ -167,24 +102,7 @@ class Player {
         starts[i].pose = exact::to_pose(json.at("poses").at(i));
     }
     told_navigators_ = true;
-    observer_.on_navigators(exact::to_number(json.at("time")), settings(json), starts);
-  }
-
-  static SensingModel sensing(const Json& json) {
-    SensingModel model;
-    if (json.at("robots_know").get<std::string>() != "lidar") return model;
-    model.sensing = Sensing::Lidar;
-    model.lidar.beams = json.at("beams").get<int>();
-    if (model.lidar.beams < 2 || model.lidar.beams > kMostBeams) {
-      throw std::invalid_argument("expected a lidar of 2 to " + std::to_string(kMostBeams) +
-                                  " beams");
-    }
-    model.lidar.range_sigma = exact::to_number(json.at("range_sigma"));
-    model.lidar.dropout = exact::to_number(json.at("dropout"));
-    model.lidar.latency = exact::to_number(json.at("latency"));
-    model.odometry.most_scale_error = exact::to_number(json.at("scale_error"));
-    model.odometry.most_drift = exact::to_number(json.at("drift"));
-    return model;
+    observer_.on_navigators(exact::to_number(json.at("time")), to_settings(json), starts);
   }
 
   void goal(const Json& json) {
@@ -196,14 +114,7 @@ class Player {
   void scan(const Json& json) {
     if (!told_navigators_ || !lidar_) throw std::invalid_argument("expected robots with a lidar");
     observer_.on_scan({.robot = robot(json),
-                       .scan = {.time = exact::to_number(json.at("time")),
-                                .first_pose = exact::to_pose(json.at("first_pose")),
-                                .last_pose = exact::to_pose(json.at("last_pose")),
-                                .first_angle = exact::to_number(json.at("first_angle")),
-                                .angle_step = exact::to_number(json.at("angle_step")),
-                                .min_range = exact::to_number(json.at("min_range")),
-                                .max_range = exact::to_number(json.at("max_range")),
-                                .ranges = ranges_},
+                       .scan = to_scan(json, ranges_),
                        .position = exact::to_point(json.at("position"))});
   }
 
@@ -227,7 +138,7 @@ class Player {
   void cycle(const Json& json) {
     if (!told_navigators_) throw std::invalid_argument("expected the settings first");
     const Json& in = json.at("input");
-    const std::vector<MovingObstacle> seen = obstacles(in.at("obstacles"));
+    const std::vector<MovingObstacle> seen = to_obstacles(in.at("obstacles"));
     std::optional<MpcSolution> prediction;
     if (json.contains("prediction")) prediction = exact::to_solution(json.at("prediction"));
     NavigationCycle cycle{
@@ -240,10 +151,11 @@ class Player {
                   .map = map(in),
                   .map_time = exact::to_number(in.at("map_time")),
                   .fleet = json.contains("fleet") ? fleet_.read(json.at("fleet")) : Fleet(),
-                  .robot = json.value("fleet_number", std::uint32_t{0})},
+                  .robot = json.value("fleet_number", std::uint32_t{0}),
+                  .planning = in.value("planning", false)},
         .step = {.command = exact::to_twist(json.at("command")),
-                 .status = checked(json.at("status"), NavigationStatus::GaveUp),
-                 .limit = checked(json.at("limit"), LimitingFactor::SmallerPlan),
+                 .status = to_status(json.at("status")),
+                 .limit = to_limit(json.at("limit")),
                  .wants_plan = json.at("wants_plan").get<bool>(),
                  .rectangle = json.at("rectangle").get<std::size_t>(),
                  .plan = prediction ? &*prediction : nullptr},
@@ -265,7 +177,7 @@ class Player {
   }
 
   void world(const Json& json) {
-    const std::vector<MovingObstacle> bodies = obstacles(json.at("bodies"));
+    const std::vector<MovingObstacle> bodies = to_obstacles(json.at("bodies"));
     std::vector<UnicycleRobot> robots;
     std::vector<Encounter> encounters;
     for (const Json& item : json.at("robots")) {

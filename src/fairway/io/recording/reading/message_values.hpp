@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fairway/io/recording/exact_json.hpp"
+
+// What single messages of a recording hold. Like `exact`, these throw nlohmann::json::exception or
+// std::invalid_argument where something is missing or wrong.
+namespace fairway::io {
+
+/// The settings of a `fairway.Scenario` or `fairway.Navigators`.
+[[nodiscard]] Settings to_settings(const exact::Json& message);
+
+/// The scenario of a `fairway.Scenario`; the cells of its map are those of the `foxglove.Grid` that
+/// came before.
+[[nodiscard]] Scenario to_scenario(const exact::Json& message, const exact::Json& map_message);
+
+/// The scan of a `fairway.Scan`, whose ranges came in a `foxglove.LaserScan` before.
+[[nodiscard]] LidarScan to_scan(const exact::Json& message, std::span<const float> ranges);
+
+[[nodiscard]] std::vector<MovingObstacle> to_obstacles(const exact::Json& list);
+
+[[nodiscard]] NavigationStatus to_status(const exact::Json& number);
+[[nodiscard]] LimitingFactor to_limit(const exact::Json& number);
+
+}  // namespace fairway::io

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/facade/mapless_navigator_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fairway/map/free_space.hpp"
+#include "fairway/navigation/facade/obstacle_merge.hpp"
+#include "fairway/tracking/corridor_check.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A cell of the map may turn out occupied although what is in it lies at its far side: wherever
+// there is room, keep so much more that the robot still has its own room then.
+Settings with_margins(const Settings& settings) {
+  Settings wider = settings;
+  wider.path.margin += settings.perception.resolution;
+  wider.safety.stop_margin += 0.5 * settings.perception.resolution;
+  return wider;
+}
+
+// How far the robot can get within a horizon [m].
+double reach_of_horizon(const Settings& settings) noexcept {
+  return settings.mpc.horizon * settings.mpc.step_length * settings.robot.linear_max;
+}
+
+}  // namespace
+
+MaplessNavigator::State::State(const Settings& given,
+                               ControlSolver* given_solver,
+                               const Vector2d& position)
+    : settings(given),
+      solver(given_solver),
+      wider(with_margins(given)),
+      perception(given.perception, position),
+      navigator(solver != nullptr ? Navigator(wider, *solver) : Navigator(wider)),
+      planning(std::make_unique<LocalPlanning>(wider, perception.grid().occupied())) {}
+
+void MaplessNavigator::State::set_task(NavigationTask given) {
+  task = std::move(given);
+  ++task_number_;
+  gave_up = false;
+  plan_is_current = false;
+  asked_for_plan_ = true;
+  look_for_narrow_ = false;
+  way_length_ = kInfinity;
+  plan_time_ = -kInfinity;
+  progress_.reset();
+  if (!task->valid) navigator.cancel();
+}
+
+void MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& position) {
+  perception.observe(scan, position, wider.robot.radius);
+  rolled_ = rolled_ || perception.grid().rolled();
+  planning->note_change(perception.grid().changed());
+}
+
+// At once where the robot is about to drive into something new; else not more often than that pays.
+bool MaplessNavigator::State::needs_plan(double time) const noexcept {
+  constexpr double kRetryAfter = 0.25;  // [s]; without a way, or when a longer corridor is wanted
+  constexpr double kSoon = 1.0;         // [m], beyond the braking distance
+  if (!task || !task->valid || planning->busy()) return false;
+  const CorridorFollower& corridor = navigator.corridor();
+  const bool driven_on = navigator.plan().usable() && corridor.reference_path().count > 0;
+  // A cell that flickers in and out at the side is no reason for another plan.
+  const double flicker = 0.5 * wider.perception.resolution;
+  const auto is_free_for = [&](double length) {
+    return corridor_is_free(perception.grid().occupied(), corridor, wider.robot.radius, flicker,
+                            length);
+  };
+  if (look_for_narrow_ || (driven_on && !is_free_for(braking_distance(wider.robot) + kSoon)))
+    return true;
+  if (time - plan_time_ < kRetryAfter) return false;
+  if (!driven_on || asked_for_plan_) return true;
+  if (!leads_to_goal_ && corridor.remaining() < reach_of_horizon(wider)) return true;
+  return !is_free_for(kInfinity) || !path_is_free();
+}
+
+// Whether the path is still free beyond the corridor, so that a dead end is noticed from afar.
+bool MaplessNavigator::State::path_is_free() const noexcept {
+  const Plan& now = navigator.plan();
+  if (now.whole) return true;
+  const double clearance = std::max(0.0, wider.robot.radius - 0.5 * wider.perception.resolution);
+  const std::vector<Vector2d>& points = now.path.waypoints;
+  double covered = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    covered += (points[i] - points[i - 1]).norm();
+    if (covered < LocalPlanning::corridor_length(wider)) continue;
+    if (!is_free(perception.grid().occupied(), points[i - 1], points[i], clearance)) return false;
+  }
+  return true;
+}
+
+void MaplessNavigator::State::start_plan(double time, const Pose2& pose) {
+  constexpr double kNarrow = 0.05;  // share of the margin that is kept in the narrowest places
+  planned = true;
+  plan_time_ = time;
+  asked_number_ = task_number_;
+  const double wished = wider.path.margin;
+  const bool narrow = std::exchange(look_for_narrow_, false);
+  planning->start(perception.grid().occupied(),
+                  {.position = pose.position,
+                   .goal = task->goal,
+                   .along = task->along,
+                   .margin = narrow ? kNarrow * wished : std::min(wished, 2.0 * last_margin_),
+                   .narrow = narrow});
+}
+
+void MaplessNavigator::State::take_plan() {
+  constexpr double kDetour = 1.0;       // [m]; a way that is so much longer than the last one was
+  constexpr double kWorthNarrow = 0.7;  // of the wide way's length
+  std::optional<LocalPlan> made = planning->take();
+  if (!made || !task || asked_number_ != task_number_) return;
+  Plan& found = made->plan;
+  if (made->request.narrow) {
+    if (!found.usable() || found.path.length() >= kWorthNarrow * way_length_) return;
+  } else {
+    // Before a long way round: is there none through a narrower place? That is the next cycle's
+    // work; by then the robot will not have gone far.
+    look_for_narrow_ = found.usable() && found.path.length() > way_length_ + kDetour;
+  }
+  last_margin_ = found.usable() ? found.margin : wider.path.margin;
+  plan_is_current = true;
+  // An old plan is better than none while the map may be wrong about a narrow place: every command
+  // is checked before it is sent.
+  if (!found.usable() && navigator.plan().usable()) return;
+  way_length_ = found.path.length();
+  leads_to_goal_ = found.whole && made->goal.position == task->goal.position;
+  follows_new_plan = true;
+  navigator.follow(std::move(found));
+}
+
+NavigationStep MaplessNavigator::State::judged(NavigationStep step) {
+  if (!task) {
+    if (gave_up && step.status == NavigationStatus::NoPlan) step.status = NavigationStatus::GaveUp;
+    return step;
+  }
+  if (!task->valid) {
+    step.status = NavigationStatus::BadInput;
+    step.limit = LimitingFactor::InvalidGoal;
+    return step;
+  }
+  if (step.status == NavigationStatus::GoalReached && !leads_to_goal_) {
+    // As near as it gets for now, but not there.
+    step.status = NavigationStatus::Blocked;
+    step.limit = LimitingFactor::NoPath;
+    step.wants_plan = true;
+  }
+  if (step.status == NavigationStatus::GoalReached) return step;
+  std::optional<double> remaining;
+  if (navigator.corridor().reference_path().count > 0) remaining = navigator.corridor().remaining();
+  const double stalled = progress_.update(input.time, remaining, follows_new_plan);
+  if (settings.navigation.patience > 0.0 && stalled >= settings.navigation.patience) {
+    task.reset();
+    gave_up = true;
+    if (navigator.plan().usable()) navigator.cancel();  // else the plan tells why there is none
+    step.status = NavigationStatus::GaveUp;
+  }
+  return step;
+}
+
+NavigationStep MaplessNavigator::State::update(const Measurements& m) {
+  planned = false;
+  follows_new_plan = false;
+  take_plan();
+  const bool pose_known = is_finite(m.pose) && std::isfinite(m.time);
+  if (rolled_) {
+    // All of the map is new, which without a thread is enough work for one cycle.
+    planning->refresh(perception.grid().occupied());
+    rolled_ = false;
+  } else if (pose_known && std::isfinite(perception.time()) && needs_plan(m.time)) {
+    start_plan(m.time, m.pose);
+    if (!settings.planning.background) take_plan();
+  }
+  return drive(m, task && !plan_is_current && planning->busy());
+}
+
+NavigationStep MaplessNavigator::State::replay(const NavigationInput& recorded,
+                                               std::optional<Plan> plan) {
+  follows_new_plan = plan.has_value();
+  rolled_ = false;
+  if (plan) {
+    plan_is_current = true;
+    leads_to_goal_ =
+        task && plan->usable() && plan->whole && plan->goal.position == task->goal.position;
+    navigator.follow(*std::move(plan));
+  }
+  return drive({.time = recorded.time, .pose = recorded.pose, .pose_time = recorded.pose_time},
+               recorded.planning);
+}
+
+NavigationStep MaplessNavigator::State::drive(const Measurements& m, bool planning_now) {
+  input = input_of(m);
+  input.map = &perception.grid().not_seen_free();
+  input.map_time = perception.time();
+  input.planning = planning_now;
+  merge_tracked(perception, moving_, input);
+  const NavigationStep step = judged(navigator.update(input));
+  asked_for_plan_ = step.wants_plan;
+  sent = step.command;
+  return step;
+}
+
+}  // namespace fairway

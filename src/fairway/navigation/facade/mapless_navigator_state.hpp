@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "fairway/navigation/facade/local_planning.hpp"
+#include "fairway/navigation/facade/mapless_navigator.hpp"
+#include "fairway/navigation/facade/navigation_task.hpp"
+#include "fairway/navigation/facade/progress_watch.hpp"
+#include "fairway/navigation/navigator.hpp"
+#include "fairway/perception/perception.hpp"
+
+namespace fairway {
+
+/// The inside of a MaplessNavigator: what was seen, the task, and the policy of when to plan.
+struct MaplessNavigator::State {
+  State(const Settings& given, ControlSolver* solver, const Eigen::Vector2d& position);
+
+  void set_task(NavigationTask given);
+  void observe(const LidarScan& scan, const Eigen::Vector2d& position);
+  [[nodiscard]] NavigationStep update(const Measurements& measurements);
+  [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
+
+  Settings settings;
+  ControlSolver* solver;  // null: its own
+  Settings wider;         // with the margins of a local map
+  Perception perception;
+  Navigator navigator;
+  std::unique_ptr<LocalPlanning> planning;
+  std::optional<NavigationTask> task;
+  NavigationInput input;
+  bool planned = false;           // in the last cycle
+  bool follows_new_plan = false;  // likewise
+  bool gave_up = false;
+  bool plan_is_current = false;
+  Twist2 sent;
+
+ private:
+  [[nodiscard]] bool needs_plan(double time) const noexcept;
+  [[nodiscard]] bool path_is_free() const noexcept;
+  void start_plan(double time, const Pose2& pose);
+  void take_plan();
+  [[nodiscard]] NavigationStep drive(const Measurements& measurements, bool planning_now);
+  [[nodiscard]] NavigationStep judged(NavigationStep step);
+
+  std::vector<MovingObstacle> moving_;
+  ProgressWatch progress_;
+  int task_number_ = 0;
+  int asked_number_ = 0;  // the task of the plan that was asked for last
+  bool rolled_ = true;    // the window has moved since the map was refreshed
+  bool asked_for_plan_ = true;
+  bool leads_to_goal_ = false;    // the present corridor
+  bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
+  double plan_time_ = 0.0;
+  double last_margin_ = std::numeric_limits<double>::infinity();  // of the last usable plan [m]
+  double way_length_ = std::numeric_limits<double>::infinity();   // likewise, of its path [m]
+};
+
+}  // namespace fairway
