@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "corridor_scenes.hpp"
 #include "corridor_timing.hpp"
 #include "experiments/baselines/sampled_rectangles.hpp"
 #include "experiments/baselines/sound_baselines.hpp"
@@ -27,44 +28,6 @@ namespace {
 using baselines::SampledGrowth;
 using baselines::Sampling;
 using Eigen::Vector2d;
-
-constexpr double kRadius = 0.3;          // of the robot, and Delta_s [m]
-constexpr double kPathClearance = 0.45;  // [m]
-
-struct Scene {
-  BitGrid obstacles;
-  Path path;       // the library's own
-  Path waypoints;  // the same, a point every 0.1 m, for the methods that take path points as seeds
-};
-
-Path resampled(const Path& path, double spacing) {
-  Path points;
-  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
-    const Vector2d way = path.waypoints[i] - path.waypoints[i - 1];
-    const int pieces = std::max(1, static_cast<int>(std::ceil(way.norm() / spacing)));
-    for (int k = 0; k < pieces; ++k)
-      points.waypoints.push_back(path.waypoints[i - 1] + way * k / pieces);
-  }
-  points.waypoints.push_back(path.waypoints.back());
-  return points;
-}
-
-std::vector<Scene> make_scenes(MapKind kind, int count) {
-  std::vector<Scene> scenes;
-  PathPlanner planner;
-  const double side = side_length(kind);
-  for (std::uint64_t seed = 0; static_cast<int>(scenes.size()) < count; ++seed) {
-    BitGrid obstacles(generate_map(kind, seed));
-    const DistanceField distances(obstacles);
-    PathSettings settings;
-    settings.margin = kPathClearance - kRadius;
-    const PathResult found =
-        planner.find(obstacles, distances, {1.5, 1.5}, {side - 1.5, side - 1.5}, kRadius, settings);
-    if (found.status != PathStatus::Found) continue;
-    scenes.push_back({std::move(obstacles), found.path, resampled(found.path, 0.1)});
-  }
-  return scenes;
-}
 
 // What one method did on all scenes of a kind.
 struct Tally {

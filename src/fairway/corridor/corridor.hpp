@@ -55,10 +55,11 @@ struct Corridor {
 
 /// How building a corridor ended.
 enum class CorridorStatus : std::uint8_t {
-  Built,        ///< start and goal inside, consecutive admissible rectangles overlap
-  EmptyPath,    ///< the path has no waypoint, or its length is not finite
-  SeedBlocked,  ///< no rectangle can hold the path at `stuck_at`
-  NoOverlap,    ///< no rectangle there overlaps the chain so far in a patch large enough
+  Built,         ///< start and goal inside, consecutive admissible rectangles overlap
+  EmptyPath,     ///< the path has no waypoint, or its length is not finite
+  SeedBlocked,   ///< no rectangle can hold the path at `stuck_at`
+  NoOverlap,     ///< no rectangle there overlaps the chain so far in a patch large enough
+  InvalidInput,  ///< the radius is negative or not finite, or a setting is out of its range
 };
 
 [[nodiscard]] constexpr const char* to_text(CorridorStatus status) noexcept {
@@ -71,6 +72,8 @@ enum class CorridorStatus : std::uint8_t {
       return "the path touches an obstacle";
     case CorridorStatus::NoOverlap:
       return "no rectangle continues the chain";
+    case CorridorStatus::InvalidInput:
+      return "the radius is negative or not finite, or a setting is out of its range";
   }
   return "unknown";
 }

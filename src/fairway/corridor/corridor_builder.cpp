@@ -2,6 +2,7 @@
 #include "fairway/corridor/corridor_builder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "fairway/corridor/sequential_rectangles.hpp"
@@ -65,12 +66,23 @@ CorridorResult with_more_rectangles(const BitGrid& obstacles,
   return other.status == CorridorStatus::Built ? other : stuck;
 }
 
+// Whether a corridor can be asked for with these numbers; written so that NaN fails.
+bool is_valid(double robot_radius, const CorridorSettings& settings) noexcept {
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  const auto not_negative = [](double value) { return value >= 0.0 && std::isfinite(value); };
+  return not_negative(robot_radius) && not_negative(settings.inward_offset) &&
+         not_negative(settings.min_overlap_area) && positive(settings.growth_step) &&
+         positive(settings.max_growth) && positive(settings.longest_side) &&
+         positive(settings.waypoint_spacing) && settings.num_orientations > 0;
+}
+
 }  // namespace
 
 CorridorResult build_corridor(const BitGrid& obstacles,
                               const Path& path,
                               double robot_radius,
                               const CorridorSettings& settings) {
+  if (!is_valid(robot_radius, settings)) return {.status = CorridorStatus::InvalidInput};
   if (settings.method == CorridorMethod::Mdsrc)
     return build_sequential(obstacles, path, robot_radius, settings);
   FewestRectangles fewest;
@@ -86,7 +98,11 @@ const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
   path_.waypoints.assign(path.waypoints.begin(), path.waypoints.end());
   robot_radius_ = robot_radius;
   settings_ = settings;
-  has_path_ = true;
+  has_path_ = is_valid(robot_radius, settings);
+  if (!has_path_) {
+    result_ = {.status = CorridorStatus::InvalidInput};
+    return result_;
+  }
   return rebuild(obstacles);
 }
 

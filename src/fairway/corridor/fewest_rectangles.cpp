@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "fairway/corridor/joint_shape.hpp"
 
 namespace fairway {
 
@@ -14,32 +15,6 @@ using Eigen::Vector2d;
 // Room between the path and the sides, so that start and goal are inside whatever rounding does
 // [m].
 constexpr double kInside = 1e-7;
-
-// The least disc that is swept has a sixteenth of the radius.
-constexpr int kSwept = 4;
-// Directions and distances in which the disc is tried beside the path.
-constexpr int kBesideDirections = 12;
-constexpr int kBesideDistances = 2;
-constexpr int kBesides = kBesideDirections * kBesideDistances;
-constexpr int kJointShapes = 1 + kBesides + kSwept;
-
-// Shapes of a joint with at least the area asked for, in the order in which they are tried. First a
-// disc about the path; then the same disc beside the path, where a path close to an obstacle has
-// room on its other side; then discs of half the radius each time, swept along a straight line.
-Joint joint_shape(double area, int number, double plain_margin) noexcept {
-  constexpr double kSpare = 1.0 + 1e-6;  // against rounding
-  const double radius = std::sqrt(area * kSpare / std::numbers::pi);
-  if (number == 0) return {.margin = plain_margin + radius};
-  if (number <= kBesides) {
-    const int k = number - 1;
-    const double angle = 2.0 * std::numbers::pi * (k % kBesideDirections) / kBesideDirections;
-    const double distance = 0.75 * radius * (1 + k / kBesideDirections);
-    return {.margin = plain_margin + radius, .offset = distance * direction(angle)};
-  }
-  const double swept = radius / (2 << (number - kBesides - 1));
-  const double length = (area * kSpare - std::numbers::pi * swept * swept) / (2.0 * swept);
-  return {.from = 0.0, .to = length, .margin = plain_margin + swept};
-}
 
 // How deep inside the box a point is; negative outside.
 double depth(const RectangleSearch::Found& found, const Vector2d& point) noexcept {
@@ -63,11 +38,12 @@ Reach FewestRectangles::onward_reach(const BitGrid& obstacles, const Joint& begi
   // With less than this, other joints may lead further; a joint about the path is better to drive.
   constexpr double kGoodProgress = 20.0;  // [cells]
   constexpr double kFairProgress = 5.0;   // [cells]
-  const int shapes = min_overlap_ > 0.0 ? kJointShapes : 1;
+  const int shapes = min_overlap_ > 0.0 ? internal::kJointShapes : 1;
   Reach best;
   reach_.start(obstacles, track_, begin, reach_settings_);
   for (int number = 0; number < shapes; ++number) {
-    const Reach reach = reach_.find(joint_shape(min_overlap_, number, reach_settings_.margin));
+    const Reach reach =
+        reach_.find(internal::joint_shape(min_overlap_, number, reach_settings_.margin));
     if (!reach.found) continue;
     if (reach.end.to >= track_.length()) return reach;
     const bool onward =

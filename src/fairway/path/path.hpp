@@ -36,6 +36,7 @@ enum class PathStatus : std::uint8_t {
   StartBlocked,     ///< the robot does not fit at the start
   GoalBlocked,      ///< the robot does not fit at the goal
   NoConnection,     ///< it fits at both, but there is no way between them
+  InvalidInput,     ///< the radius or the margin is negative or not finite
 };
 
 [[nodiscard]] constexpr const char* to_text(PathStatus status) noexcept {
@@ -52,6 +53,8 @@ enum class PathStatus : std::uint8_t {
       return "the robot does not fit at the goal";
     case PathStatus::NoConnection:
       return "there is no way from start to goal that is wide enough";
+    case PathStatus::InvalidInput:
+      return "the radius or the margin is negative or not finite";
   }
   return "unknown";
 }

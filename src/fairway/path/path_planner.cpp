@@ -27,7 +27,11 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
                              const Vector2d& goal,
                              double robot_radius,
                              const PathSettings& settings) {
-  FAIRWAY_EXPECTS(robot_radius >= 0.0);
+  // Written so that NaN fails too.
+  if (!(robot_radius >= 0.0 && settings.margin >= 0.0) ||
+      !std::isfinite(robot_radius + settings.margin)) {
+    return {.status = PathStatus::InvalidInput, .path = {}};
+  }
   const GridFrame& frame = obstacles.frame();
   if (!on_map(frame, start)) return {.status = PathStatus::StartOutsideMap, .path = {}};
   if (!on_map(frame, goal)) return {.status = PathStatus::GoalOutsideMap, .path = {}};

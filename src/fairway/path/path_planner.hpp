@@ -35,7 +35,7 @@ struct PathResult {
 class PathPlanner {
  public:
   /// `obstacles` and `distances` are of the same map and only read during the call.
-  /// @pre robot_radius >= 0; settings are within their limits.
+  /// A radius or margin that is negative or not finite is answered by PathStatus::InvalidInput.
   [[nodiscard]] PathResult find(const BitGrid& obstacles,
                                 const DistanceField& distances,
                                 const Eigen::Vector2d& start,

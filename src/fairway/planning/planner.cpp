@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "fairway/corridor/corridor_builder.hpp"
@@ -74,6 +75,15 @@ Plan Planner::plan(const PreparedMap& map,
                    const PlannerHooks& hooks) {
   Plan plan;
   plan.goal = goal;
+  // What could not even be measured on the map; written so that NaN fails.
+  if (!(settings.radius >= 0.0 && std::isfinite(settings.radius))) {
+    plan.path_status = PathStatus::InvalidInput;
+    return plan;
+  }
+  if (!is_finite(start) || !is_finite(goal.position)) {
+    plan.path_status = is_finite(start) ? PathStatus::GoalOutsideMap : PathStatus::StartOutsideMap;
+    return plan;
+  }
   // In the workspace the paper keeps Delta_s between path and walls; that already is the room
   // needed.
   const bool in_workspace = settings.corridor.space == CorridorSpace::Workspace;

@@ -40,6 +40,9 @@ class Planner {
   ///
   /// Tries the path's margin from `settings.path.margin` down and the overlap of the corridor
   /// likewise, and takes the first that gives a whole chain: a single fixed margin fails somewhere.
+  ///
+  /// Always answers: a start or goal that is not finite is outside the map, a radius or setting
+  /// that is negative or not finite gives an InvalidInput.
   [[nodiscard]] Plan plan(const PreparedMap& map,
                           const Eigen::Vector2d& start,
                           const Goal& goal,

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/planner.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "fairway/corridor/corridor_builder.hpp"
+#include "fairway/planning/path_plan.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+PreparedMap room() {
+  return PreparedMap(
+      BitGrid(GridFrame{.width = 100, .height = 80, .resolution = 0.05, .origin = {}}, false));
+}
+
+TEST(Planner, FindsAPathAndItsCorridor) {
+  const Plan plan = Planner().plan(room(), {1, 1}, {.position = {4, 3}}, {});
+  EXPECT_TRUE(plan.usable());
+  EXPECT_TRUE(plan.whole);
+  EXPECT_TRUE(fits(plan, 0.25));
+  EXPECT_FALSE(fits(plan, 0.4)) << "it was made for a smaller robot";
+}
+
+TEST(Planner, AnswersStartsAndGoalsThatAreNotFinite) {
+  Planner planner;
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    EXPECT_EQ(planner.plan(room(), {bad, 1}, {.position = {4, 3}}, {}).path_status,
+              PathStatus::StartOutsideMap);
+    EXPECT_EQ(planner.plan(room(), {1, 1}, {.position = {4, bad}}, {}).path_status,
+              PathStatus::GoalOutsideMap);
+  }
+}
+
+TEST(Planner, AnswersARadiusOrMarginThatCannotBe) {
+  Planner planner;
+  for (const double bad : {-0.1, kNan, kInfinity}) {
+    EXPECT_EQ(planner.plan(room(), {1, 1}, {.position = {4, 3}}, {.radius = bad}).path_status,
+              PathStatus::InvalidInput);
+    PlannerSettings settings;
+    settings.path.margin = bad;
+    EXPECT_EQ(planner.plan(room(), {1, 1}, {.position = {4, 3}}, settings).path_status,
+              PathStatus::InvalidInput);
+  }
+}
+
+TEST(BuildCorridor, AnswersARadiusOrSettingThatCannotBe) {
+  const PreparedMap map = room();
+  const Path path{.waypoints = {{1, 1}, {4, 3}}};
+  for (const CorridorMethod method : {CorridorMethod::Fewest, CorridorMethod::Mdsrc}) {
+    for (const double bad : {-0.1, kNan, kInfinity}) {
+      CorridorSettings settings{.method = method};
+      EXPECT_EQ(build_corridor(map.obstacles, path, bad, settings).status,
+                CorridorStatus::InvalidInput);
+      settings.inward_offset = bad;
+      EXPECT_EQ(build_corridor(map.obstacles, path, 0.25, settings).status,
+                CorridorStatus::InvalidInput);
+      settings = {.method = method, .growth_step = bad};
+      EXPECT_EQ(build_corridor(map.obstacles, path, 0.25, settings).status,
+                CorridorStatus::InvalidInput);
+    }
+  }
+}
+
+TEST(BuildCorridor, AnswersAPathThatIsNotFinite) {
+  const PreparedMap map = room();
+  for (const CorridorMethod method : {CorridorMethod::Fewest, CorridorMethod::Mdsrc}) {
+    const Path path{.waypoints = {{1, 1}, {kNan, 3}, {4, 3}}};
+    EXPECT_NE(build_corridor(map.obstacles, path, 0.25, {.method = method}).status,
+              CorridorStatus::Built);
+  }
+}
+
+TEST(PreparedMap, AWindowThatChangedIsPreparedLikeAllOfTheMap) {
+  PreparedMap map = room();
+  BitGrid bits = map.obstacles;
+  for (int y = 20; y < 40; ++y)
+    bits.set({50, y}, true);
+  map.update(bits, {.first = {50, 20}, .last = {50, 39}});
+  const PreparedMap whole(bits);
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      ASSERT_EQ(map.obstacles.blocked({x, y}), whole.obstacles.blocked({x, y}));
+      ASSERT_EQ(map.distances.at({x, y}), whole.distances.at({x, y})) << x << ' ' << y;
+    }
+  }
+}
+
+TEST(PathAhead, BeginsAtTheRobotAndEndsInsideTheMap) {
+  const GridFrame frame{.width = 100, .height = 80, .resolution = 0.05, .origin = {}};
+  const Path path{.waypoints = {{0.5, 2}, {1.5, 2}, {2.5, 2}, {3.5, 2}, {6.5, 2}}};
+  const PathAhead ahead = path_ahead(path, {1.6, 2.1}, frame, 0.3);
+  EXPECT_FALSE(ahead.complete);
+  ASSERT_EQ(ahead.path.waypoints.size(), 3U);
+  EXPECT_EQ(ahead.path.waypoints[0], Eigen::Vector2d(1.6, 2.1));
+  EXPECT_EQ(ahead.path.waypoints[1], Eigen::Vector2d(2.5, 2));
+  EXPECT_EQ(ahead.path.waypoints[2], Eigen::Vector2d(3.5, 2));
+}
+
+}  // namespace
+}  // namespace fairway
