@@ -14,8 +14,9 @@ import sys
 TARGETS = [
     ("fairway", [], [
         "base", "geometry", "map", "prediction", "path", "corridor/rectangle", "corridor", "mpc",
-        "mpc/interior_point", "mpc/interior_point/constraints", "planning", "tracking", "safety", "fleet",
-        "perception", "navigation", "navigation/facade", ""]),
+        "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
+        "mpc/interior_point", "planning", "tracking", "safety", "fleet", "perception", "navigation",
+        "navigation/facade", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
         "simulation/sensors", "simulation", "simulation/scenarios", "simulation/recorded",

@@ -2,7 +2,7 @@
 #include "fairway/mpc/interior_point/kernels.hpp"
 
 #include "fairway/mpc/interior_point/line_search.hpp"
-#include "fairway/mpc/interior_point/newton.hpp"
+#include "fairway/mpc/interior_point/newton/newton.hpp"
 #include "fairway/mpc/interior_point/rollout_guess.hpp"
 
 namespace fairway::interior_point {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/mpc/interior_point/filter.hpp"
-#include "fairway/mpc/interior_point/optimality.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/filter.hpp"
+#include "fairway/mpc/interior_point/workspace/optimality.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 namespace fairway::interior_point {
 

@@ -8,9 +8,9 @@
 #include "fairway/mpc/interior_point/constraints/bounds.hpp"
 #include "fairway/mpc/interior_point/constraints/soft_constraint_values.hpp"
 #include "fairway/mpc/interior_point/constraints/soft_constraints.hpp"
-#include "fairway/mpc/interior_point/filter.hpp"
-#include "fairway/mpc/interior_point/trajectory.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/newton/trajectory.hpp"
+#include "fairway/mpc/interior_point/workspace/filter.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 namespace fairway::interior_point {
 

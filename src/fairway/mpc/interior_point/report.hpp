@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 namespace fairway::interior_point {
 

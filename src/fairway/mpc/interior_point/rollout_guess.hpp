@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fairway/base/simd_math.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 // What to start from without a guess: a drive towards the targets that goes round what is in the
 // way. Lanes are four manoeuvres here, not four steps.

@@ -86,6 +86,9 @@ class IpoptProblem final : public Ipopt::TNLP {
   [[nodiscard]] Index slack_index(std::size_t row) const;
   [[nodiscard]] Index num_slacks() const;
   [[nodiscard]] Index elastic_constraint(std::size_t row) const;
+  [[nodiscard]] Index num_constraints() const;
+  [[nodiscard]] Index num_jacobian_entries() const;
+  [[nodiscard]] Index num_hessian_entries() const;
 
   void read(const Number* x);
 

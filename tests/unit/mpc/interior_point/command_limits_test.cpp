@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/mpc/interior_point/constraints/command_limits.hpp"
+#include "fairway/mpc/interior_point/workspace/command_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "support/random_world.hpp"
 
-namespace fairway {
+namespace fairway::interior_point {
 namespace {
 
 ControlProblem random_limits(test::Random& random) {
@@ -105,4 +105,4 @@ TEST(CommandLimits, WithoutAChangeBoundOnlyTheRangeCounts) {
 }
 
 }  // namespace
-}  // namespace fairway
+}  // namespace fairway::interior_point

@@ -12,7 +12,7 @@
 #include "fairway/mpc/interior_point/initial_point.hpp"
 #include "fairway/mpc/interior_point/kernels.hpp"
 #include "fairway/mpc/interior_point/line_search.hpp"
-#include "fairway/mpc/interior_point/newton.hpp"
+#include "fairway/mpc/interior_point/newton/newton.hpp"
 #include "fairway/mpc/interior_point/setup.hpp"
 #include "support/central_difference.hpp"
 #include "support/random_control_problem.hpp"

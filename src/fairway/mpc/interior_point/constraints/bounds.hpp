@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fairway/base/simd_math.hpp"
-#include "fairway/mpc/interior_point/optimality.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/optimality.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 // The command range and the change bounds: hard, so their slacks are the rooms themselves, and the
 // iterates stay strictly inside.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "fairway/base/simd_math.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 // Values and slacks of the elastic rows. Those that are far are watched only: their value is
 // looked at once in an iteration, and they are no part of the problem.

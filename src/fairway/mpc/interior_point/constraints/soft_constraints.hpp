@@ -5,8 +5,8 @@
 
 #include "fairway/base/simd_math.hpp"
 #include "fairway/mpc/interior_point/constraints/soft_constraint_values.hpp"
-#include "fairway/mpc/interior_point/optimality.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/optimality.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 // Corridor sides and obstacles: elastic, c + e = s with price w on every e. docs/solver.md derives
 // the formulas.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fairway/base/simd_math.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 namespace fairway::interior_point {
 

@@ -3,9 +3,9 @@
 
 #include "fairway/mpc/interior_point/constraints/bounds.hpp"
 #include "fairway/mpc/interior_point/constraints/soft_constraints.hpp"
-#include "fairway/mpc/interior_point/riccati.hpp"
-#include "fairway/mpc/interior_point/stages.hpp"
-#include "fairway/mpc/interior_point/trajectory.hpp"
+#include "fairway/mpc/interior_point/newton/riccati.hpp"
+#include "fairway/mpc/interior_point/newton/stages.hpp"
+#include "fairway/mpc/interior_point/newton/trajectory.hpp"
 
 namespace fairway::interior_point {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fairway/base/simd_math.hpp"
-#include "fairway/mpc/interior_point/workspace.hpp"
+#include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 // The Newton system as the stages of a Riccati recursion, docs/solver.md section 3.
 

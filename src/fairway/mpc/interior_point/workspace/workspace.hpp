@@ -7,7 +7,7 @@
 
 #include "fairway/base/simd.hpp"
 #include "fairway/mpc/control_problem.hpp"
-#include "fairway/mpc/interior_point/constraints/command_limits.hpp"
+#include "fairway/mpc/interior_point/workspace/command_limits.hpp"
 #include "fairway/mpc/solution.hpp"
 
 // The numbers that the interior-point solver works on. Steps are computed four at a time: block b

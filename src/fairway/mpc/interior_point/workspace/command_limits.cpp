@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/mpc/interior_point/constraints/command_limits.hpp"
+#include "fairway/mpc/interior_point/workspace/command_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace fairway {
+namespace fairway::interior_point {
 namespace {
 
 // The interior-point method needs room between bounds: what has less is fixed.
@@ -122,4 +122,4 @@ void clip_to_limits(const CommandLimits& limits, int horizon, double* commands) 
   }
 }
 
-}  // namespace fairway
+}  // namespace fairway::interior_point

@@ -5,7 +5,7 @@
 
 #include "fairway/mpc/control_problem.hpp"
 
-namespace fairway {
+namespace fairway::interior_point {
 
 /// What the hard rows leave for one coordinate (linear or angular) of the commands.
 ///
@@ -42,4 +42,4 @@ void clip_to_reach(const CommandLimits& limits, int horizon, double* commands) n
 /// rounding.
 void clip_to_limits(const CommandLimits& limits, int horizon, double* commands) noexcept;
 
-}  // namespace fairway
+}  // namespace fairway::interior_point
