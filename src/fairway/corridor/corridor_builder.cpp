@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fairway/corridor/fewest_rectangles.hpp"
 #include "fairway/corridor/sequential_rectangles.hpp"
 #include "fairway/map/free_space.hpp"
 
@@ -91,10 +92,28 @@ CorridorResult build_corridor(const BitGrid& obstacles,
   return with_more_rectangles(obstacles, path, robot_radius, settings, result);
 }
 
-const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
-                                             const Path& path,
-                                             double robot_radius,
-                                             const CorridorSettings& settings) {
+struct CorridorBuilder::State {
+  const CorridorResult& build(const BitGrid& obstacles,
+                              const Path& path,
+                              double robot_radius,
+                              const CorridorSettings& settings);
+  const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
+  const CorridorResult& rebuild(const BitGrid& obstacles);
+
+  FewestRectangles fewest_;
+  CorridorResult result_;
+  Path path_;
+  double robot_radius_ = 0.0;
+  CorridorSettings settings_;
+  BitGrid known_;  // the map that the corridor was made for
+  bool has_path_ = false;
+  bool can_repair_ = false;  // fewest_ holds the chain of result_
+};
+
+const CorridorResult& CorridorBuilder::State::build(const BitGrid& obstacles,
+                                                    const Path& path,
+                                                    double robot_radius,
+                                                    const CorridorSettings& settings) {
   path_.waypoints.assign(path.waypoints.begin(), path.waypoints.end());
   robot_radius_ = robot_radius;
   settings_ = settings;
@@ -106,7 +125,7 @@ const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
   return rebuild(obstacles);
 }
 
-const CorridorResult& CorridorBuilder::rebuild(const BitGrid& obstacles) {
+const CorridorResult& CorridorBuilder::State::rebuild(const BitGrid& obstacles) {
   known_ = obstacles;
   can_repair_ = false;
   if (settings_.method == CorridorMethod::Mdsrc) {
@@ -120,7 +139,8 @@ const CorridorResult& CorridorBuilder::rebuild(const BitGrid& obstacles) {
   return result_;
 }
 
-const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const CellBlock& changed) {
+const CorridorResult& CorridorBuilder::State::update(const BitGrid& obstacles,
+                                                     const CellBlock& changed) {
   if (!has_path_) return result_;
   if (!can_repair_ || !same_frame(obstacles.frame(), known_.frame())) return rebuild(obstacles);
   const Difference difference = take_over(obstacles, changed, known_);
@@ -140,5 +160,23 @@ const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const Ce
   if (result_.status != CorridorStatus::Built) return rebuild(obstacles);
   return result_;
 }
+
+CorridorBuilder::CorridorBuilder() : state_(std::make_unique<State>()) {}
+CorridorBuilder::CorridorBuilder(CorridorBuilder&&) noexcept = default;
+CorridorBuilder& CorridorBuilder::operator=(CorridorBuilder&&) noexcept = default;
+CorridorBuilder::~CorridorBuilder() = default;
+
+const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
+                                             const Path& path,
+                                             double robot_radius,
+                                             const CorridorSettings& settings) {
+  return state_->build(obstacles, path, robot_radius, settings);
+}
+
+const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const CellBlock& changed) {
+  return state_->update(obstacles, changed);
+}
+
+const CorridorResult& CorridorBuilder::result() const noexcept { return state_->result_; }
 
 }  // namespace fairway

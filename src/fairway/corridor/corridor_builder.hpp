@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 #include "fairway/corridor/corridor.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
-#include "fairway/corridor/fewest_rectangles.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/path/path.hpp"
 
@@ -14,7 +15,8 @@ namespace fairway {
 /// When the status is Built: every rectangle is free (is_free with clearance 0 in Workspace, with
 /// `robot_radius` in Configuration), the first admissible one holds the start and the last the
 /// goal, and consecutive admissible ones overlap by at least `settings.min_overlap_area`. Where
-/// Fewest finds no room for that patch, the rectangles of Mdsrc are tried before it gives up.
+/// Fewest finds no room for that patch, the rectangles of Mdsrc are tried before it gives up. A
+/// radius that is negative or not finite, or a setting out of its range, gives InvalidInput.
 [[nodiscard]] CorridorResult build_corridor(const BitGrid& obstacles,
                                             const Path& path,
                                             double robot_radius,
@@ -33,6 +35,11 @@ struct CellBlock {
 /// and on nothing else. Not thread-safe.
 class CorridorBuilder {
  public:
+  CorridorBuilder();
+  CorridorBuilder(CorridorBuilder&&) noexcept;
+  CorridorBuilder& operator=(CorridorBuilder&&) noexcept;
+  ~CorridorBuilder();
+
   /// As build_corridor; reuses memory.
   const CorridorResult& build(const BitGrid& obstacles,
                               const Path& path,
@@ -47,19 +54,11 @@ class CorridorBuilder {
   /// first build.
   const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
 
-  [[nodiscard]] const CorridorResult& result() const noexcept { return result_; }
+  [[nodiscard]] const CorridorResult& result() const noexcept;
 
  private:
-  const CorridorResult& rebuild(const BitGrid& obstacles);
-
-  FewestRectangles fewest_;
-  CorridorResult result_;
-  Path path_;
-  double robot_radius_ = 0.0;
-  CorridorSettings settings_;
-  BitGrid known_;  // the map that the corridor was made for
-  bool has_path_ = false;
-  bool can_repair_ = false;  // fewest_ holds the chain of result_
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace fairway

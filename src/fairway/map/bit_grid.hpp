@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "fairway/base/setting.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 
 namespace fairway {
@@ -143,5 +144,20 @@ class BitGrid {
   std::vector<std::uint64_t> words_;
   std::vector<std::uint64_t> bands_;
 };
+
+/// How the map is read.
+struct MapSettings {
+  bool unknown_is_occupied = true;  ///< whether unknown cells count as obstacles
+};
+
+[[nodiscard]] inline UnknownCells unknown_cells(const MapSettings& settings) noexcept {
+  return settings.unknown_is_occupied ? UnknownCells::Occupied : UnknownCells::Free;
+}
+
+template <typename Settings, typename Visitor>
+void visit_map(Settings& s, Visitor&& field) {
+  field(s.unknown_is_occupied,
+        SettingInfo{"unknown_is_occupied", "", "whether unknown cells count as obstacles"});
+}
 
 }  // namespace fairway

@@ -8,7 +8,6 @@
 #include "fairway/map/distance_field.hpp"
 #include "fairway/path/grid_search.hpp"
 #include "fairway/path/path.hpp"
-#include "fairway/path/path_settings.hpp"
 #include "fairway/path/search_grid.hpp"
 #include "fairway/path/straightening.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/map/distance_field.hpp"
-#include "fairway/path/path_settings.hpp"
+#include "fairway/path/path.hpp"
 
 namespace fairway {
 

@@ -9,6 +9,7 @@
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/path/path_beginning.hpp"
+#include "fairway/path/path_planner.hpp"
 
 namespace fairway {
 
@@ -68,6 +69,11 @@ bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConne
 
 }  // namespace
 
+Planner::Planner() : path_planner_(std::make_unique<PathPlanner>()) {}
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+Planner::~Planner() = default;
+
 Plan Planner::plan(const PreparedMap& map,
                    const Eigen::Vector2d& start,
                    const Goal& goal,
@@ -97,8 +103,8 @@ Plan Planner::plan(const PreparedMap& map,
     PathResult found;
     {
       const Stopwatch stopwatch(hooks.clock, plan.path_seconds);
-      found = path_planner_.find(map.obstacles, map.distances, start, goal.position, radius,
-                                 path_settings);
+      found = path_planner_->find(map.obstacles, map.distances, start, goal.position, radius,
+                                  path_settings);
     }
     plan.path_status = found.status;
     plan.margin = path_settings.margin;

@@ -3,14 +3,38 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 
+#include "fairway/base/setting.hpp"
 #include "fairway/corridor/corridor_settings.hpp"
-#include "fairway/path/path_planner.hpp"
-#include "fairway/path/path_settings.hpp"
+#include "fairway/path/path.hpp"
 #include "fairway/planning/plan.hpp"
 #include "fairway/planning/prepared_map.hpp"
 
 namespace fairway {
+
+/// When plans are made.
+struct PlanningSettings {
+  bool background = false;      ///< plan in a thread; false: the cycle that needs a plan makes it
+  double rebuild_period = 0.0;  ///< time between plans [s], 0 to 1000 (DuringTime); 0: when needed
+  double retry_period = 0.5;    ///< time between attempts while no plan is found [s], 0.05 to 1000
+};
+
+template <typename Settings, typename Visitor>
+void visit_planning(Settings& s, Visitor&& field) {
+  field(s.background,
+        SettingInfo{"background", "",
+                    "make plans in a thread, so that no control cycle waits; if not, the cycle "
+                    "that needs a plan makes it"});
+  field(s.rebuild_period,
+        SettingInfo{"rebuild_period", "s", "time between plans; 0: only when needed", 0, 1000});
+  field(s.retry_period,
+        SettingInfo{"retry_period", "s",
+                    "time between attempts while no plan is found, or a better one is wanted", 0.05,
+                    1000});
+}
+
+class PathPlanner;
 
 /// The settings that a plan depends on.
 struct PlannerSettings {
@@ -36,6 +60,11 @@ struct PlannerHooks {
 /// handed over by value.
 class Planner {
  public:
+  Planner();
+  Planner(Planner&&) noexcept;
+  Planner& operator=(Planner&&) noexcept;
+  ~Planner();
+
   /// Finds a path, then its corridor: Algorithm 2's input and output.
   ///
   /// Tries the path's margin from `settings.path.margin` down and the overlap of the corridor
@@ -50,7 +79,7 @@ class Planner {
                           const PlannerHooks& hooks = {});
 
  private:
-  PathPlanner path_planner_;
+  std::unique_ptr<PathPlanner> path_planner_;
 };
 
 }  // namespace fairway
