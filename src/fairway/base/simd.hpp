@@ -29,11 +29,11 @@ inline constexpr std::size_t kLanes = 4;
 
 /// Four doubles in memory. Assigned from lanes register by register: what is stored in other pieces
 /// than it is loaded again soon after, makes the processor wait.
-struct alignas(kLanes * sizeof(double)) Four {
+struct alignas(kLanes * sizeof(double)) Pack4d {
   std::array<double, kLanes> values;
 
   template <typename Lanes>
-  FAIRWAY_LANES Four& operator=(const Lanes& lanes) noexcept {
+  FAIRWAY_LANES Pack4d& operator=(const Lanes& lanes) noexcept {
     lanes.store(values.data());
     return *this;
   }
@@ -57,8 +57,8 @@ class BasicLanes {
       r = Register{} + value;
   }
   // NOLINTNEXTLINE(google-explicit-constructor)
-  FAIRWAY_LANES BasicLanes(const Four& four) noexcept {
-    load(static_cast<const double*>(__builtin_assume_aligned(four.values.data(), alignof(Four))));
+  FAIRWAY_LANES BasicLanes(const Pack4d& four) noexcept {
+    load(static_cast<const double*>(__builtin_assume_aligned(four.values.data(), alignof(Pack4d))));
   }
   FAIRWAY_LANES BasicLanes(double a, double b, double c, double d) noexcept {
     if constexpr (kRegisters == 1) {
