@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+// GCC notes that lanes of 256 bits would be passed otherwise with AVX; inlined, they are not
+// passed.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
 #include "fairway/mpc/interior_point/kernels.hpp"
 
 #include "fairway/mpc/interior_point/line_search.hpp"
 #include "fairway/mpc/interior_point/newton/newton.hpp"
 #include "fairway/mpc/interior_point/rollout_guess.hpp"
+#pragma GCC diagnostic pop
 
 namespace fairway::interior_point {
 namespace {
