@@ -111,7 +111,7 @@ class Contest {
  private:
   int repeats_;
   std::unique_ptr<InteriorPointSolver> interior_point_;
-  IpoptSolver ipopt_{{.rows = IpoptRows::Hard}};
+  IpoptSolver ipopt_{{.constraints = IpoptConstraints::Hard}};
 };
 
 void print_head(const char* first) {

@@ -61,20 +61,22 @@ inline Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
 
 /// What a solution leaves of the first-order conditions, in the space of the commands.
 struct Optimality {
-  double residual = 0.0;  ///< |gradient of cost + penalty - sum of multiplier * row gradient|
+  double residual =
+      0.0;  ///< |gradient of cost + penalty - sum of multiplier * constraint gradient|
   double complementarity = 0.0;  ///< greatest multiplier * distance to the bound [cost]
   double scale = 1.0;            ///< size of the gradient that has to cancel
 };
 
-/// Looks at the commands only: finds the best multipliers >= 0 for the rows near their bounds
-/// (within `near`), counts violated elastic rows at the full penalty, and returns what is left.
+/// Looks at the commands only: finds the best multipliers >= 0 for the constraints near their
+/// bounds (within `near`), counts violated soft constraints at the full penalty, and returns what
+/// is left.
 inline Optimality first_order_optimality(const ControlProblem& problem,
                                          const std::array<Twist2, kMaxHorizon>& commands,
                                          double near = 1e-3) {
   std::array<Pose2, kMaxHorizon + 1> poses;
   rollout(problem, commands, poses);
   const Eigen::Index size = 2 * problem.horizon;
-  std::vector<Eigen::VectorXd> rows;  // gradients of the rows "value >= 0" near their bounds
+  std::vector<Eigen::VectorXd> rows;  // gradients of the constraints "value >= 0" near their bounds
   std::vector<double> values;
   const auto flat = [&](const std::array<Eigen::Vector2d, kMaxHorizon>& by_command) {
     Eigen::VectorXd v(size);
@@ -88,8 +90,8 @@ inline Optimality first_order_optimality(const ControlProblem& problem,
   Eigen::VectorXd gradient = flat(by_command);
   double scale = gradient.norm();
 
-  visit_elastic_rows(problem, [&](const RowName& name) {
-    const ElasticRow row = elastic_row(problem, poses, name);
+  visit_soft_constraints(problem, [&](const RowName& name) {
+    const SoftConstraint row = soft_constraint(problem, poses, name);
     if (row.margin > near) return;
     std::array<Eigen::Vector3d, kMaxHorizon + 1> by_pose;
     by_pose.fill(Eigen::Vector3d::Zero());

@@ -17,8 +17,8 @@ namespace fairway::test {
 /// How far a solution is from the first-order optimality conditions, by its commands alone: the
 /// least norm of
 ///     grad J - sum y_i grad c_i - sum l_j grad g_j
-/// over 0 <= y_i <= price for the elastic rows that are at their bound (y_i = price where violated,
-/// 0 where there is room) and l_j >= 0 for the hard rows at their bound. Slow: bounded least
+/// over 0 <= y_i <= price for the soft constraints that are at their bound (y_i = price where
+/// violated, 0 where there is room) and l_j >= 0 for the bounds at their bound. Slow: bounded least
 /// squares by coordinate descent.
 class OptimalityOracle {
  public:
@@ -32,8 +32,8 @@ class OptimalityOracle {
     std::vector<Eigen::Vector2d> gradient(n_, Eigen::Vector2d::Zero());
     cost_gradient(problem, commands_, poses_, gradient);
     rest_ = flat(gradient);
-    add_elastic_rows();
-    add_hard_rows();
+    add_soft_constraints();
+    add_bounds();
   }
 
   double residual(int sweeps = 50000) {
@@ -62,9 +62,9 @@ class OptimalityOracle {
     return all;
   }
 
-  void add_elastic_rows() {
-    visit_elastic_rows(problem_, [&](const RowName& name) {
-      const ElasticRow row = elastic_row(problem_, poses_, name);
+  void add_soft_constraints() {
+    visit_soft_constraints(problem_, [&](const RowName& name) {
+      const SoftConstraint row = soft_constraint(problem_, poses_, name);
       if (row.margin > active_) return;
       const auto k = static_cast<std::size_t>(name.step);
       std::vector<Eigen::Vector3d> by_pose(n_ + 1, Eigen::Vector3d::Zero());
@@ -81,7 +81,7 @@ class OptimalityOracle {
     });
   }
 
-  void add_hard_row(Eigen::Index coordinate, double sign, double room, bool is_change) {
+  void add_bound(Eigen::Index coordinate, double sign, double room, bool is_change) {
     if (room > active_) return;
     Eigen::VectorXd column = Eigen::VectorXd::Zero(rest_.size());
     column[coordinate] = sign;
@@ -90,16 +90,16 @@ class OptimalityOracle {
     most_.push_back(std::numeric_limits<double>::infinity());
   }
 
-  void add_hard_rows() {
+  void add_bounds() {
     for (std::size_t k = 0; k < n_; ++k) {
       const bool stopped = problem_.stop_at_end && k + 1 == n_;
       const Twist2& before = k == 0 ? problem_.previous_command : commands_[k - 1];
       const auto add = [&](Eigen::Index c, double value, double previous, double low, double high,
                            double change) {
-        add_hard_row(c, 1.0, stopped ? 0.0 : value - low, false);
-        add_hard_row(c, -1.0, stopped ? 0.0 : high - value, false);
-        add_hard_row(c, 1.0, value - previous + change, true);
-        add_hard_row(c, -1.0, change - value + previous, true);
+        add_bound(c, 1.0, stopped ? 0.0 : value - low, false);
+        add_bound(c, -1.0, stopped ? 0.0 : high - value, false);
+        add_bound(c, 1.0, value - previous + change, true);
+        add_bound(c, -1.0, change - value + previous, true);
       };
       const auto c = 2 * static_cast<Eigen::Index>(k);
       add(c, commands_[k].linear, before.linear, problem_.command_min.linear,
@@ -119,7 +119,7 @@ class OptimalityOracle {
   std::vector<double> most_;
 };
 
-/// Rows within `active` [their unit] of their bound count as being at it.
+/// Constraints within `active` [their unit] of their bound count as being at it.
 inline double optimality_residual(const ControlProblem& problem,
                                   const MpcSolution& solution,
                                   double active = 1e-4) {

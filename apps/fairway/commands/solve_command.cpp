@@ -47,7 +47,7 @@ SolveStatus checked_status(const ControlProblem& problem, const MpcSolution& sol
   MpcSolution again;
   again.commands = solution.commands;
   assess(problem, again);
-  const double worst = std::max(again.max_violation, hard_violation(problem, again.commands).max);
+  const double worst = std::max(again.max_violation, bound_violation(problem, again.commands).max);
   return worst <= kFeasibilityTolerance ? SolveStatus::Solved : SolveStatus::Stalled;
 }
 

@@ -30,7 +30,7 @@ class InteriorPoint final : public InstanceSolver {
 
 class Ipopt final : public InstanceSolver {
  public:
-  explicit Ipopt(IpoptRows rows) : solver_({.rows = rows}) {}
+  explicit Ipopt(IpoptConstraints constraints) : solver_({.constraints = constraints}) {}
 
   const MpcSolution& solve(const ControlProblem& problem,
                            std::span<const InitialGuess> guesses) override {
@@ -64,8 +64,8 @@ class Ipopt final : public InstanceSolver {
 Expected<std::unique_ptr<InstanceSolver>> make_instance_solver(const std::string& name) {
   if (name == "interior_point") return std::make_unique<InteriorPoint>();
 #ifdef FAIRWAY_HAS_IPOPT
-  if (name == "ipopt") return std::make_unique<Ipopt>(IpoptRows::Elastic);
-  if (name == "ipopt_hard") return std::make_unique<Ipopt>(IpoptRows::Hard);
+  if (name == "ipopt") return std::make_unique<Ipopt>(IpoptConstraints::Soft);
+  if (name == "ipopt_hard") return std::make_unique<Ipopt>(IpoptConstraints::Hard);
 #endif
   return fail("--solver: expected interior_point, found " + name + ", " +
               left_out("coinor-libipopt-dev"));

@@ -25,8 +25,8 @@ class InstanceSolver {
                                                  std::span<const InitialGuess> guesses) = 0;
 };
 
-/// `interior_point`, `ipopt` (the paper's method with elastic rows) or `ipopt_hard` (as the paper
-/// has it); an error where this build lacks it.
+/// `interior_point`, `ipopt` (the paper's method with soft constraints) or `ipopt_hard` (as the
+/// paper has it); an error where this build lacks it.
 [[nodiscard]] Expected<std::unique_ptr<InstanceSolver>> make_instance_solver(
     const std::string& name);
 

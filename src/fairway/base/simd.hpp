@@ -2,11 +2,15 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
-// Four doubles that are computed on at once. Loops over the steps of the horizon take four of them
+// Four numbers that are computed on at once.
+//
+// Doubles: loops over the steps of the horizon take four of them
 // at a time, and are templates over the kind of registers that hold the four: two of 128 bits, as
 // every x86-64 and ARM processor has, or one of 256. The operations and their order are the same,
 // hence the results, to the bit.
@@ -21,19 +25,18 @@
 #else
 #define FAIRWAY_LANES inline
 #endif
-#pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace fairway::interior_point {
+namespace fairway {
 
 inline constexpr std::size_t kLanes = 4;
 
 /// Four doubles in memory. Assigned from lanes register by register: what is stored in other pieces
 /// than it is loaded again soon after, makes the processor wait.
-struct alignas(kLanes * sizeof(double)) Four {
+struct alignas(kLanes * sizeof(double)) Pack4d {
   std::array<double, kLanes> values;
 
   template <typename Lanes>
-  FAIRWAY_LANES Four& operator=(const Lanes& lanes) noexcept {
+  FAIRWAY_LANES Pack4d& operator=(const Lanes& lanes) noexcept {
     lanes.store(values.data());
     return *this;
   }
@@ -57,8 +60,8 @@ class BasicLanes {
       r = Register{} + value;
   }
   // NOLINTNEXTLINE(google-explicit-constructor)
-  FAIRWAY_LANES BasicLanes(const Four& four) noexcept {
-    load(static_cast<const double*>(__builtin_assume_aligned(four.values.data(), alignof(Four))));
+  FAIRWAY_LANES BasicLanes(const Pack4d& four) noexcept {
+    load(static_cast<const double*>(__builtin_assume_aligned(four.values.data(), alignof(Pack4d))));
   }
   FAIRWAY_LANES BasicLanes(double a, double b, double c, double d) noexcept {
     if constexpr (kRegisters == 1) {
@@ -222,4 +225,32 @@ FAIRWAY_LANES Transposed<Lanes> transposed(const Lanes& a,
   return t;
 }
 
-}  // namespace fairway::interior_point
+/// Four floats that one instruction works on, the outcome of comparing them (all bits set where it
+/// holds), and bits to collect such outcomes in. The vector types that GCC and Clang share;
+/// arithmetic, comparison and selection (`mask ? a : b`) work lane by lane, numbers stand for four
+/// equal ones.
+using Pack4f = float __attribute__((vector_size(16)));
+using Mask4 = int __attribute__((vector_size(16)));
+using Bits4 = unsigned __attribute__((vector_size(16)));
+
+[[nodiscard]] inline Pack4f min(Pack4f a, Pack4f b) noexcept { return a < b ? a : b; }
+[[nodiscard]] inline Pack4f max(Pack4f a, Pack4f b) noexcept { return a > b ? a : b; }
+
+/// The same number in every lane.
+[[nodiscard]] inline Pack4f four(float a) noexcept { return Pack4f{a, a, a, a}; }
+
+/// -a where the mask holds, a elsewhere. @pre a is not negative.
+[[nodiscard]] inline Pack4f with_sign_of(Mask4 mask, Pack4f a) noexcept {
+  constexpr int kSign = std::numeric_limits<int>::min();
+  return std::bit_cast<Pack4f>(std::bit_cast<Mask4>(a) | (mask & kSign));
+}
+
+/// The four numbers from an address on, which need not be aligned.
+[[nodiscard]] inline Pack4f load4(const float* from) noexcept {
+  Pack4f result;
+  std::memcpy(&result, from, sizeof result);
+  return result;
+}
+inline void store4(Pack4f a, float* to) noexcept { std::memcpy(to, &a, sizeof a); }
+
+}  // namespace fairway

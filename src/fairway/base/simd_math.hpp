@@ -11,7 +11,7 @@
 // Sine, cosine and logarithm of four numbers at once. The standard library's differ in the last bit
 // from one processor to another.
 
-namespace fairway::interior_point {
+namespace fairway {
 
 // Takes `even` or `odd` by the last bit of `quarter`, and minus that if the bit before it, of the
 // quarter plus `ahead`, is set.
@@ -137,4 +137,4 @@ class LogSum {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace fairway::interior_point
+}  // namespace fairway

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "fairway/base/float4.hpp"
+#include "fairway/base/simd.hpp"
 #include "fairway/corridor/rectangle/box_repair.hpp"
 
 namespace fairway {
@@ -35,12 +35,12 @@ bool holds_point(const ObstaclePoints& points, const TurnedFrame& frame, const B
   constexpr std::size_t kAtOnce = 16;
   for (std::size_t end = (points.size() + 3) / 4 * 4; end > 0;) {
     const std::size_t begin = end > kAtOnce ? end - kAtOnce : 0;
-    Float4 least = four(1.0F);
+    Pack4f least = four(1.0F);
     for (std::size_t i = begin; i < end; i += 4) {
-      const Float4 px = load4(points.x() + i);
-      const Float4 py = load4(points.y() + i);
-      const Float4 x = c * px + s * py - center_x;
-      const Float4 y = c * py - s * px - center_y;
+      const Pack4f px = load4(points.x() + i);
+      const Pack4f py = load4(points.y() + i);
+      const Pack4f x = c * px + s * py - center_x;
+      const Pack4f y = c * py - s * px - center_y;
       // What is not there is NaN, and not less than anything.
       least = min(max(max(x, -x) - half_x, max(y, -y) - half_y), least);
     }

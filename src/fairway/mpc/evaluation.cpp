@@ -10,12 +10,12 @@
 namespace fairway {
 namespace {
 
-void note(Violation& violation, const RowName& row, double amount) noexcept {
+void note(Violation& violation, const RowName& name, double amount) noexcept {
   if (!(amount > 0.0)) return;
   violation.sum += amount;
   if (amount > violation.max) {
     violation.max = amount;
-    violation.worst = row;
+    violation.worst = name;
   }
 }
 
@@ -37,7 +37,7 @@ CommandBounds reachable_bounds(const ControlProblem& problem, int k) noexcept {
   return bounds;
 }
 
-void clip_to_hard_rows(const ControlProblem& problem, std::span<Twist2> commands) noexcept {
+void clip_to_bounds(const ControlProblem& problem, std::span<Twist2> commands) noexcept {
   const auto clip = [](double value, double before, double change, double low, double high) {
     // The range comes last: where rounding makes the two disagree, it wins.
     return std::clamp(std::clamp(finite_or_zero(value), before - change, before + change), low,
@@ -62,7 +62,7 @@ void expand_guess(const ControlProblem& problem,
   for (int k = 0; k < problem.horizon; ++k)
     commands[step_index(k)] =
         given > 0 ? guess.commands[step_index(std::min(k, given - 1))] : Twist2{};
-  clip_to_hard_rows(problem, commands);
+  clip_to_bounds(problem, commands);
 }
 
 void rollout(const ControlProblem& problem,
@@ -100,16 +100,16 @@ double barrier(const PredictedObstacle& obstacle, int k, const Eigen::Vector2d& 
   return (position - obstacle.position[step_index(k)]).squaredNorm() - keep_out * keep_out;
 }
 
-ElasticRow elastic_row(const ControlProblem& problem,
-                       std::span<const Pose2> poses,
-                       const RowName& row) noexcept {
-  const Eigen::Vector2d& here = poses[step_index(row.step)].position;
-  if (row.kind == RowKind::Corridor) {
+SoftConstraint soft_constraint(const ControlProblem& problem,
+                               std::span<const Pose2> poses,
+                               const RowName& name) noexcept {
+  const Eigen::Vector2d& here = poses[step_index(name.step)].position;
+  if (name.kind == RowKind::Corridor) {
     // Eqs. (8)-(10): in the rectangle's frame, side 0: x - min.x, 1: max.x - x, 2, 3: same for y.
     const OrientedRectangle& rectangle =
-        problem.regions[step_index(row.step)].rectangles[step_index(row.index / 4)];
-    const int axis = (row.index % 4) / 2;
-    const bool upper = row.index % 2 == 1;
+        problem.regions[step_index(name.step)].rectangles[step_index(name.index / 4)];
+    const int axis = (name.index % 4) / 2;
+    const bool upper = name.index % 2 == 1;
     const Eigen::Vector2d normal = rotated(
         axis == 0 ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY(), rectangle.orientation);
     const double along = normal.dot(here - rectangle.seed);
@@ -117,27 +117,28 @@ ElasticRow elastic_row(const ControlProblem& problem,
     return {.margin = along - rectangle.min[axis], .gradient = normal};
   }
   // Eq. (14) with 1 - gamma dt = barrier_retention.
-  const PredictedObstacle& obstacle = problem.obstacles[step_index(row.index)];
-  const Eigen::Vector2d& before = poses[step_index(row.step - 1)].position;
+  const PredictedObstacle& obstacle = problem.obstacles[step_index(name.index)];
+  const Eigen::Vector2d& before = poses[step_index(name.step - 1)].position;
   const double retention = problem.barrier_retention;
   return {
       .margin =
-          barrier(obstacle, row.step, here) - retention * barrier(obstacle, row.step - 1, before),
-      .gradient = 2.0 * (here - obstacle.position[step_index(row.step)]),
-      .gradient_before = -2.0 * retention * (before - obstacle.position[step_index(row.step - 1)]),
+          barrier(obstacle, name.step, here) - retention * barrier(obstacle, name.step - 1, before),
+      .gradient = 2.0 * (here - obstacle.position[step_index(name.step)]),
+      .gradient_before = -2.0 * retention * (before - obstacle.position[step_index(name.step - 1)]),
       .curvature = 2.0,
       .curvature_before = -2.0 * retention};
 }
 
-Violation elastic_violation(const ControlProblem& problem, std::span<const Pose2> poses) noexcept {
+Violation soft_violation(const ControlProblem& problem, std::span<const Pose2> poses) noexcept {
   Violation violation;
-  visit_elastic_rows(problem, [&](const RowName& row) {
-    note(violation, row, -elastic_row(problem, poses, row).margin);
+  visit_soft_constraints(problem, [&](const RowName& name) {
+    note(violation, name, -soft_constraint(problem, poses, name).margin);
   });
   return violation;
 }
 
-Violation hard_violation(const ControlProblem& problem, std::span<const Twist2> commands) noexcept {
+Violation bound_violation(const ControlProblem& problem,
+                          std::span<const Twist2> commands) noexcept {
   Violation violation;
   constexpr std::array kRange{RowKind::LinearSpeed, RowKind::AngularSpeed};
   constexpr std::array kChange{RowKind::LinearChange, RowKind::AngularChange};
@@ -164,7 +165,7 @@ void assess(const ControlProblem& problem, MpcSolution& solution) noexcept {
   solution.horizon = problem.horizon;
   rollout(problem, solution.commands, solution.poses);
   solution.cost = cost(problem, solution.commands, solution.poses);
-  const Violation violation = elastic_violation(problem, solution.poses);
+  const Violation violation = soft_violation(problem, solution.poses);
   solution.max_violation = violation.max;
   solution.sum_violation = violation.sum;
 }

@@ -70,7 +70,7 @@ bool keep_outs_allowed(const ControlProblem& problem) noexcept {
 
 // Every interval of reachable_bounds leads on to the next, so only the first step can fail: its
 // interval must be there at all and be within one change of the previous command.
-bool hard_rows_agree(const ControlProblem& problem) noexcept {
+bool bounds_agree(const ControlProblem& problem) noexcept {
   constexpr double kRounding = 1e-9;
   const auto agree = [](double low, double high, double before, double change) {
     return std::max(low, before - change) <= std::min(high, before + change) + kRounding;
@@ -131,7 +131,7 @@ ProblemFault validate(const ControlProblem& problem) noexcept {
     return ProblemFault::Retention;
   if (!keep_outs_allowed(problem)) return ProblemFault::KeepOut;
   if (!ranges_in_order(problem)) return ProblemFault::CommandRange;
-  if (!hard_rows_agree(problem)) return ProblemFault::Contradiction;
+  if (!bounds_agree(problem)) return ProblemFault::Contradiction;
   return ProblemFault::None;
 }
 

@@ -127,14 +127,14 @@ TEST(Derivatives, OfTheCommandCostAgreeWithDifferences) {
   }
 }
 
-TEST(Derivatives, OfElasticRowsAgreeWithDifferences) {
+TEST(Derivatives, OfSoftConstraintsAgreeWithDifferences) {
   Random random(24);
   for (int trial = 0; trial < 100; ++trial) {
     const ControlProblem problem = test::random_control_problem(random);
     std::array<Pose2, kMaxHorizon + 1> poses;
     for (Pose2& pose : poses)
       pose.position = problem.start.position + test::random_point(random, 2.0);
-    visit_elastic_rows(problem, [&](const RowName& name) {
+    visit_soft_constraints(problem, [&](const RowName& name) {
       // By (p_{step-1}, p_step): value, then gradient.
       VectorXd z(4);
       z << poses[at(name.step - 1)].position, poses[at(name.step)].position;
@@ -142,10 +142,10 @@ TEST(Derivatives, OfElasticRowsAgreeWithDifferences) {
         auto moved = poses;
         moved[at(name.step - 1)].position = x.head<2>();
         moved[at(name.step)].position = x.tail<2>();
-        return elastic_row(problem, moved, name);
+        return soft_constraint(problem, moved, name);
       };
       const auto gradient = [&](const VectorXd& x) {
-        const ElasticRow row = row_at(x);
+        const SoftConstraint row = row_at(x);
         VectorXd g(4);
         g << row.gradient_before, row.gradient;
         return g;
@@ -155,7 +155,7 @@ TEST(Derivatives, OfElasticRowsAgreeWithDifferences) {
       };
       const VectorXd by_differences = test::central_difference(margin, z).row(0);
       EXPECT_LT((gradient(z) - by_differences).cwiseAbs().maxCoeff(), kTolerance);
-      const ElasticRow row = row_at(z);
+      const SoftConstraint row = row_at(z);
       const Eigen::Vector4d curvature(row.curvature_before, row.curvature_before, row.curvature,
                                       row.curvature);
       const Eigen::MatrixXd expected = curvature.asDiagonal();

@@ -126,8 +126,8 @@ TEST(Evaluation, CorridorRowsAreDistancesToTheSides) {
   const std::array expected{1.5, 2.5, 6.5, -0.5};
   for (int side = 0; side < 4; ++side) {
     const RowName name{.kind = RowKind::Corridor, .step = 1, .index = 4 + side};
-    EXPECT_NEAR(elastic_row(problem, poses, name).margin, expected[static_cast<std::size_t>(side)],
-                1e-12);
+    EXPECT_NEAR(soft_constraint(problem, poses, name).margin,
+                expected[static_cast<std::size_t>(side)], 1e-12);
   }
 }
 
@@ -144,7 +144,7 @@ TEST(Evaluation, BarrierRowIsEquation14) {
   EXPECT_NEAR(barrier(problem.obstacles[0], 0, poses[0].position), now, 1e-12);
   const RowName name{.kind = RowKind::Barrier, .step = 1, .index = 0};
   // Delta h >= -dt gamma h
-  EXPECT_NEAR(elastic_row(problem, poses, name).margin, (next - now) + 0.1 * 5.0 * now, 1e-12);
+  EXPECT_NEAR(soft_constraint(problem, poses, name).margin, (next - now) + 0.1 * 5.0 * now, 1e-12);
 }
 
 TEST(Evaluation, ABarrierKeptAtEveryStepNeverTurnsNegative) {
@@ -158,9 +158,8 @@ TEST(Evaluation, ABarrierKeptAtEveryStepNeverTurnsNegative) {
     for (int j = 0; j < problem.num_obstacles; ++j) {
       bool holds = true;
       for (int k = 1; k <= problem.horizon && holds; ++k) {
-        holds =
-            elastic_row(problem, poses, {.kind = RowKind::Barrier, .step = k, .index = j}).margin >=
-            0.0;
+        holds = soft_constraint(problem, poses, {.kind = RowKind::Barrier, .step = k, .index = j})
+                    .margin >= 0.0;
         if (!holds) continue;
         const auto& obstacle = problem.obstacles[static_cast<std::size_t>(j)];
         EXPECT_GE(barrier(obstacle, k, poses[static_cast<std::size_t>(k)].position), -1e-12);
@@ -179,7 +178,7 @@ TEST(Evaluation, ViolationIsTheSumOverRowsAndNamesTheWorst) {
     problem.regions[k].rectangles[0] = {.min = {0.0, 0.0}, .max = {1.0, 1.0}};
   }
   const std::array poses{Pose2{}, Pose2{.position = {1.25, -0.5}}, Pose2{.position = {0.5, 3.0}}};
-  const Violation violation = elastic_violation(problem, poses);
+  const Violation violation = soft_violation(problem, poses);
   EXPECT_DOUBLE_EQ(violation.max, 2.0);
   EXPECT_DOUBLE_EQ(violation.sum, 2.75);
   EXPECT_EQ(violation.worst.kind, RowKind::Corridor);
@@ -193,12 +192,12 @@ TEST(Evaluation, HardViolationSeesRangeChangeAndStop) {
   problem.max_change = {.linear = 0.5, .angular = 10.0};
   problem.stop_at_end = true;
   const std::array commands{Twist2{.linear = 0.75, .angular = -2.0}, Twist2{.linear = 0.5}};
-  const Violation violation = hard_violation(problem, commands);
+  const Violation violation = bound_violation(problem, commands);
   EXPECT_DOUBLE_EQ(violation.sum, 0.25 + 0.5 + 0.5);
   EXPECT_DOUBLE_EQ(violation.max, 0.5);
 }
 
-TEST(Evaluation, ClippedCommandsObeyEveryHardRow) {
+TEST(Evaluation, ClippedCommandsObeyEveryBound) {
   Random random(13);
   for (int trial = 0; trial < 2000; ++trial) {
     const ControlProblem problem = test::random_control_problem(random);
@@ -207,10 +206,10 @@ TEST(Evaluation, ClippedCommandsObeyEveryHardRow) {
     for (Twist2& command : commands)
       command = {.linear = random.uniform(-3.0, 3.0), .angular = random.uniform(-5.0, 5.0)};
     commands[0].linear = random.chance(0.5) ? std::numeric_limits<double>::quiet_NaN() : 1e308;
-    clip_to_hard_rows(problem, commands);
-    EXPECT_LE(hard_violation(problem, commands).max, 1e-12);
+    clip_to_bounds(problem, commands);
+    EXPECT_LE(bound_violation(problem, commands).max, 1e-12);
     const auto once = commands;
-    clip_to_hard_rows(problem, commands);
+    clip_to_bounds(problem, commands);
     for (std::size_t k = 0; k < once.size(); ++k)
       EXPECT_EQ(commands[k].linear, once[k].linear) << "clipping twice changes nothing";
   }
@@ -243,7 +242,7 @@ TEST(Evaluation, AssessFillsWhatTheCommandsDetermine) {
   EXPECT_EQ(solution.horizon, problem.horizon);
   EXPECT_EQ(solution.poses[0].position, problem.start.position);
   EXPECT_EQ(solution.cost, cost(problem, solution.commands, solution.poses));
-  const Violation violation = elastic_violation(problem, solution.poses);
+  const Violation violation = soft_violation(problem, solution.poses);
   EXPECT_EQ(solution.max_violation, violation.max);
   EXPECT_EQ(solution.sum_violation, violation.sum);
 }

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "fairway/base/float4.hpp"
+#include "fairway/base/simd.hpp"
 
 namespace fairway {
 
@@ -20,7 +20,7 @@ constexpr float kNever = 4e6F;  // more than all sides make
 
 // Rounds up to whole rounds (multiples of 4), but for 1e-4 of one, by adding a number so large that
 // its last bit is worth 4.
-Float4 rounded_up(Float4 turns) noexcept {
+Pack4f rounded_up(Pack4f turns) noexcept {
   constexpr float kLastBitIs4 = 50331648.0F;  // 2^25 + 2^24
   constexpr float kRoundUp = 4.0F * 0.4999F;
   return ((turns + kRoundUp) + kLastBitIs4) - kLastBitIs4;
@@ -37,8 +37,8 @@ struct Axis {
     const auto place = static_cast<float>(steps.start);
     const auto rate = static_cast<float>(4.0 / steps.step);
     for (std::size_t i = 0; i < count; i += 4) {
-      const Float4 c = load4(&at[i]);
-      const Float4 order = c > 0.0F ? four(upper) : four(lower);
+      const Pack4f c = load4(&at[i]);
+      const Pack4f order = c > 0.0F ? four(upper) : four(lower);
       store4(rounded_up((max(c, -c) - place) * rate) + order, &turn[i]);
     }
   }
@@ -47,9 +47,9 @@ struct Axis {
   // `rate` turns per cell; 0: not at all.
   void go_on(std::size_t count, float sign, float place, float rate, float now) noexcept {
     for (std::size_t i = 0; i < count; i += 4) {
-      const Float4 outwards = sign * load4(&at[i]);
-      const Float4 before = load4(&turn[i]);
-      const Float4 later = rate > 0.0F ? rounded_up((outwards - place) * rate) + now : four(kNever);
+      const Pack4f outwards = sign * load4(&at[i]);
+      const Pack4f before = load4(&turn[i]);
+      const Pack4f later = rate > 0.0F ? rounded_up((outwards - place) * rate) + now : four(kNever);
       store4(((outwards > 0.0F) & (before >= now)) ? later : before, &turn[i]);
     }
   }
@@ -79,8 +79,8 @@ class Growth {
     const auto c = static_cast<float>(along.x());
     const auto s = static_cast<float>(along.y());
     for (std::size_t i = 0; i < count_; i += 4) {
-      const Float4 x = load4(points.x() + i);
-      const Float4 y = load4(points.y() + i);
+      const Pack4f x = load4(points.x() + i);
+      const Pack4f y = load4(points.y() + i);
       store4(c * x + s * y, &axes_[0].at[i]);
       store4(c * y - s * x, &axes_[1].at[i]);
     }
@@ -94,7 +94,7 @@ class Growth {
 
   // The first turn at which a point would come to lie behind all sides.
   [[nodiscard]] float first_met() const noexcept {
-    Float4 first = four(2.0F * kNever);
+    Pack4f first = four(2.0F * kNever);
     for (std::size_t i = 0; i < count_; i += 4) {
       // What is not there is NaN, and not less than anything.
       first = min(max(load4(&axes_[0].turn[i]), load4(&axes_[1].turn[i])), first);

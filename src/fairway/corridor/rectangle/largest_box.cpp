@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "fairway/base/contract.hpp"
-#include "fairway/base/float4.hpp"
+#include "fairway/base/simd.hpp"
 
 namespace fairway {
 
@@ -24,8 +24,8 @@ constexpr std::size_t kBits = 32;
 // one, both from the core's side. The four are worked on at once, one in each lane.
 using Quadrants = std::array<float, 4>;
 
-Float4 of_next(Float4 a) noexcept { return Float4{a[1], a[2], a[3], a[0]}; }
-Float4 of_opposite(Float4 a) noexcept { return Float4{a[2], a[3], a[0], a[1]}; }
+Pack4f of_next(Pack4f a) noexcept { return Pack4f{a[1], a[2], a[3], a[0]}; }
+Pack4f of_opposite(Pack4f a) noexcept { return Pack4f{a[2], a[3], a[0], a[1]}; }
 
 // How far a corner of the box can reach: at each step either so far ahead or so far aside. From the
 // ahead axis to the aside axis, `ahead` falls and `aside` rises; none is negative.
@@ -69,14 +69,14 @@ class Staircases {
              const Vector2d& along,
              const Box& core,
              double longest_side) noexcept {
-    const Float4 reach{static_cast<float>(core.max.x()), static_cast<float>(core.max.y()),
+    const Pack4f reach{static_cast<float>(core.max.x()), static_cast<float>(core.max.y()),
                        static_cast<float>(-core.min.x()), static_cast<float>(-core.min.y())};
-    const Float4 reach_aside = of_next(reach);
-    const Float4 cap = static_cast<float>(longest_side) - reach - of_opposite(reach);
-    Float4 least_ahead = cap;
-    const auto take = [&](Float4 ahead, Float4 aside, Mask4 mine) {
+    const Pack4f reach_aside = of_next(reach);
+    const Pack4f cap = static_cast<float>(longest_side) - reach - of_opposite(reach);
+    Pack4f least_ahead = cap;
+    const auto take = [&](Pack4f ahead, Pack4f aside, Mask4 mine) {
       // Others never count; nor does what is not there: all comparisons with NaN fail.
-      const Float4 least = with_sign_of(mine, four(kFar));
+      const Pack4f least = with_sign_of(mine, four(kFar));
       store4(least_ahead, &before_[4 * count_]);
       least_ahead = min(least_ahead, max(ahead - reach, least));
       store4(max(aside - reach_aside, least), &aside_[4 * count_]);
@@ -88,15 +88,15 @@ class Staircases {
     const auto s = static_cast<float>(along.y());
     const Range cut = where_cut(points, c, s);
     for (std::size_t i = cut.least; i < points.steps(); ++i) {
-      const Float4 u = load4(points.ahead() + 4 * i);
-      const Float4 v = load4(points.aside() + 4 * i);
-      const Float4 aside = c * v - s * u;
+      const Pack4f u = load4(points.ahead() + 4 * i);
+      const Pack4f v = load4(points.aside() + 4 * i);
+      const Pack4f aside = c * v - s * u;
       take(c * u + s * v, aside, aside >= 0.0F);
     }
     for (std::size_t i = 0; i < cut.most; ++i) {
-      const Float4 u = of_next(load4(points.ahead() + 4 * i));
-      const Float4 v = of_next(load4(points.aside() + 4 * i));
-      const Float4 ahead = s * u - c * v;
+      const Pack4f u = of_next(load4(points.ahead() + 4 * i));
+      const Pack4f v = of_next(load4(points.aside() + 4 * i));
+      const Pack4f ahead = s * u - c * v;
       take(ahead, c * u + s * v, ahead > 0.0F);
     }
     store4(least_ahead, &before_[4 * count_]);
@@ -109,11 +109,11 @@ class Staircases {
     const std::size_t words = count_ / kBits + 1;
     std::array<std::array<std::uint32_t, 4>, 2 * kCapacity / kBits + 1>
         falls;  // NOLINT(*-member-init): filled below
-    Float4 least = of_next(load4(cap_.data()));
+    Pack4f least = of_next(load4(cap_.data()));
     for (std::size_t w = words; w-- > 0;) {
       Bits4 bits{};
       for (std::size_t i = std::min(count_, (w + 1) * kBits); i-- > w * kBits;) {
-        const Float4 aside = load4(&aside_[4 * i]);
+        const Pack4f aside = load4(&aside_[4 * i]);
         bits = bits + bits - std::bit_cast<Bits4>(aside < least);  // true is -1
         least = min(least, aside);
       }
@@ -200,14 +200,14 @@ Pair best_pair(const Levels& tops, const Levels& bottoms, const Box& core, float
   const auto core_height = static_cast<float>(core.max.y() - core.min.y());
   const auto area = [&](std::size_t top, std::size_t bottom) {
     // A top's rising side is the right one, a bottom's the left one.
-    const Float4 width = min(four(tops.rising[top]), load4(&bottoms.falling[bottom])) +
+    const Pack4f width = min(four(tops.rising[top]), load4(&bottoms.falling[bottom])) +
                          min(four(tops.falling[top]), load4(&bottoms.rising[bottom]));
-    const Float4 height = tops.height[top] + load4(&bottoms.height[bottom]);
+    const Pack4f height = tops.height[top] + load4(&bottoms.height[bottom]);
     return min(width + core_width, four(limit)) * min(height + core_height, four(limit));
   };
   Pair best;
   for (std::size_t top = 0; top < tops.count; ++top) {
-    Float4 greatest = four(-1.0F);
+    Pack4f greatest = four(-1.0F);
     for (std::size_t bottom = 0; bottom < bottoms.count; bottom += 4)
       greatest = max(greatest, area(top, bottom));
     const float row =
@@ -216,7 +216,7 @@ Pair best_pair(const Levels& tops, const Levels& bottoms, const Box& core, float
     best.area = std::max(row, best.area);
   }
   for (std::size_t bottom = 0; bottom < bottoms.count; bottom += 4) {
-    const Float4 areas = area(best.top, bottom);
+    const Pack4f areas = area(best.top, bottom);
     for (std::size_t k = 0; k < 4; ++k) {
       if (areas[k] == best.area) return {.top = best.top, .bottom = bottom + k, .area = best.area};
     }

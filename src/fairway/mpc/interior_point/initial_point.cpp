@@ -6,18 +6,18 @@
 namespace fairway::interior_point {
 namespace {
 
-// How far a guess is drawn to the middle of the hard rows, and the drive that replaces one.
+// How far a guess is drawn to the middle of the bounds, and the drive that replaces one.
 constexpr double kInwards = 0.005;
 constexpr double kDriveInwards = 0.1;
 
 }  // namespace
 
-void load_guess(const Phases& phases,
+void load_guess(const SimdKernels& kernels,
                 const InitialGuess& guess,
                 const Workspace& w,
                 Point& point) noexcept {
   const auto given = static_cast<std::size_t>(std::clamp(guess.count, 0, kMaxHorizon));
-  if (given == 0) phases.drive_to_targets(w, point);
+  if (given == 0) kernels.drive_to_targets(w, point);
   for (std::size_t k = 0; given > 0 && k < w.horizon; ++k) {
     const Twist2& command = guess.commands[std::min(k, given - 1)];
     point.commands[kLinear][k + 1] = command.linear;

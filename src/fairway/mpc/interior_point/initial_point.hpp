@@ -6,10 +6,10 @@
 
 namespace fairway::interior_point {
 
-/// Commands to start from, strictly inside every hard row: the guess, with its last command
+/// Commands to start from, strictly inside every bound: the guess, with its last command
 /// repeated, or without one a drive to the targets; drawn a little towards the middle of what can
 /// be reached.
-void load_guess(const Phases& phases,
+void load_guess(const SimdKernels& kernels,
                 const InitialGuess& guess,
                 const Workspace& w,
                 Point& point) noexcept;

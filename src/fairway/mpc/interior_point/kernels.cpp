@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+// GCC notes that lanes of 256 bits would be passed otherwise with AVX; inlined, they are not
+// passed.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
 #include "fairway/mpc/interior_point/kernels.hpp"
 
 #include "fairway/mpc/interior_point/line_search.hpp"
 #include "fairway/mpc/interior_point/newton/newton.hpp"
 #include "fairway/mpc/interior_point/rollout_guess.hpp"
+#pragma GCC diagnostic pop
 
 namespace fairway::interior_point {
 namespace {
@@ -19,8 +24,8 @@ OptimalityError linearise_128(Workspace& w, double mu) noexcept {
 bool solve_newton_system_128(Workspace& w, double mu) noexcept {
   return solve_newton_system<Lanes128>(w, mu);
 }
-bool take_step_128(Workspace& w, double mu, double boundary, Filter& filter) noexcept {
-  return take_step<Lanes128>(w, mu, boundary, filter);
+bool take_step_128(Workspace& w, double mu, double fraction_to_boundary, Filter& filter) noexcept {
+  return take_step<Lanes128>(w, mu, fraction_to_boundary, filter);
 }
 
 #ifdef FAIRWAY_HAS_LANES256
@@ -38,32 +43,35 @@ FAIRWAY_AVX2 OptimalityError linearise_256(Workspace& w, double mu) noexcept {
 FAIRWAY_AVX2 bool solve_newton_system_256(Workspace& w, double mu) noexcept {
   return solve_newton_system<Lanes256>(w, mu);
 }
-FAIRWAY_AVX2 bool take_step_256(Workspace& w, double mu, double boundary, Filter& filter) noexcept {
-  return take_step<Lanes256>(w, mu, boundary, filter);
+FAIRWAY_AVX2 bool take_step_256(Workspace& w,
+                                double mu,
+                                double fraction_to_boundary,
+                                Filter& filter) noexcept {
+  return take_step<Lanes256>(w, mu, fraction_to_boundary, filter);
 }
 #endif
 
 }  // namespace
 
-const Phases& phases_128() noexcept {
-  static constexpr Phases kPhases = {.drive_to_targets = drive_to_targets_128,
-                                     .evaluate = evaluate_128,
-                                     .start = start_128,
-                                     .linearise = linearise_128,
-                                     .solve_newton_system = solve_newton_system_128,
-                                     .take_step = take_step_128};
-  return kPhases;
+const SimdKernels& kernels_128() noexcept {
+  static constexpr SimdKernels kKernels = {.drive_to_targets = drive_to_targets_128,
+                                           .evaluate = evaluate_128,
+                                           .start = start_128,
+                                           .linearise = linearise_128,
+                                           .solve_newton_system = solve_newton_system_128,
+                                           .take_step = take_step_128};
+  return kKernels;
 }
 
-const Phases* phases_256() noexcept {
+const SimdKernels* kernels_256() noexcept {
 #ifdef FAIRWAY_HAS_LANES256
-  static constexpr Phases kPhases = {.drive_to_targets = drive_to_targets_256,
-                                     .evaluate = evaluate_256,
-                                     .start = start_256,
-                                     .linearise = linearise_256,
-                                     .solve_newton_system = solve_newton_system_256,
-                                     .take_step = take_step_256};
-  if (__builtin_cpu_supports("avx2") != 0) return &kPhases;
+  static constexpr SimdKernels kKernels = {.drive_to_targets = drive_to_targets_256,
+                                           .evaluate = evaluate_256,
+                                           .start = start_256,
+                                           .linearise = linearise_256,
+                                           .solve_newton_system = solve_newton_system_256,
+                                           .take_step = take_step_256};
+  if (__builtin_cpu_supports("avx2") != 0) return &kKernels;
 #endif
   return nullptr;
 }

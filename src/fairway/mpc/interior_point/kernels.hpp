@@ -9,7 +9,7 @@ namespace fairway::interior_point {
 
 /// What one iteration consists of, compiled for one kind of registers. All kinds do the same, to
 /// the bit.
-struct Phases {
+struct SimdKernels {
   /// Fills the commands of `point` with a start where there is no guess: a drive to the targets
   /// that goes round what is in the way. They keep the ranges of commands, not all changes.
   void (*drive_to_targets)(const Workspace& w, Point& point) noexcept;
@@ -20,8 +20,9 @@ struct Phases {
   /// Slacks and duals to start from at `mu`, given that `w.now` is evaluated.
   void (*start)(Workspace& w, double mu) noexcept;
 
-  /// Takes the elastic duals along their step and keeps all duals near the central path of `mu`;
-  /// then finds the quadratic model of the problem around `w.now`, and its optimality error.
+  /// Takes the duals of the soft constraints along their step and keeps all duals near the central
+  /// path of `mu`; then finds the quadratic model of the problem around `w.now`, and its optimality
+  /// error.
   OptimalityError (*linearise)(Workspace& w, double mu) noexcept;
 
   /// Solves the Newton system at `mu`: fills `w.step`. @return Whether there is a solution.
@@ -29,15 +30,15 @@ struct Phases {
 
   /// Goes along the step as far as the filter of this barrier problem allows, using up at most the
   /// part `boundary` of any room or slack; the taken point becomes `w.now`. Where no length will
-  /// do, the residuals of the rows are absorbed by their excesses instead, docs/solver.md
-  /// section 5. @return False when there is nothing to absorb.
-  bool (*take_step)(Workspace& w, double mu, double boundary, Filter& filter) noexcept;
+  /// do, the residuals of the constraints are absorbed by their violation slacks instead,
+  /// docs/solver.md section 5. @return False when there is nothing to absorb.
+  bool (*take_step)(Workspace& w, double mu, double fraction_to_boundary, Filter& filter) noexcept;
 };
 
 /// For registers that every processor has.
-[[nodiscard]] const Phases& phases_128() noexcept;
+[[nodiscard]] const SimdKernels& kernels_128() noexcept;
 
 /// For registers of 256 bits; null where this processor, or this build, has none.
-[[nodiscard]] const Phases* phases_256() noexcept;
+[[nodiscard]] const SimdKernels* kernels_256() noexcept;
 
 }  // namespace fairway::interior_point

@@ -20,24 +20,24 @@ inline constexpr double kNoResidual = 1e-9;  ///< below this, residuals count as
 template <typename Lanes>
 FAIRWAY_LANES void evaluate(const Workspace& w, Point& point) noexcept {
   roll_out<Lanes>(w, point);
-  evaluate_elastic_rows<Lanes>(w, point);
+  evaluate_soft_constraints<Lanes>(w, point);
 }
 
-/// Sums of `point` over all rows, for the line search.
+/// Sums of `point` over all constraints, for the line search.
 template <typename Lanes>
-FAIRWAY_LANES void sum_rows(const Workspace& w, Point& point) noexcept {
+FAIRWAY_LANES void sum_constraints(const Workspace& w, Point& point) noexcept {
   LogSum<Lanes> logs;
   add_room_logs(w, point, logs);
-  sum_elastic_rows(w, point, logs);
+  sum_soft_constraints(w, point, logs);
   point.log_sum = logs.value();
 }
 
 /// Slacks and duals to start from at `mu`, given that `w.now` is evaluated.
 template <typename Lanes>
 FAIRWAY_LANES void start(Workspace& w, double mu) noexcept {
-  start_hard_rows<Lanes>(w, mu);
-  admit_near_rows<Lanes>(w, mu);
-  sum_rows<Lanes>(w, *w.now);
+  start_bounds<Lanes>(w, mu);
+  admit_near_constraints<Lanes>(w, mu);
+  sum_constraints<Lanes>(w, *w.now);
 }
 
 /// `w.trial` at `length` along the step.
@@ -47,35 +47,35 @@ FAIRWAY_LANES void move_to_trial(Workspace& w, double length) noexcept {
   roll_out<Lanes>(w, *w.trial);
   LogSum<Lanes> logs;
   add_room_logs(w, *w.trial, logs);
-  move_elastic_rows(w, length, logs);
+  move_soft_constraints(w, length, logs);
   w.trial->log_sum = logs.value();
 }
 
 /// Eq. (S15).
 inline Progress progress(const Workspace& w, double mu, const Point& p) noexcept {
-  return {.barrier = p.cost + w.problem->violation_weight * p.excess_sum - mu * p.log_sum,
+  return {.barrier = p.cost + w.problem->violation_weight * p.violation_sum - mu * p.log_sum,
           .residual = p.residual_sum};
 }
 
-/// Finds the steps of all rows for the Newton step in `w.step`, and goes along it.
+/// Finds the steps of all constraints for the Newton step in `w.step`, and goes along it.
 /// @return Whether a trial point was accepted and became `w.now`.
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES bool search_line(Workspace& w,
                                              double mu,
-                                             double boundary,
+                                             double fraction_to_boundary,
                                              Filter& filter) noexcept {
   constexpr double kSufficient = 1e-4;  // part of the promised decrease that is asked for
   constexpr double kRounding = 1e-12;   // of the barrier function, relative
   constexpr int kMaxHalvings = 15;
 
-  const double hard_used = step_hard_rows<Lanes>(w, mu);
-  const auto elastic = step_elastic_rows<Lanes>(w, mu);
-  const double used = std::max(hard_used, greatest_of(elastic.used));
-  const double slope = w.step.slope + sum_of(elastic.product + elastic.slope);  // Eq. (S16)
+  const double used_by_bounds = step_bounds<Lanes>(w, mu);
+  const auto soft = step_soft_constraints<Lanes>(w, mu);
+  const double used = std::max(used_by_bounds, greatest_of(soft.used));
+  const double slope = w.step.slope + sum_of(soft.product + soft.slope);  // Eq. (S16)
   const Progress before = progress(w, mu, *w.now);
   const double rounding = kRounding * std::abs(before.barrier);
 
-  double length = used > boundary ? boundary / used : 1.0;
+  double length = used > fraction_to_boundary ? fraction_to_boundary / used : 1.0;
   for (int halvings = 0; halvings <= kMaxHalvings; ++halvings, length *= 0.5) {
     move_to_trial<Lanes>(w, length);
     Progress after = progress(w, mu, *w.trial);
@@ -95,22 +95,22 @@ template <typename Lanes>
   return false;
 }
 
-/// See Phases.
+/// See SimdKernels.
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES bool take_step(Workspace& w,
                                            double mu,
-                                           double boundary,
+                                           double fraction_to_boundary,
                                            Filter& filter) noexcept {
   bool changed = false;  // whether the function that has to fall is another one now
-  if (search_line<Lanes>(w, mu, boundary, filter)) {
-    changed = admit_near_rows<Lanes>(w, mu);
+  if (search_line<Lanes>(w, mu, fraction_to_boundary, filter)) {
+    changed = admit_near_constraints<Lanes>(w, mu);
   } else {
     if (w.now->residual_sum <= kNoResidual) return false;
     absorb_residuals<Lanes>(w);
     changed = true;
   }
   if (changed) {
-    sum_rows<Lanes>(w, *w.now);
+    sum_constraints<Lanes>(w, *w.now);
     filter.clear();
   }
   return true;

@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
+#include "fairway/mpc/control_problem.hpp"
 #include "fairway/mpc/control_solver.hpp"
-#include "fairway/mpc/interior_point/solver.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
+#include "fairway/mpc/solution.hpp"
 
 namespace fairway {
 
 /// The interior-point solver as the control loop uses it: warm where there is a guess, with the
-/// iteration budget of the settings.
+/// iteration budget of the settings. Allocates when it is constructed, and never again.
 class RealTimeSolver final : public ControlSolver {
  public:
-  explicit RealTimeSolver(const MpcSettings& settings) : max_iterations_(settings.max_iterations) {}
+  explicit RealTimeSolver(const MpcSettings& settings);
+  RealTimeSolver(const RealTimeSolver&) = delete;
+  RealTimeSolver& operator=(const RealTimeSolver&) = delete;
+  ~RealTimeSolver() override;
 
   [[nodiscard]] const MpcSolution& solve(const ControlProblem& problem,
-                                         const InitialGuess& guess) noexcept override {
-    InteriorPointSettings settings =
-        guess.count > 0 ? InteriorPointSettings::warm() : InteriorPointSettings{};
-    settings.max_iterations = max_iterations_;
-    return solver_.solve(problem, guess, settings);
-  }
+                                         const InitialGuess& guess) noexcept override;
 
  private:
-  InteriorPointSolver solver_;
-  int max_iterations_;
+  struct Session;
+  std::unique_ptr<Session> session_;
 };
 
 }  // namespace fairway

@@ -7,16 +7,16 @@
 namespace fairway::interior_point {
 namespace {
 
-// Multipliers below this hold nothing back; inactive rows have about tolerance / room.
+// Multipliers below this hold nothing back; inactive constraints have about tolerance / room.
 constexpr double kActive = 1e-3;
 
-constexpr std::array<RowKind, 4> kHardKinds = {RowKind::LinearSpeed, RowKind::AngularSpeed,
-                                               RowKind::LinearChange, RowKind::AngularChange};
+constexpr std::array<RowKind, 4> kBoundKinds = {RowKind::LinearSpeed, RowKind::AngularSpeed,
+                                                RowKind::LinearChange, RowKind::AngularChange};
 
-RowName limiting_row(const Workspace& w) noexcept {
+RowName limiting_constraint(const Workspace& w) noexcept {
   RowName name;
   double most = kActive;
-  // The duals of four rows, the first of which is called `first`.
+  // The duals of four constraints, the first of which is called `first`.
   const auto take = [&](const Lanes128& dual, const RowName& first) {
     if (!(greatest_of(dual) > most)) return;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -26,19 +26,20 @@ RowName limiting_row(const Workspace& w) noexcept {
       name.step += static_cast<int>(lane);
     }
   };
-  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
+  for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
-      const HardRows::Block& block = w.hard[kind].blocks[b];
+      const Bounds::Block& block = w.bounds[kind].blocks[b];
       take(greatest(Lanes128(block.dual_low), Lanes128(block.dual_high)),
-           {.kind = kHardKinds[kind], .step = static_cast<int>(kLanes * b), .index = 0});
+           {.kind = kBoundKinds[kind], .step = static_cast<int>(kLanes * b), .index = 0});
     }
   }
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
-    const RowRange& range = w.row_ranges[b];
+    const ConstraintRange& range = w.constraint_ranges[b];
     for (std::size_t i = range.corridor; i < range.watched_barrier; ++i) {
       if (i >= range.watched_corridor && i < range.barrier) continue;
-      const ElasticRow& row = w.elastic[i];
-      take(row.dual, {.kind = row.kind, .step = row.first_step, .index = row.index});
+      const SoftConstraintBlock& constraint = w.soft_constraints[i];
+      take(constraint.dual,
+           {.kind = constraint.kind, .step = constraint.first_step, .index = constraint.index});
     }
   }
   return name;
@@ -52,8 +53,8 @@ struct Violations {
 Violations violations_of(const Workspace& w, const Point& point) noexcept {
   Lanes128 sum = 0.0;
   Lanes128 worst = 0.0;
-  for (std::size_t i = 0; i < w.num_elastic; ++i) {
-    const Lanes128 violation = greatest(-Lanes128(point.rows[i].value), Lanes128(0.0));
+  for (std::size_t i = 0; i < w.num_soft_constraints; ++i) {
+    const Lanes128 violation = greatest(-Lanes128(point.constraints[i].value), Lanes128(0.0));
     sum += violation;
     worst = greatest(worst, violation);
   }
@@ -105,7 +106,7 @@ bool report(const Workspace& w, MpcSolution& solution) noexcept {
     solution.poses[k].position.y() = y + p.y[k];
     solution.poses[k].heading = p.heading[k] + w.full_turns;
   }
-  solution.limiting = limiting_row(w);
+  solution.limiting = limiting_constraint(w);
   return std::isfinite(p.cost) && std::isfinite(solution.sum_violation) && all_finite(w, p);
 }
 

@@ -8,10 +8,10 @@ namespace fairway::interior_point {
 /// Cost plus price of all violations of the commands of `point`, whatever its slacks. Eq. (S2).
 [[nodiscard]] double penalised_cost(const Workspace& w, const Point& point) noexcept;
 
-/// The greatest violation of one elastic row, whatever its slacks.
+/// The greatest violation of one soft constraint, whatever its slacks.
 [[nodiscard]] double greatest_violation(const Workspace& w, const Point& point) noexcept;
 
-/// Moves the commands of `point` onto the hard rows exactly, which they satisfy up to rounding.
+/// Moves the commands of `point` onto the bounds exactly, which they satisfy up to rounding.
 void clip_commands(const Workspace& w, Point& point) noexcept;
 
 /// Fills in the commands of `w.now` and what they lead to, once they are evaluated. Leaves `status`

@@ -31,11 +31,11 @@ struct Manoeuvres {
 template <typename Lanes>
 struct Outlook {
   Lanes merit = 0.0;                  ///< the less, the better
-  Lanes violation = 0.0;              ///< what rows would be violated by
+  Lanes violation = 0.0;              ///< what constraints would be violated by
   Lanes x, y, heading, cosine, sine;  ///< where they lead while they are held
 };
 
-/// Sum of the violations of the rows of step k, Eq. (S3), at four places.
+/// Sum of the violations of the constraints of step k, Eq. (S3), at four places.
 template <typename Lanes>
 FAIRWAY_LANES Lanes violation_at(const Workspace& w,
                                  std::size_t k,
@@ -43,22 +43,23 @@ FAIRWAY_LANES Lanes violation_at(const Workspace& w,
                                  const Lanes& y,
                                  const Lanes& before_x,
                                  const Lanes& before_y) noexcept {
-  const RowRange& range = w.row_ranges[k / kLanes];
+  const ConstraintRange& range = w.constraint_ranges[k / kLanes];
   const std::size_t lane = k % kLanes;
   Lanes violation = 0.0;
   for (std::size_t i = range.corridor; i < range.barrier; ++i) {
-    const ElasticRow& row = w.elastic[i];
-    const Lanes value = row.offset[lane] + (row.normal_x[lane] * x + row.normal_y[lane] * y);
+    const SoftConstraintBlock& constraint = w.soft_constraints[i];
+    const Lanes value =
+        constraint.offset[lane] + (constraint.normal_x[lane] * x + constraint.normal_y[lane] * y);
     violation += greatest(-value, Lanes(0.0));
   }
   for (std::size_t i = range.barrier; i < range.end; ++i) {
-    const ElasticRow& row = w.elastic[i];
-    const Lanes dx = x - row.centre_x[lane];
-    const Lanes dy = y - row.centre_y[lane];
-    const Lanes rx = before_x - row.centre_before_x[lane];
-    const Lanes ry = before_y - row.centre_before_y[lane];
-    const Lanes value =
-        (dx * dx + dy * dy) - row.retention[lane] * (rx * rx + ry * ry) - row.offset[lane];
+    const SoftConstraintBlock& constraint = w.soft_constraints[i];
+    const Lanes dx = x - constraint.centre_x[lane];
+    const Lanes dy = y - constraint.centre_y[lane];
+    const Lanes rx = before_x - constraint.centre_before_x[lane];
+    const Lanes ry = before_y - constraint.centre_before_y[lane];
+    const Lanes value = (dx * dx + dy * dy) - constraint.retention[lane] * (rx * rx + ry * ry) -
+                        constraint.offset[lane];
     violation += greatest(-value, Lanes(0.0));
   }
   return violation;

@@ -12,7 +12,7 @@ struct InteriorPointSettings {
   double initial_barrier = 5.0;  ///< mu of the first step, where the guess violates nothing, and
                                  ///< what is added by the price of the greatest violation [1/m]
   double barrier_by_violation = 0.5;
-  double first_slack = 0.05;  ///< least slack of an elastic row [m or m^2]
+  double first_slack = 0.05;  ///< least slack of a soft constraint [m or m^2]
 
   /// For a guess that is the shifted answer of the cycle before.
   [[nodiscard]] static constexpr InteriorPointSettings warm() noexcept {

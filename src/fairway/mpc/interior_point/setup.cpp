@@ -9,7 +9,7 @@
 namespace fairway::interior_point {
 namespace {
 
-// Bounds of rows that are not needed: far enough to weigh nothing.
+// Bounds of constraints that are not needed: far enough to weigh nothing.
 constexpr double kFar = 1e8;
 
 // Zeros from entry `first` on, as far as the blocks of lanes look.
@@ -44,13 +44,13 @@ void load_targets(const ControlProblem& problem, Workspace& w) noexcept {
   }
 }
 
-void set_bounds(HardRows& rows, std::size_t k, double low, double high) noexcept {
-  rows.blocks[k / kLanes].low[k % kLanes] = low;
-  rows.blocks[k / kLanes].high[k % kLanes] = high;
+void set_bounds(Bounds& bounds, std::size_t k, double low, double high) noexcept {
+  bounds.blocks[k / kLanes].low[k % kLanes] = low;
+  bounds.blocks[k / kLanes].high[k % kLanes] = high;
 }
 
-void load_hard_rows(const ControlProblem& problem, Workspace& w) noexcept {
-  bool any_change_row = false;
+void load_bounds(const ControlProblem& problem, Workspace& w) noexcept {
+  bool any_change_bound = false;
   for (std::size_t j = 0; j < 2; ++j) {
     CommandLimits& limits = w.limits[j];
     find_command_limits(problem, static_cast<int>(j), limits);
@@ -59,24 +59,24 @@ void load_hard_rows(const ControlProblem& problem, Workspace& w) noexcept {
       const bool fixed_before = k > 0 && limits.fixed[k - 1];
       w.is_free[j][k] = fixed ? 0.0 : 1.0;
       w.is_coupled[j][k] = fixed || fixed_before ? 0.0 : 1.0;
-      set_bounds(w.hard[j], k, fixed ? -kFar : limits.low[k], fixed ? kFar : limits.high[k]);
-      const double change = limits.change_row[k] ? limits.max_change : kFar;
-      set_bounds(w.hard[2 + j], k, -change, change);
-      any_change_row = any_change_row || limits.change_row[k];
+      set_bounds(w.bounds[j], k, fixed ? -kFar : limits.low[k], fixed ? kFar : limits.high[k]);
+      const double change = limits.change_bound[k] ? limits.max_change : kFar;
+      set_bounds(w.bounds[2 + j], k, -change, change);
+      any_change_bound = any_change_bound || limits.change_bound[k];
     }
     clear_beyond(w.horizon, w, w.is_free[j]);
     clear_beyond(w.horizon, w, w.is_coupled[j]);
     for (std::size_t k = w.horizon; k < kLanes * w.num_blocks; ++k) {
-      set_bounds(w.hard[j], k, -1.0, 1.0);
-      set_bounds(w.hard[2 + j], k, -kFar, kFar);
+      set_bounds(w.bounds[j], k, -1.0, 1.0);
+      set_bounds(w.bounds[2 + j], k, -kFar, kFar);
     }
   }
-  for (HardRows& rows : w.hard) {
-    for (PoseArray* array : {&rows.curvature, &rows.by_mu, &rows.dual})
+  for (Bounds& bounds : w.bounds) {
+    for (PoseArray* array : {&bounds.curvature, &bounds.by_mu, &bounds.dual})
       clear_beyond(kLanes * w.num_blocks, w, *array);
   }
   clear_beyond(w.horizon, w, w.model.phi_phi);
-  w.num_hard = any_change_row ? 4 : 2;
+  w.num_bounds = any_change_bound ? 4 : 2;
 }
 
 void load_start(const ControlProblem& problem, Workspace& w) noexcept {
@@ -109,8 +109,8 @@ void load_problem(const ControlProblem& problem, Workspace& w) noexcept {
   w.full_turns = problem.start.heading - wrap_to_pi(problem.start.heading);
   load_start(problem, w);
   load_targets(problem, w);
-  load_hard_rows(problem, w);
-  load_elastic_rows(problem, w);
+  load_bounds(problem, w);
+  load_soft_constraints(problem, w);
 }
 
 }  // namespace fairway::interior_point

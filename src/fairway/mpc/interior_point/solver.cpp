@@ -23,15 +23,15 @@ constexpr double kLastBarrier = 0.1;     // of the tolerance
 constexpr double kLeastBarrier = 1e-12;  // below it, the products of slacks and duals are rounding
 constexpr double kMostViolated = 0.1;    // of the price [m or m^2]: more does not raise the first
 // Part of the room that a step may use, at least; more as far as mu falls.
-constexpr double kBoundary = 0.99;
-constexpr double kBoundaryByDecrease = 0.5;
-// Rows must close far below what counts as a violation.
+constexpr double kFractionToBoundary = 0.99;
+constexpr double kFractionByDecrease = 0.5;
+// Constraints must close far below what counts as a violation.
 constexpr double kResidualTolerance = 1e-8;
 // A step of the commands that is only rounding.
 constexpr double kRoundingStep = 1e-14;
 
-// The barrier parameter to begin with: greater where the start violates rows, because then the
-// duals have to go far, some up to the price itself.
+// The barrier parameter to begin with: greater where the start violates constraints, because then
+// the duals have to go far, some up to the price itself.
 double first_barrier(const Workspace& w, const InteriorPointSettings& settings) noexcept {
   const double violated = settings.barrier_by_violation * greatest_violation(w, *w.now);
   return std::max(settings.initial_barrier,
@@ -53,19 +53,19 @@ bool is_rounding(const NewtonStep& step, std::size_t horizon) noexcept {
   return true;
 }
 
-SolveStatus iterate(const Phases& phases,
+SolveStatus iterate(const SimdKernels& kernels,
                     const InteriorPointSettings& settings,
                     Workspace& w,
                     int& iterations) noexcept {
   const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
   w.step.convex = true;
-  phases.evaluate(w, *w.now);
+  kernels.evaluate(w, *w.now);
   double mu = first_barrier(w, settings);
   w.first_slack = settings.first_slack;
-  phases.start(w, mu);
+  kernels.start(w, mu);
   Filter filter;
   for (iterations = 0;; ++iterations) {
-    const OptimalityError error = phases.linearise(w, mu);
+    const OptimalityError error = kernels.linearise(w, mu);
     if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
       return SolveStatus::Solved;
     if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
@@ -74,19 +74,19 @@ SolveStatus iterate(const Phases& phases,
     const bool lowered = next < mu;
     if (lowered) filter.clear();
     mu = next;
-    if (!phases.solve_newton_system(w, mu)) return SolveStatus::Stalled;
+    if (!kernels.solve_newton_system(w, mu)) return SolveStatus::Stalled;
     if (!lowered && is_rounding(w.step, w.horizon)) return SolveStatus::Stalled;
     // A slack that is left far less than mu over its dual would drive its dual up afterwards.
-    const double boundary =
-        std::max(kBoundary, 1.0 - kBoundaryByDecrease * mu / error.greatest_product);
-    if (!phases.take_step(w, mu, boundary, filter)) return SolveStatus::Stalled;
+    const double fraction_to_boundary =
+        std::max(kFractionToBoundary, 1.0 - kFractionByDecrease * mu / error.greatest_product);
+    if (!kernels.take_step(w, mu, fraction_to_boundary, filter)) return SolveStatus::Stalled;
   }
 }
 
 // Goes on from an answer that is stationary but no minimum: the Hessian was not positive definite
 // on the last step to it. So it is straight behind an obstacle with as much room to the left as to
 // the right. The answer stays what it was unless a better one is found to the left.
-void leave_saddle(const Phases& phases,
+void leave_saddle(const SimdKernels& kernels,
                   const InteriorPointSettings& settings,
                   Workspace& w,
                   int& iterations) noexcept {
@@ -100,15 +100,15 @@ void leave_saddle(const Phases& phases,
         .linear = saddle[kLinear][k + 1],
         .angular = angular + kNudge * (w.limits[kAngular].reach_high[k] - angular)};
   }
-  load_guess(phases, beside, w, *w.now);
+  load_guess(kernels, beside, w, *w.now);
   InteriorPointSettings rest = settings;
   rest.max_iterations -= iterations;
   int more = 0;
-  const SolveStatus status = iterate(phases, rest, w, more);
+  const SolveStatus status = iterate(kernels, rest, w, more);
   iterations += more;
   if (status == SolveStatus::Solved && penalised_cost(w, *w.now) < merit) return;
   w.now->commands = saddle;
-  phases.evaluate(w, *w.now);
+  kernels.evaluate(w, *w.now);
 }
 
 bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcept {
@@ -122,8 +122,8 @@ bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcep
 }  // namespace interior_point
 
 InteriorPointSolver::InteriorPointSolver() noexcept
-    : phases_(interior_point::phases_256() != nullptr ? interior_point::phases_256()
-                                                      : &interior_point::phases_128()) {}
+    : kernels_(interior_point::kernels_256() != nullptr ? interior_point::kernels_256()
+                                                        : &interior_point::kernels_128()) {}
 
 const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
                                               const InitialGuess& guess,
@@ -135,20 +135,20 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
     return solution_;
   }
   interior_point::Workspace& w = workspace_;
-  const interior_point::Phases& phases = *phases_;
+  const interior_point::SimdKernels& kernels = *kernels_;
   interior_point::load_problem(problem, w);
-  interior_point::load_guess(phases, guess, w, *w.now);
-  solution_.status = interior_point::iterate(phases, settings, w, solution_.iterations);
+  interior_point::load_guess(kernels, guess, w, *w.now);
+  solution_.status = interior_point::iterate(kernels, settings, w, solution_.iterations);
   if (solution_.status == SolveStatus::Solved && !w.step.convex)
-    interior_point::leave_saddle(phases, settings, w, solution_.iterations);
+    interior_point::leave_saddle(kernels, settings, w, solution_.iterations);
 
   // An unfinished answer must not be worse than the guess was.
   interior_point::clip_commands(w, *w.now);
-  phases.evaluate(w, *w.now);
+  kernels.evaluate(w, *w.now);
   if (solution_.status != SolveStatus::Solved) {
-    interior_point::load_guess(phases, guess, w, *w.trial);
+    interior_point::load_guess(kernels, guess, w, *w.trial);
     interior_point::clip_commands(w, *w.trial);
-    phases.evaluate(w, *w.trial);
+    kernels.evaluate(w, *w.trial);
     if (!(interior_point::penalised_cost(w, *w.now) <= interior_point::penalised_cost(w, *w.trial)))
       std::swap(w.now, w.trial);
   }

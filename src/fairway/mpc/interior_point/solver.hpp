@@ -17,14 +17,15 @@ namespace fairway {
 /// it is. The same input gives the same bits, whatever was solved before. Does not allocate, lock
 /// or throw. About 0.3 MB, so keep it out of small stacks. One solver per thread.
 ///
-/// Where hard rows contradict each other, the change bound wins: from a previous command outside
+/// Where bounds contradict each other, the change bound wins: from a previous command outside
 /// its range the commands head back as fast as it allows; a stop that is out of reach is
 /// approached as fast as it allows. The status is then LeastViolation.
 class InteriorPointSolver {
  public:
   /// Uses the widest registers of this processor; the answers are the same with any.
   InteriorPointSolver() noexcept;
-  explicit InteriorPointSolver(const interior_point::Phases& phases) noexcept : phases_(&phases) {}
+  explicit InteriorPointSolver(const interior_point::SimdKernels& kernels) noexcept
+      : kernels_(&kernels) {}
 
   /// Solves from one start; without a guess, from one of its own (`load_guess`).
   /// The reference stays valid until the next call.
@@ -40,7 +41,7 @@ class InteriorPointSolver {
                                 const InteriorPointSettings& settings = {}) noexcept;
 
  private:
-  const interior_point::Phases* phases_;  // as this processor can best
+  const interior_point::SimdKernels* kernels_;  // as this processor can best
   interior_point::Workspace workspace_;
   MpcSolution solution_;
   MpcSolution best_;

@@ -32,20 +32,21 @@ void IpoptProblem::visit_jacobian(Sink&& sink) const {
     }
   }
   Index change = 3 * problem.horizon;
-  for (const ChangeRow& row : change_rows_) {
-    sink(change, command_index(row.step) + row.axis, 1.0);
-    sink(change, command_index(row.step - 1) + row.axis, -1.0);
+  for (const ChangeBound& bound : change_bounds_) {
+    sink(change, command_index(bound.step) + bound.axis, 1.0);
+    sink(change, command_index(bound.step - 1) + bound.axis, -1.0);
     ++change;
   }
-  for (std::size_t i = 0; i < elastic_rows_.size(); ++i) {
-    const RowName& name = elastic_rows_[i];
-    const ElasticRow row = elastic_row(problem, poses_, name);
+  for (std::size_t i = 0; i < soft_constraints_.size(); ++i) {
+    const RowName& name = soft_constraints_[i];
+    const SoftConstraint constraint = soft_constraint(problem, poses_, name);
     for (int axis = 0; axis < 2; ++axis) {
-      sink(elastic_constraint(i), pose_index(name.step) + axis, row.gradient[axis]);
+      sink(soft_constraint_index(i), pose_index(name.step) + axis, constraint.gradient[axis]);
       if (name.kind == RowKind::Barrier && name.step > 1)
-        sink(elastic_constraint(i), pose_index(name.step - 1) + axis, row.gradient_before[axis]);
+        sink(soft_constraint_index(i), pose_index(name.step - 1) + axis,
+             constraint.gradient_before[axis]);
     }
-    if (num_slacks() > 0) sink(elastic_constraint(i), slack_index(i), 1.0);
+    if (num_slacks() > 0) sink(soft_constraint_index(i), slack_index(i), 1.0);
   }
 }
 
@@ -84,17 +85,17 @@ void IpoptProblem::visit_hessian(Number obj_factor, const Number* lambda, Sink&&
       sink(pose_index(k + 1) + i, pose_index(k + 1) + i, obj_factor * pose[i]);
     visit_step_hessian(k, lambda, sink);
   }
-  for (std::size_t i = 0; i < elastic_rows_.size(); ++i) {
-    const RowName& name = elastic_rows_[i];
-    if (name.kind != RowKind::Barrier) continue;  // corridor rows are linear
-    const ElasticRow row = elastic_row(problem, poses_, name);
-    const Number multiplier = lambda[elastic_constraint(i)];
+  for (std::size_t i = 0; i < soft_constraints_.size(); ++i) {
+    const RowName& name = soft_constraints_[i];
+    if (name.kind != RowKind::Barrier) continue;  // corridor constraints are linear
+    const SoftConstraint constraint = soft_constraint(problem, poses_, name);
+    const Number multiplier = lambda[soft_constraint_index(i)];
     for (int axis = 0; axis < 2; ++axis) {
       const Index here = pose_index(name.step) + axis;
-      sink(here, here, multiplier * row.curvature);
+      sink(here, here, multiplier * constraint.curvature);
       if (name.step == 1) continue;
       const Index before = pose_index(name.step - 1) + axis;
-      sink(before, before, multiplier * row.curvature_before);
+      sink(before, before, multiplier * constraint.curvature_before);
     }
   }
 }

@@ -14,7 +14,7 @@ using Ipopt::Index;
 using Ipopt::Number;
 
 constexpr Number kUnbounded = 2e19;         // IPOPT: beyond 1e19 there is no bound
-constexpr double kActiveMultiplier = 1e-5;  // below, a row holds nothing back
+constexpr double kActiveMultiplier = 1e-5;  // below, a constraint holds nothing back
 
 double component(const Twist2& twist, int axis) noexcept {
   return axis == 0 ? twist.linear : twist.angular;
@@ -28,29 +28,31 @@ void IpoptProblem::set(const ControlProblem& problem,
   commands_ = start;
   rollout(problem, commands_, poses_);
   limiting_ = {};
-  elastic_rows_.clear();
-  visit_elastic_rows(problem, [&](const RowName& row) { elastic_rows_.push_back(row); });
-  change_rows_.clear();
+  soft_constraints_.clear();
+  visit_soft_constraints(problem, [&](const RowName& name) { soft_constraints_.push_back(name); });
+  change_bounds_.clear();
   for (int k = 1; k < problem.horizon; ++k) {
     for (int axis = 0; axis < 2; ++axis) {
-      if (std::isfinite(component(problem.max_change, axis))) change_rows_.push_back({k, axis});
+      if (std::isfinite(component(problem.max_change, axis))) change_bounds_.push_back({k, axis});
     }
   }
 }
 
 Index IpoptProblem::num_slacks() const {
-  return mode_ == IpoptRows::Elastic ? static_cast<Index>(elastic_rows_.size()) : 0;
+  return mode_ == IpoptConstraints::Soft ? static_cast<Index>(soft_constraints_.size()) : 0;
 }
 
-Index IpoptProblem::slack_index(std::size_t row) const {
-  return 5 * problem_->horizon + static_cast<Index>(row);
+Index IpoptProblem::slack_index(std::size_t constraint) const {
+  return 5 * problem_->horizon + static_cast<Index>(constraint);
 }
 
-Index IpoptProblem::elastic_constraint(std::size_t row) const {
-  return 3 * problem_->horizon + static_cast<Index>(change_rows_.size() + row);
+Index IpoptProblem::soft_constraint_index(std::size_t constraint) const {
+  return 3 * problem_->horizon + static_cast<Index>(change_bounds_.size() + constraint);
 }
 
-Index IpoptProblem::num_constraints() const { return elastic_constraint(elastic_rows_.size()); }
+Index IpoptProblem::num_constraints() const {
+  return soft_constraint_index(soft_constraints_.size());
+}
 
 void IpoptProblem::read(const Number* x) {
   for (int k = 0; k < problem_->horizon; ++k) {
@@ -95,7 +97,7 @@ bool IpoptProblem::get_bounds_info(
   std::fill(g_l, g_l + m, 0.0);
   std::fill(g_u, g_u + m, 0.0);
   Index row = 3 * problem.horizon;
-  for (const ChangeRow& change : change_rows_) {
+  for (const ChangeBound& change : change_bounds_) {
     g_u[row] = component(problem.max_change, change.axis);
     g_l[row] = -g_u[row];
     ++row;
@@ -125,8 +127,8 @@ bool IpoptProblem::get_starting_point(Index n,
     pose[2] = next.heading;
   }
   for (Index i = slack_index(0); i < n; ++i) {
-    const RowName& row = elastic_rows_[step_index(i - slack_index(0))];
-    x[i] = std::max(0.0, -elastic_row(*problem_, poses_, row).margin);
+    const RowName& name = soft_constraints_[step_index(i - slack_index(0))];
+    x[i] = std::max(0.0, -soft_constraint(*problem_, poses_, name).margin);
   }
   return true;
 }
@@ -152,13 +154,13 @@ bool IpoptProblem::eval_g(Index /*n*/, const Number* x, bool /*new_x*/, Index /*
     g[3 * k + 2] = pose.heading - next.heading;
   }
   Number* change = g + 3 * problem.horizon;
-  for (const ChangeRow& row : change_rows_) {
-    *change++ = component(commands_[step_index(row.step)], row.axis) -
-                component(commands_[step_index(row.step - 1)], row.axis);
+  for (const ChangeBound& bound : change_bounds_) {
+    *change++ = component(commands_[step_index(bound.step)], bound.axis) -
+                component(commands_[step_index(bound.step - 1)], bound.axis);
   }
-  for (std::size_t i = 0; i < elastic_rows_.size(); ++i) {
-    g[elastic_constraint(i)] = elastic_row(problem, poses_, elastic_rows_[i]).margin +
-                               (num_slacks() > 0 ? x[slack_index(i)] : 0.0);
+  for (std::size_t i = 0; i < soft_constraints_.size(); ++i) {
+    g[soft_constraint_index(i)] = soft_constraint(problem, poses_, soft_constraints_[i]).margin +
+                                  (num_slacks() > 0 ? x[slack_index(i)] : 0.0);
   }
   return true;
 }
@@ -176,10 +178,10 @@ void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
                                      Ipopt::IpoptCalculatedQuantities* /*ip_cq*/) {
   read(x);
   double greatest = kActiveMultiplier;
-  const auto offer = [&](const RowName& row, double multiplier) {
+  const auto offer = [&](const RowName& name, double multiplier) {
     if (!(std::abs(multiplier) > greatest)) return;
     greatest = std::abs(multiplier);
-    limiting_ = row;
+    limiting_ = name;
   };
   for (int k = 0; k < problem_->horizon; ++k) {
     for (int axis = 0; axis < 2; ++axis) {
@@ -194,13 +196,14 @@ void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
       offer({by_change ? change : speed, k, axis}, multiplier);
     }
   }
-  for (std::size_t i = 0; i < change_rows_.size(); ++i) {
-    const RowKind kind = change_rows_[i].axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
-    offer({kind, change_rows_[i].step, change_rows_[i].axis},
+  for (std::size_t i = 0; i < change_bounds_.size(); ++i) {
+    const RowKind kind =
+        change_bounds_[i].axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
+    offer({kind, change_bounds_[i].step, change_bounds_[i].axis},
           lambda[3 * problem_->horizon + static_cast<Index>(i)]);
   }
-  for (std::size_t i = 0; i < elastic_rows_.size(); ++i)
-    offer(elastic_rows_[i], lambda[elastic_constraint(i)]);
+  for (std::size_t i = 0; i < soft_constraints_.size(); ++i)
+    offer(soft_constraints_[i], lambda[soft_constraint_index(i)]);
 }
 
 }  // namespace fairway

@@ -14,18 +14,18 @@ namespace fairway {
 
 /// A ControlProblem as IPOPT asks for it (private to IpoptSolver and its tests).
 ///
-/// Variables: command 0, pose 1, command 1, ..., pose N, then one slack per elastic row (none in
-/// IpoptRows::Hard). Constraints: the N steps of the model (3 rows each, = 0), the finite change
-/// bounds between commands, the elastic rows (margin + slack >= 0). The range of the commands and
-/// the first change are bounds on variables.
+/// Variables: command 0, pose 1, command 1, ..., pose N, then one slack per soft constraint (none
+/// in IpoptConstraints::Hard). Constraints: the N steps of the model (3 equations each), the finite
+/// change bounds between commands, the soft constraints (margin + slack >= 0). The range of the
+/// commands and the first change are bounds on variables.
 class IpoptProblem final : public Ipopt::TNLP {
  public:
-  explicit IpoptProblem(IpoptRows rows) : mode_(rows) {}
+  explicit IpoptProblem(IpoptConstraints mode) : mode_(mode) {}
 
   /// Selects the problem and the commands to start from. Both must outlive the solve.
   void set(const ControlProblem& problem, const std::array<Twist2, kMaxHorizon>& start);
 
-  /// What IPOPT ended with: commands, and the row with the greatest multiplier.
+  /// What IPOPT ended with: commands, and the constraint with the greatest multiplier.
   [[nodiscard]] const std::array<Twist2, kMaxHorizon>& commands() const { return commands_; }
   [[nodiscard]] const RowName& limiting() const { return limiting_; }
 
@@ -83,9 +83,9 @@ class IpoptProblem final : public Ipopt::TNLP {
   // Where things are in IPOPT's vectors.
   [[nodiscard]] static Index command_index(int k) { return 5 * k; }
   [[nodiscard]] static Index pose_index(int k) { return 5 * k - 3; }  // k >= 1
-  [[nodiscard]] Index slack_index(std::size_t row) const;
+  [[nodiscard]] Index slack_index(std::size_t constraint) const;
   [[nodiscard]] Index num_slacks() const;
-  [[nodiscard]] Index elastic_constraint(std::size_t row) const;
+  [[nodiscard]] Index soft_constraint_index(std::size_t constraint) const;
   [[nodiscard]] Index num_constraints() const;
   [[nodiscard]] Index num_jacobian_entries() const;
   [[nodiscard]] Index num_hessian_entries() const;
@@ -100,15 +100,15 @@ class IpoptProblem final : public Ipopt::TNLP {
   template <typename Sink>
   void visit_step_hessian(int k, const Number* lambda, Sink&& sink) const;
 
-  struct ChangeRow {
+  struct ChangeBound {
     int step = 1;  // between commands step - 1 and step
     int axis = 0;  // 0 linear, 1 angular
   };
 
-  IpoptRows mode_;
+  IpoptConstraints mode_;
   const ControlProblem* problem_ = nullptr;
-  std::vector<ChangeRow> change_rows_;
-  std::vector<RowName> elastic_rows_;
+  std::vector<ChangeBound> change_bounds_;
+  std::vector<RowName> soft_constraints_;
   std::array<Twist2, kMaxHorizon> commands_;    // at the point read last
   std::array<Pose2, kMaxHorizon + 1> poses_{};  // likewise; variables, not the rollout
   RowName limiting_;

@@ -39,7 +39,7 @@ struct IpoptSolver::Session {
   explicit Session(const IpoptSettings& settings)
       : guess_barrier(settings.guess_barrier),
         application(new Ipopt::IpoptApplication(false)),
-        nlp(new IpoptProblem(settings.rows)) {
+        nlp(new IpoptProblem(settings.constraints)) {
     Ipopt::OptionsList& options = *application->Options();
     options.SetIntegerValue("print_level", 0);
     options.SetStringValue("sb", "yes");  // no banner
@@ -71,7 +71,7 @@ struct IpoptSolver::Session {
     if (IsValid(statistics)) solution.iterations = statistics->IterationCount();
     solution.commands = nlp->commands();
     solution.limiting = nlp->limiting();
-    clip_to_hard_rows(problem, solution.commands);
+    clip_to_bounds(problem, solution.commands);
     assess(problem, solution);
     solution.status = solve_status(status, solution.max_violation);
   }

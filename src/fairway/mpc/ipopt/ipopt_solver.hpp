@@ -10,14 +10,14 @@
 
 namespace fairway {
 
-/// How IPOPT treats the rows that a problem may be unable to satisfy.
-enum class IpoptRows : std::uint8_t {
-  Elastic,  ///< a slack each, at violation_weight: an infeasible problem returns least violation
-  Hard,     ///< as the paper has them: an infeasible problem ends wherever IPOPT gives up
+/// How IPOPT treats the constraints that a problem may be unable to satisfy.
+enum class IpoptConstraints : std::uint8_t {
+  Soft,  ///< a slack each, at violation_weight: an infeasible problem returns least violation
+  Hard,  ///< as the paper has them: an infeasible problem ends wherever IPOPT gives up
 };
 
 struct IpoptSettings {
-  IpoptRows rows = IpoptRows::Elastic;
+  IpoptConstraints constraints = IpoptConstraints::Soft;
   int max_iterations = 500;
   double tolerance = 1e-8;  ///< of IPOPT's scaled optimality error
   /// Barrier parameter that IPOPT starts from when a guess is given: small enough that it stays on
@@ -29,8 +29,8 @@ struct IpoptSettings {
 ///
 /// Solves the same ControlProblem as the real-time solver, hundreds of times slower, with other
 /// people's well-tried code: the oracle. Allocates; not thread-safe, not even two objects in two
-/// threads (MUMPS). Status Solved means: IPOPT converged and no row is violated beyond
-/// kFeasibilityTolerance; LeastViolation: it converged, but rows are violated. Hard rows that
+/// threads (MUMPS). Status Solved means: IPOPT converged and no constraint is violated beyond
+/// kFeasibilityTolerance; LeastViolation: it converged, but constraints are violated. Bounds that
 /// contradict each other make the problem invalid here; the real-time solver still answers those.
 class IpoptSolver final : public ControlSolver {
  public:
@@ -40,7 +40,7 @@ class IpoptSolver final : public ControlSolver {
   ~IpoptSolver() override;
 
   /// Solves from `guess` and its rollout. Nothing is thrown or printed; the returned numbers are
-  /// finite and the commands within the hard rows, whatever the status.
+  /// finite and the commands within the bounds, whatever the status.
   [[nodiscard]] const MpcSolution& solve(const ControlProblem& problem,
                                          const InitialGuess& guess) noexcept override;
 

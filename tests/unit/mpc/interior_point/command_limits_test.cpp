@@ -26,7 +26,7 @@ ControlProblem random_limits(test::Random& random) {
   return problem;
 }
 
-TEST(CommandLimits, MiddleOfTheReachIsStrictlyInsideOfEveryRow) {
+TEST(CommandLimits, MiddleOfTheReachIsStrictlyInsideOfEveryBound) {
   test::Random random(91);
   CommandLimits limits;
   for (int trial = 0; trial < 20000; ++trial) {
@@ -41,7 +41,7 @@ TEST(CommandLimits, MiddleOfTheReachIsStrictlyInsideOfEveryRow) {
       } else {
         ASSERT_GT(middle, limits.low[k]);
         ASSERT_LT(middle, limits.high[k]);
-        if (limits.change_row[k]) {
+        if (limits.change_bound[k]) {
           ASSERT_LT(std::abs(middle - before), limits.max_change);
         }
       }
@@ -50,7 +50,7 @@ TEST(CommandLimits, MiddleOfTheReachIsStrictlyInsideOfEveryRow) {
   }
 }
 
-TEST(CommandLimits, ClippedSequencesKeepEveryRowExactly) {
+TEST(CommandLimits, ClippedSequencesKeepEveryBoundExactly) {
   test::Random random(92);
   CommandLimits limits;
   for (int trial = 0; trial < 20000; ++trial) {
@@ -100,7 +100,7 @@ TEST(CommandLimits, WithoutAChangeBoundOnlyTheRangeCounts) {
   for (std::size_t k = 0; k < 10; ++k) {
     EXPECT_EQ(limits.low[k], -1.5);
     EXPECT_EQ(limits.high[k], 1.5);
-    EXPECT_FALSE(limits.change_row[k]);
+    EXPECT_FALSE(limits.change_bound[k]);
   }
 }
 

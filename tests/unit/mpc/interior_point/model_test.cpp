@@ -44,11 +44,11 @@ void set_commands(const Workspace& w, const VectorXd& v, Point& point) {
   }
 }
 
-/// Calls visit(i) for every elastic row that is not only watched.
+/// Calls visit(i) for every soft constraint that is not only watched.
 template <typename Visit>
-void for_near_rows(const Workspace& w, Visit&& visit) {
+void for_near_constraints(const Workspace& w, Visit&& visit) {
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
-    const RowRange& range = w.row_ranges[b];
+    const ConstraintRange& range = w.constraint_ranges[b];
     for (std::size_t i = range.corridor; i < range.watched_corridor; ++i)
       visit(i);
     for (std::size_t i = range.barrier; i < range.watched_barrier; ++i)
@@ -57,9 +57,9 @@ void for_near_rows(const Workspace& w, Visit&& visit) {
 }
 
 double stationarity_of(Workspace& w) {
-  RowErrors<Lanes> errors;
-  linearise_hard_rows(w, kMu, errors);
-  linearise_elastic_rows(w, kMu, errors);
+  ConstraintErrors<Lanes> errors;
+  linearise_bounds(w, kMu, errors);
+  linearise_soft_constraints(w, kMu, errors);
   return linearise_trajectory<Lanes>(w);
 }
 
@@ -70,20 +70,21 @@ double begin(const ControlProblem& problem, test::Random& random, Workspace& w) 
   guess.count = problem.horizon;
   for (Twist2& command : guess.commands)
     command = test::random_command(random, problem);
-  load_guess(phases_128(), guess, w, *w.now);
+  load_guess(kernels_128(), guess, w, *w.now);
   w.first_slack = 0.05;
   evaluate<Lanes>(w, *w.now);
-  start_hard_rows<Lanes>(w, kMu);
-  admit_near_rows<Lanes>(w, kMu);
-  for_near_rows(w, [&](std::size_t i) {
+  start_bounds<Lanes>(w, kMu);
+  admit_near_constraints<Lanes>(w, kMu);
+  for_near_constraints(w, [&](std::size_t i) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      w.elastic[i].dual[lane] *= random.uniform(0.5, 2.0);
-      w.elastic[i].excess_dual[lane] = problem.violation_weight - w.elastic[i].dual[lane];
-      w.now->rows[i].excess[lane] *= random.uniform(0.5, 2.0);
+      w.soft_constraints[i].dual[lane] *= random.uniform(0.5, 2.0);
+      w.soft_constraints[i].violation_dual[lane] =
+          problem.violation_weight - w.soft_constraints[i].dual[lane];
+      w.now->constraints[i].violation_slack[lane] *= random.uniform(0.5, 2.0);
     }
   });
   for (std::size_t k = 0; k < w.horizon; ++k)
-    w.hard[kLinear].blocks[k / kLanes].dual_low[k % kLanes] *= random.uniform(0.5, 2.0);
+    w.bounds[kLinear].blocks[k / kLanes].dual_low[k % kLanes] *= random.uniform(0.5, 2.0);
   return stationarity_of(w);
 }
 
@@ -99,7 +100,7 @@ void for_random_problems(std::uint64_t seed, int count, Check&& check) {
   }
 }
 
-TEST(InteriorPointModel, PosesCostAndRowsAreThoseOfTheEvaluation) {
+TEST(InteriorPointModel, PosesCostAndConstraintsAreThoseOfTheEvaluation) {
   for_random_problems(111, 300, [](const ControlProblem& problem, double, Workspace& w) {
     std::vector<Twist2> commands(size_of(problem));
     for (std::size_t k = 0; k < commands.size(); ++k)
@@ -113,35 +114,39 @@ TEST(InteriorPointModel, PosesCostAndRowsAreThoseOfTheEvaluation) {
     }
     EXPECT_NEAR(w.now->cost, cost(problem, commands, poses), 1e-11);
 
-    evaluate_elastic_rows<Lanes>(w,
-                                 *w.now);  // of watched rows too, which the iteration does not need
-    // Every row is either listed with its value, or left out and then far from being violated.
-    visit_elastic_rows(problem, [&](const RowName& name) {
-      const double margin = elastic_row(problem, poses, name).margin;
+    evaluate_soft_constraints<Lanes>(
+        w,
+        *w.now);  // of watched constraints too, which the iteration does not need
+    // Every constraint is either listed with its value, or left out and then far from being
+    // violated.
+    visit_soft_constraints(problem, [&](const RowName& name) {
+      const double margin = soft_constraint(problem, poses, name).margin;
       bool found = false;
-      for (std::size_t i = 0; i < w.num_elastic; ++i) {
-        const ElasticRow& row = w.elastic[i];
-        if (row.kind != name.kind || row.index != name.index || name.step < row.first_step ||
-            name.step >= row.first_step + static_cast<int>(kLanes))
+      for (std::size_t i = 0; i < w.num_soft_constraints; ++i) {
+        const SoftConstraintBlock& constraint = w.soft_constraints[i];
+        if (constraint.kind != name.kind || constraint.index != name.index ||
+            name.step < constraint.first_step ||
+            name.step >= constraint.first_step + static_cast<int>(kLanes))
           continue;
         found = true;
-        const auto lane = static_cast<std::size_t>(name.step - row.first_step);
-        EXPECT_NEAR(w.now->rows[i].value[lane], margin, 1e-12);
+        const auto lane = static_cast<std::size_t>(name.step - constraint.first_step);
+        EXPECT_NEAR(w.now->constraints[i].value[lane], margin, 1e-12);
       }
       if (!found) {
         EXPECT_GT(margin, 0.0);
       }
     });
-    // What is only watched is satisfied, and what fills up the four of a row too.
+    // What is only watched is satisfied, and what fills up the four of a constraint too.
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
-      const RowRange& range = w.row_ranges[b];
+      const ConstraintRange& range = w.constraint_ranges[b];
       for (std::size_t i = range.corridor; i < range.end; ++i) {
         const bool watched =
             (i >= range.watched_corridor && i < range.barrier) || i >= range.watched_barrier;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          const bool beyond = w.elastic[i].first_step + static_cast<int>(lane) > problem.horizon;
+          const bool beyond =
+              w.soft_constraints[i].first_step + static_cast<int>(lane) > problem.horizon;
           if (watched || beyond) {
-            EXPECT_GE(w.now->rows[i].value[lane], 0.0);
+            EXPECT_GE(w.now->constraints[i].value[lane], 0.0);
           }
         }
       }
@@ -155,14 +160,14 @@ double lagrangian(Workspace& w, const VectorXd& v) {
   set_commands(w, v, point);
   evaluate<Lanes>(w, point);
   double value = point.cost;
-  for_near_rows(w, [&](std::size_t i) {
+  for_near_constraints(w, [&](std::size_t i) {
     for (std::size_t lane = 0; lane < kLanes; ++lane)
-      value -= w.elastic[i].dual[lane] * point.rows[i].value[lane];
+      value -= w.soft_constraints[i].dual[lane] * point.constraints[i].value[lane];
   });
-  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
+  for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
     const PoseArray& c = point.commands[kind % 2];
     for (std::size_t k = 0; k < w.horizon; ++k) {
-      const HardRows::Block& block = w.hard[kind].blocks[k / kLanes];
+      const Bounds::Block& block = w.bounds[kind].blocks[k / kLanes];
       const double dual = block.dual_high[k % kLanes] - block.dual_low[k % kLanes];
       value += dual * (kind >= 2 ? c[k + 1] - c[k] : c[k + 1]);
     }
@@ -192,17 +197,17 @@ TEST(InteriorPointModel, StationarityIsTheDerivativeOfTheLagrangian) {
 
 // Model gradient at the commands: that of cost, barrier and aimed-at duals.
 VectorXd model_gradient(Workspace& w, const VectorXd& v) {
-  const std::array<ElasticRow, kMaxElasticRows> elastic = w.elastic;
-  const std::array<HardRows, 4> hard = w.hard;
-  for_near_rows(w, [&](std::size_t i) {
-    ElasticRow& row = w.elastic[i];
-    const RowState& state = w.now->rows[i];
+  const std::array<SoftConstraintBlock, kMaxSoftConstraints> saved_constraints = w.soft_constraints;
+  const std::array<Bounds, 4> saved_bounds = w.bounds;
+  for_near_constraints(w, [&](std::size_t i) {
+    SoftConstraintBlock& constraint = w.soft_constraints[i];
+    const SoftConstraintState& state = w.now->constraints[i];
     for (std::size_t lane = 0; lane < kLanes; ++lane)
-      row.dual[lane] +=
-          kMu * row.dual_by_mu[lane] - row.curvature[lane] * state.value[lane];  // y hat
+      constraint.dual[lane] += kMu * constraint.dual_by_mu[lane] -
+                               constraint.curvature[lane] * state.value[lane];  // y hat
   });
-  for (HardRows& rows : w.hard) {
-    for (HardRows::Block& block : rows.blocks) {
+  for (Bounds& bounds : w.bounds) {
+    for (Bounds::Block& block : bounds.blocks) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         block.dual_low[lane] = kMu * block.inverse_below[lane];
         block.dual_high[lane] = kMu * block.inverse_above[lane];
@@ -210,8 +215,8 @@ VectorXd model_gradient(Workspace& w, const VectorXd& v) {
     }
   }
   VectorXd gradient = lagrangian_gradient(w, v);
-  w.elastic = elastic;
-  w.hard = hard;
+  w.soft_constraints = saved_constraints;
+  w.bounds = saved_bounds;
   return gradient;
 }
 
@@ -232,14 +237,14 @@ TEST(InteriorPointModel, RiccatiStepSolvesTheNewtonSystem) {
     VectorXd residual =
         (lagrangian_gradient(w, at + h * step) - lagrangian_gradient(w, at - h * step)) / (2.0 * h);
     residual += gradient;
-    // ... and the terms sigma grad c (grad c . step) of all rows.
+    // ... and the terms sigma grad c (grad c . step) of all constraints.
     const auto values = [&](const VectorXd& v) {
       set_commands(w, v, *w.trial);
       evaluate<Lanes>(w, *w.trial);
       std::vector<double> all;
-      for_near_rows(w, [&](std::size_t i) {
+      for_near_constraints(w, [&](std::size_t i) {
         for (std::size_t lane = 0; lane < kLanes; ++lane)
-          all.push_back(w.trial->rows[i].value[lane]);
+          all.push_back(w.trial->constraints[i].value[lane]);
       });
       return all;
     };
@@ -252,22 +257,22 @@ TEST(InteriorPointModel, RiccatiStepSolvesTheNewtonSystem) {
              2e-5;
     };
     std::vector<double> curvature;
-    for_near_rows(w, [&](std::size_t i) {
+    for_near_constraints(w, [&](std::size_t i) {
       for (std::size_t lane = 0; lane < kLanes; ++lane)
-        curvature.push_back(w.elastic[i].curvature[lane]);
+        curvature.push_back(w.soft_constraints[i].curvature[lane]);
     });
     const VectorXd along = value_changes(step);
     for (Eigen::Index c = 0; c < at.size(); ++c) {
       const VectorXd by_command = value_changes(VectorXd::Unit(at.size(), c));
       for (std::size_t i = 0; i < curvature.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        residual[c] += curvature[i] * by_command[row] * along[row];
+        const auto constraint = static_cast<Eigen::Index>(i);
+        residual[c] += curvature[i] * by_command[constraint] * along[constraint];
       }
       const auto j = static_cast<std::size_t>(c / n);
       const auto k = static_cast<std::size_t>(c % n);
-      residual[c] += w.hard[j].curvature[k] * step[c];
-      if (w.num_hard > 2) {
-        const PoseArray& changes = w.hard[2 + j].curvature;
+      residual[c] += w.bounds[j].curvature[k] * step[c];
+      if (w.num_bounds > 2) {
+        const PoseArray& changes = w.bounds[2 + j].curvature;
         if (k > 0) residual[c] += changes[k] * (step[c] - step[c - 1]);
         if (k + 1 < w.horizon) residual[c] -= changes[k + 1] * (step[c + 1] - step[c]);
       }

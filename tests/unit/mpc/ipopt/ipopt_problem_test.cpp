@@ -76,7 +76,7 @@ class DenseView {
   Index hessian_size_ = 0;
 };
 
-class IpoptProblemDerivatives : public testing::TestWithParam<IpoptRows> {};
+class IpoptProblemDerivatives : public testing::TestWithParam<IpoptConstraints> {};
 
 TEST_P(IpoptProblemDerivatives, AgreeWithDifferences) {
   test::Random random(41);
@@ -115,7 +115,7 @@ TEST_P(IpoptProblemDerivatives, AgreeWithDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(Rows,
                          IpoptProblemDerivatives,
-                         testing::Values(IpoptRows::Elastic, IpoptRows::Hard));
+                         testing::Values(IpoptConstraints::Soft, IpoptConstraints::Hard));
 
 }  // namespace
 }  // namespace fairway

@@ -17,7 +17,7 @@ using test::Random;
 
 // What holds for every answer, whatever its status.
 void expect_sound(const ControlProblem& problem, const MpcSolution& solution) {
-  EXPECT_LE(hard_violation(problem, solution.commands).max, 1e-9);
+  EXPECT_LE(bound_violation(problem, solution.commands).max, 1e-9);
   MpcSolution again;
   again.commands = solution.commands;
   assess(problem, again);
@@ -64,13 +64,13 @@ TEST(IpoptSolver, ReturnsTheLeastViolationWhereNothingIsFeasible) {
   // straight on is a stationary point where both turns are better.
   ControlProblem problem = straight_ahead(-0.2);
   problem.start.heading = 0.1;
-  for (const IpoptRows rows : {IpoptRows::Elastic, IpoptRows::Hard}) {
-    IpoptSolver solver({.rows = rows});
+  for (const IpoptConstraints constraints : {IpoptConstraints::Soft, IpoptConstraints::Hard}) {
+    IpoptSolver solver({.constraints = constraints});
     const MpcSolution& solution = solver.solve(problem, {});
     EXPECT_EQ(solution.status, SolveStatus::LeastViolation);
     EXPECT_GT(solution.max_violation, 0.0);
     expect_sound(problem, solution);
-    if (rows == IpoptRows::Hard) continue;
+    if (constraints == IpoptConstraints::Hard) continue;
     // The slowest with full turns to either side, or straight on.
     for (const double turn : {-1.5, 0.0, 1.5}) {
       MpcSolution other;
@@ -112,7 +112,7 @@ TEST(IpoptSolver, SolutionsAreFeasibleAndOptimalByIndependentChecks) {
     expect_sound(problem, solution);
     if (solution.status == SolveStatus::Solved) {
       ++solved;
-      EXPECT_LE(elastic_violation(problem, solution.poses).max, kFeasibilityTolerance);
+      EXPECT_LE(soft_violation(problem, solution.poses).max, kFeasibilityTolerance);
     } else if (solution.status == SolveStatus::LeastViolation) {
       ++unfeasible;
     } else {

@@ -10,7 +10,7 @@
 
 namespace fairway::interior_point {
 
-/// What rows of kind `kind` (index of Workspace::hard) bound, for four steps from k.
+/// What constraints of kind `kind` (index of Workspace::bounds) bound, for four steps from k.
 template <typename Lanes>
 FAIRWAY_LANES Lanes bounded(const std::array<PoseArray, 2>& commands,
                             std::size_t kind,
@@ -27,7 +27,7 @@ struct Room {
 };
 
 template <typename Lanes>
-FAIRWAY_LANES Room<Lanes> room_of(const HardRows::Block& block, const Lanes& t) noexcept {
+FAIRWAY_LANES Room<Lanes> room_of(const Bounds::Block& block, const Lanes& t) noexcept {
   constexpr double kLeastRoom = 1e-15;  // against rounding at a bound
   return {.below = greatest(t - block.low, Lanes(kLeastRoom)),
           .above = greatest(block.high - t, Lanes(kLeastRoom))};
@@ -38,10 +38,10 @@ template <typename Lanes>
 FAIRWAY_LANES void add_room_logs(const Workspace& w,
                                  const Point& point,
                                  LogSum<Lanes>& logs) noexcept {
-  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
+  for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
       const Lanes t = bounded<Lanes>(point.commands, kind, kLanes * b);
-      const Room<Lanes> room = room_of(w.hard[kind].blocks[b], t);
+      const Room<Lanes> room = room_of(w.bounds[kind].blocks[b], t);
       logs.add(room.below * room.above);
     }
   }
@@ -49,10 +49,10 @@ FAIRWAY_LANES void add_room_logs(const Workspace& w,
 
 /// Duals to start from: on the central path of `mu`.
 template <typename Lanes>
-FAIRWAY_LANES void start_hard_rows(Workspace& w, double mu) noexcept {
-  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
+FAIRWAY_LANES void start_bounds(Workspace& w, double mu) noexcept {
+  for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
-      HardRows::Block& block = w.hard[kind].blocks[b];
+      Bounds::Block& block = w.bounds[kind].blocks[b];
       const Room<Lanes> room = room_of(block, bounded<Lanes>(w.now->commands, kind, kLanes * b));
       block.dual_low = mu / room.below;
       block.dual_high = mu / room.above;
@@ -60,16 +60,18 @@ FAIRWAY_LANES void start_hard_rows(Workspace& w, double mu) noexcept {
   }
 }
 
-/// Keeps the duals near the central path of `mu`, Eq. (S13), and finds what the rows add to the
-/// model at `w.now`.
+/// Keeps the duals near the central path of `mu`, Eq. (S13), and finds what the constraints add to
+/// the model at `w.now`.
 template <typename Lanes>
-FAIRWAY_LANES void linearise_hard_rows(Workspace& w, double mu, RowErrors<Lanes>& errors) noexcept {
+FAIRWAY_LANES void linearise_bounds(Workspace& w,
+                                    double mu,
+                                    ConstraintErrors<Lanes>& errors) noexcept {
   const double most = kCentrality * mu;
   const double least_product = mu / kCentrality;
-  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
-    HardRows& rows = w.hard[kind];
+  for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
+    Bounds& bounds = w.bounds[kind];
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
-      HardRows::Block& block = rows.blocks[b];
+      Bounds::Block& block = bounds.blocks[b];
       const Room<Lanes> room = room_of(block, bounded<Lanes>(w.now->commands, kind, kLanes * b));
       const Lanes inverse = 1.0 / (room.below * room.above);
       const Lanes below = room.above * inverse;  // 1 / below
@@ -81,9 +83,9 @@ FAIRWAY_LANES void linearise_hard_rows(Workspace& w, double mu, RowErrors<Lanes>
       block.inverse_above = above;
       block.dual_low = low;
       block.dual_high = high;
-      put(rows.curvature, kLanes * b, low * below + high * above);
-      put(rows.by_mu, kLanes * b, above - below);
-      put(rows.dual, kLanes * b, high - low);
+      put(bounds.curvature, kLanes * b, low * below + high * above);
+      put(bounds.by_mu, kLanes * b, above - below);
+      put(bounds.dual, kLanes * b, high - low);
       const Lanes low_product = room.below * low;
       const Lanes high_product = room.above * high;
       errors.least_product = least(errors.least_product, least(low_product, high_product));
@@ -96,11 +98,11 @@ FAIRWAY_LANES void linearise_hard_rows(Workspace& w, double mu, RowErrors<Lanes>
 /// Takes the duals along the Newton step.
 /// @return The greatest part of any room that the step would use up.
 template <typename Lanes>
-FAIRWAY_LANES double step_hard_rows(Workspace& w, double mu) noexcept {
+FAIRWAY_LANES double step_bounds(Workspace& w, double mu) noexcept {
   Lanes used = 0.0;
-  for (std::size_t kind = 0; kind < w.num_hard; ++kind) {
+  for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
-      HardRows::Block& block = w.hard[kind].blocks[b];
+      Bounds::Block& block = w.bounds[kind].blocks[b];
       const Lanes change = bounded<Lanes>(w.step.commands, kind, kLanes * b);
       const Lanes down = -change * block.inverse_below;
       const Lanes up = change * block.inverse_above;

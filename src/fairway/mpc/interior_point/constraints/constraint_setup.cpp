@@ -7,12 +7,13 @@
 namespace fairway::interior_point {
 namespace {
 
-// Rows that stay this far from being violated are left out [m or m^2].
+// Constraints that stay this far from being violated are left out [m or m^2].
 constexpr double kNeverActive = 1e-6;
-// Rows are only watched while it would take more than so many steps at full speed to reach them.
+// Constraints are only watched while it would take more than so many steps at full speed to reach
+// them.
 constexpr double kNearSteps = 2.0;
-// Value of what fills up a row where it has less than four steps.
-constexpr double kNoRow = 1.0;
+// Value of what fills up a constraint where it has less than four steps.
+constexpr double kNoConstraint = 1.0;
 
 // How far from the start pose k can be, whatever the commands.
 void find_reach(const Workspace& w, double dt, PoseArray& reach) noexcept {
@@ -31,8 +32,8 @@ void find_reach(const Workspace& w, double dt, PoseArray& reach) noexcept {
 struct RectangleFrame {
   double axis_x = 0.0, axis_y = 0.0;
   double along = 0.0, across = 0.0;
-  double min_along = -kNoRow, max_along = kNoRow;
-  double min_across = -kNoRow, max_across = kNoRow;
+  double min_along = -kNoConstraint, max_along = kNoConstraint;
+  double min_across = -kNoConstraint, max_across = kNoConstraint;
 };
 using FourRectangles = std::array<RectangleFrame, kLanes>;
 
@@ -86,15 +87,15 @@ FAIRWAY_LANES FourRectangles rectangles_of(const ControlProblem& problem,
   return four;
 }
 
-FAIRWAY_LANES ElasticRow& append_row(RowKind kind,
-                                     std::size_t index,
-                                     std::size_t first,
-                                     Workspace& w) noexcept {
-  ElasticRow& row = w.elastic[w.num_elastic++];
-  row.kind = kind;
-  row.index = static_cast<int>(index);
-  row.first_step = static_cast<int>(first);
-  return row;
+FAIRWAY_LANES SoftConstraintBlock& append_constraint(RowKind kind,
+                                                     std::size_t index,
+                                                     std::size_t first,
+                                                     Workspace& w) noexcept {
+  SoftConstraintBlock& constraint = w.soft_constraints[w.num_soft_constraints++];
+  constraint.kind = kind;
+  constraint.index = static_cast<int>(index);
+  constraint.first_step = static_cast<int>(first);
+  return constraint;
 }
 
 // Sides of the rectangles of one slot, for the poses from `first` on.
@@ -108,11 +109,12 @@ FAIRWAY_LANES void load_corridor(const FourRectangles& four,
                        const Lanes128& offset) {
     const Lanes128 room = offset - lanes<Lanes128>(reach, first);
     if (least_of(room) > kNeverActive) return;
-    ElasticRow& row = append_row(RowKind::Corridor, 4 * slot + side, first, w);
-    row.offset = offset;
-    row.normal_x = x;
-    row.normal_y = y;
-    row.near = Lanes128(near);
+    SoftConstraintBlock& constraint =
+        append_constraint(RowKind::Corridor, 4 * slot + side, first, w);
+    constraint.offset = offset;
+    constraint.normal_x = x;
+    constraint.normal_y = y;
+    constraint.near = Lanes128(near);
   };
   const Lanes128 axis_x = gathered(four, &RectangleFrame::axis_x);
   const Lanes128 axis_y = gathered(four, &RectangleFrame::axis_y);
@@ -136,21 +138,21 @@ FAIRWAY_LANES RootBounds root_bounds(const Lanes128& squares) noexcept {
   return {.least = squares / most, .most = most};
 }
 
-// Whether some admissible commands could violate a barrier row.
-FAIRWAY_LANES bool is_needed(const ElasticRow& row,
+// Whether some admissible commands could violate a barrier constraint.
+FAIRWAY_LANES bool is_needed(const SoftConstraintBlock& constraint,
                              std::size_t count,
                              const Lanes128& reach,
                              const Lanes128& reach_before) noexcept {
-  // With q = |p_{k-1} - o_{k-1}| and |p_k - o_k| >= q - a, the row is at least
+  // With q = |p_{k-1} - o_{k-1}| and |p_k - o_k| >= q - a, the constraint is at least
   // (q - a)^2 - beta q^2 - offset, which grows with q beyond a / (1 - beta).
-  const Lanes128 x = row.centre_before_x;
-  const Lanes128 y = row.centre_before_y;
-  const Lanes128 retention = row.retention;
-  const Lanes128 move_x = row.centre_x - x;
-  const Lanes128 move_y = row.centre_y - y;
+  const Lanes128 x = constraint.centre_before_x;
+  const Lanes128 y = constraint.centre_before_y;
+  const Lanes128 retention = constraint.retention;
+  const Lanes128 move_x = constraint.centre_x - x;
+  const Lanes128 move_y = constraint.centre_y - y;
   const Lanes128 q = root_bounds(x * x + y * y).least - reach_before;
   const Lanes128 a = reach - reach_before + root_bounds(move_x * move_x + move_y * move_y).most;
-  const Lanes128 room = (q - a) * (q - a) - retention * q * q - row.offset - kNeverActive;
+  const Lanes128 room = (q - a) * (q - a) - retention * q * q - constraint.offset - kNeverActive;
   const Lanes128 never = least(room, (1.0 - retention) * q - a);
   for (std::size_t lane = 0; lane < count; ++lane) {
     if (!(never[lane] > 0.0)) return true;
@@ -191,41 +193,42 @@ FAIRWAY_LANES void load_barrier(const ControlProblem& problem,
   const Lanes128 is_there{there[0], there[1], there[2], there[3]};
   const Lanes128 keep_out = gathered(now, &Place::keep_out);
   const Lanes128 keep_out_before = gathered(before, &Place::keep_out);
-  ElasticRow& row = w.elastic[w.num_elastic];
-  row.centre_x = gathered(now, &Place::x);
-  row.centre_y = gathered(now, &Place::y);
-  row.centre_before_x = gathered(before, &Place::x);
-  row.centre_before_y = gathered(before, &Place::y);
+  SoftConstraintBlock& constraint = w.soft_constraints[w.num_soft_constraints];
+  constraint.centre_x = gathered(now, &Place::x);
+  constraint.centre_y = gathered(now, &Place::y);
+  constraint.centre_before_x = gathered(before, &Place::x);
+  constraint.centre_before_y = gathered(before, &Place::y);
   const Lanes128 retention = beta * is_there;
-  row.retention = retention;
-  row.offset = keep_out * keep_out - retention * keep_out_before * keep_out_before -
-               kNoRow * (1.0 - is_there);
-  row.near = near * (2.0 * keep_out + near) * is_there;
-  if (is_needed(row, count, lanes<Lanes128>(reach, first), lanes<Lanes128>(reach, first - 1)))
-    append_row(RowKind::Barrier, j, first, w);
+  constraint.retention = retention;
+  constraint.offset = keep_out * keep_out - retention * keep_out_before * keep_out_before -
+                      kNoConstraint * (1.0 - is_there);
+  constraint.near = near * (2.0 * keep_out + near) * is_there;
+  if (is_needed(constraint, count, lanes<Lanes128>(reach, first),
+                lanes<Lanes128>(reach, first - 1)))
+    append_constraint(RowKind::Barrier, j, first, w);
 }
 
 }  // namespace
 
-void load_elastic_rows(const ControlProblem& problem, Workspace& w) noexcept {
+void load_soft_constraints(const ControlProblem& problem, Workspace& w) noexcept {
   PoseArray reach{};
   find_reach(w, problem.dt, reach);
   std::array<Axis, kMaxRectanglesPerStep> axes;
   const double fastest =
       std::max(std::abs(problem.command_min.linear), std::abs(problem.command_max.linear));
   const double near = kNearSteps * problem.dt * fastest;
-  w.num_elastic = 0;
+  w.num_soft_constraints = 0;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
     w.model.now[b] = {};
     const std::size_t first = kLanes * b + 1;
-    RowRange& range = w.row_ranges[b];
-    range.corridor = range.watched_corridor = w.num_elastic;
+    ConstraintRange& range = w.constraint_ranges[b];
+    range.corridor = range.watched_corridor = w.num_soft_constraints;
     for (std::size_t slot = 0; slot < kMaxRectanglesPerStep; ++slot)
       load_corridor(rectangles_of(problem, slot, first, axes[slot]), slot, first, reach, near, w);
-    range.barrier = range.watched_barrier = w.num_elastic;
+    range.barrier = range.watched_barrier = w.num_soft_constraints;
     for (std::size_t j = 0; j < static_cast<std::size_t>(problem.num_obstacles); ++j)
       load_barrier(problem, j, first, reach, near, w);
-    range.end = w.num_elastic;
+    range.end = w.num_soft_constraints;
   }
 }
 

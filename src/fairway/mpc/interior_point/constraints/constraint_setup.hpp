@@ -5,8 +5,8 @@
 
 namespace fairway::interior_point {
 
-/// Lists the elastic rows that some admissible command could violate. @pre the command limits are
-/// there.
-void load_elastic_rows(const ControlProblem& problem, Workspace& w) noexcept;
+/// Lists the soft constraints that some admissible command could violate. @pre the command limits
+/// are there.
+void load_soft_constraints(const ControlProblem& problem, Workspace& w) noexcept;
 
 }  // namespace fairway::interior_point

@@ -15,43 +15,44 @@ namespace fairway::interior_point {
 
 /// Takes the duals along their step, and keeps them within a factor of the central path, Eq. (S13).
 template <typename Lanes>
-FAIRWAY_LANES void move_duals(const RowState& state,
+FAIRWAY_LANES void move_duals(const SoftConstraintState& state,
                               double mu,
                               double price,
-                              ElasticRow& row) noexcept {
+                              SoftConstraintBlock& constraint) noexcept {
   const Lanes slack = state.slack;
-  const Lanes excess = state.excess;
-  const Lanes old_y = row.dual;
-  const Lanes inverse = mu / (slack * excess);
-  const Lanes central_y = excess * inverse;
+  const Lanes violation_slack = state.violation_slack;
+  const Lanes old_y = constraint.dual;
+  const Lanes inverse = mu / (slack * violation_slack);
+  const Lanes central_y = violation_slack * inverse;
   const Lanes central_z = slack * inverse;
   const Lanes least_y = least(central_y * (1.0 / kCentrality), Lanes(0.5 * price));
   const Lanes least_z = least(central_z * (1.0 / kCentrality), Lanes(0.5 * price));
-  const Lanes y = greatest(least(old_y + row.dual_change, kCentrality * central_y), least_y);
-  const Lanes z = greatest(row.excess_dual - (y - old_y), least_z);
-  row.dual = where_greater(z, least_z, y, price - z);
-  row.excess_dual = z;
+  const Lanes y = greatest(least(old_y + constraint.dual_change, kCentrality * central_y), least_y);
+  const Lanes z = greatest(constraint.violation_dual - (y - old_y), least_z);
+  constraint.dual = where_greater(z, least_z, y, price - z);
+  constraint.violation_dual = z;
 }
 
-/// Eliminates slack, excess and dual step of a row, Eq. (S5) and (S7), and notes its errors.
+/// Eliminates slack, violation slack and dual step of a constraint, Eq. (S5) and (S7), and notes
+/// its errors.
 template <typename Lanes>
-FAIRWAY_LANES void eliminate(const RowState& state,
-                             ElasticRow& row,
-                             RowErrors<Lanes>& errors) noexcept {
+FAIRWAY_LANES void eliminate(const SoftConstraintState& state,
+                             SoftConstraintBlock& constraint,
+                             ConstraintErrors<Lanes>& errors) noexcept {
   const Lanes slack = state.slack;
-  const Lanes excess = state.excess;
-  const Lanes y = row.dual;
-  const Lanes z = row.excess_dual;
-  const Lanes inverse = 1.0 / (slack * z + excess * y);
-  row.curvature = y * z * inverse;
-  row.dual_by_mu = (z - y) * inverse;
+  const Lanes violation_slack = state.violation_slack;
+  const Lanes y = constraint.dual;
+  const Lanes z = constraint.violation_dual;
+  const Lanes inverse = 1.0 / (slack * z + violation_slack * y);
+  constraint.curvature = y * z * inverse;
+  constraint.dual_by_mu = (z - y) * inverse;
   const Lanes sy = slack * y;
-  const Lanes ez = excess * z;
+  const Lanes ez = violation_slack * z;
   errors.least_product = least(errors.least_product, least(sy, ez));
   errors.greatest_product = greatest(errors.greatest_product, greatest(sy, ez));
-  errors.residual = greatest(errors.residual, magnitude(state.value + excess - slack));
+  errors.residual = greatest(errors.residual, magnitude(state.value + violation_slack - slack));
   errors.dual_sum += y;
-  ++errors.num_elastic;
+  ++errors.num_soft_constraints;
 }
 
 /// PositionTerms while they are added up.
@@ -59,21 +60,21 @@ template <typename Lanes>
 struct PositionSums {
   Lanes xx, xy, yy, bend, dual_x, dual_y, target_x, target_y, by_mu_x, by_mu_y;
 
-  /// Adds a row with gradient (x, y) by the position.
-  FAIRWAY_LANES void add(const ElasticRow& row,
+  /// Adds a constraint with gradient (x, y) by the position.
+  FAIRWAY_LANES void add(const SoftConstraintBlock& constraint,
                          const Lanes& target,
                          const Lanes& x,
                          const Lanes& y) noexcept {
-    const Lanes along_x = row.curvature * x;
+    const Lanes along_x = constraint.curvature * x;
     xx += along_x * x;
     xy += along_x * y;
-    yy += row.curvature * y * y;
-    dual_x += row.dual * x;
-    dual_y += row.dual * y;
+    yy += constraint.curvature * y * y;
+    dual_x += constraint.dual * x;
+    dual_y += constraint.dual * y;
     target_x += target * x;
     target_y += target * y;
-    by_mu_x += row.dual_by_mu * x;
-    by_mu_y += row.dual_by_mu * y;
+    by_mu_x += constraint.dual_by_mu * x;
+    by_mu_y += constraint.dual_by_mu * y;
   }
   FAIRWAY_LANES void store(PositionTerms& terms) const noexcept {
     terms.xx = xx;
@@ -89,24 +90,24 @@ struct PositionSums {
   }
 };
 
-/// Takes the duals along their step; then finds what the rows add to the model at `w.now`.
+/// Takes the duals along their step; then finds what the constraints add to the model at `w.now`.
 template <typename Lanes>
-FAIRWAY_LANES void linearise_elastic_rows(Workspace& w,
-                                          double mu,
-                                          RowErrors<Lanes>& errors) noexcept {
+FAIRWAY_LANES void linearise_soft_constraints(Workspace& w,
+                                              double mu,
+                                              ConstraintErrors<Lanes>& errors) noexcept {
   const double price = w.problem->violation_weight;
   const Point& point = *w.now;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
-    const RowRange& range = w.row_ranges[b];
+    const ConstraintRange& range = w.constraint_ranges[b];
     if (!range.has_corridors() && !range.has_barriers()) continue;
     PositionSums<Lanes> now{};
     for (std::size_t i = range.corridor; i < range.watched_corridor; ++i) {
-      const RowState& state = point.rows[i];
-      ElasticRow& row = w.elastic[i];
-      move_duals<Lanes>(state, mu, price, row);
-      eliminate(state, row, errors);
-      const Lanes target = row.dual - Lanes(row.curvature) * state.value;
-      now.add(row, target, row.normal_x, row.normal_y);
+      const SoftConstraintState& state = point.constraints[i];
+      SoftConstraintBlock& constraint = w.soft_constraints[i];
+      move_duals<Lanes>(state, mu, price, constraint);
+      eliminate(state, constraint, errors);
+      const Lanes target = constraint.dual - Lanes(constraint.curvature) * state.value;
+      now.add(constraint, target, constraint.normal_x, constraint.normal_y);
     }
     if (!range.has_barriers()) {
       now.store(w.model.now[b]);
@@ -119,26 +120,26 @@ FAIRWAY_LANES void linearise_elastic_rows(Workspace& w,
     Lanes yx = 0.0;
     Lanes yy = 0.0;
     for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
-      const RowState& state = point.rows[i];
-      ElasticRow& row = w.elastic[i];
-      move_duals<Lanes>(state, mu, price, row);
-      eliminate(state, row, errors);
-      const Lanes retention = row.retention;
-      const Lanes x = 2.0 * (p.x - row.centre_x);
-      const Lanes y = 2.0 * (p.y - row.centre_y);
-      const Lanes before_x = -2.0 * retention * (p.before_x - row.centre_before_x);
-      const Lanes before_y = -2.0 * retention * (p.before_y - row.centre_before_y);
-      row.normal_x = x;
-      row.normal_y = y;
-      row.normal_before_x = before_x;
-      row.normal_before_y = before_y;
-      const Lanes target = row.dual - Lanes(row.curvature) * state.value;
-      now.add(row, target, x, y);
-      before.add(row, target, before_x, before_y);
-      now.bend -= 2.0 * Lanes(row.dual);
-      before.bend += 2.0 * retention * row.dual;
-      const Lanes along_x = row.curvature * x;
-      const Lanes along_y = row.curvature * y;
+      const SoftConstraintState& state = point.constraints[i];
+      SoftConstraintBlock& constraint = w.soft_constraints[i];
+      move_duals<Lanes>(state, mu, price, constraint);
+      eliminate(state, constraint, errors);
+      const Lanes retention = constraint.retention;
+      const Lanes x = 2.0 * (p.x - constraint.centre_x);
+      const Lanes y = 2.0 * (p.y - constraint.centre_y);
+      const Lanes before_x = -2.0 * retention * (p.before_x - constraint.centre_before_x);
+      const Lanes before_y = -2.0 * retention * (p.before_y - constraint.centre_before_y);
+      constraint.normal_x = x;
+      constraint.normal_y = y;
+      constraint.normal_before_x = before_x;
+      constraint.normal_before_y = before_y;
+      const Lanes target = constraint.dual - Lanes(constraint.curvature) * state.value;
+      now.add(constraint, target, x, y);
+      before.add(constraint, target, before_x, before_y);
+      now.bend -= 2.0 * Lanes(constraint.dual);
+      before.bend += 2.0 * retention * constraint.dual;
+      const Lanes along_x = constraint.curvature * x;
+      const Lanes along_y = constraint.curvature * y;
       xx += along_x * before_x;
       xy += along_x * before_y;
       yx += along_y * before_x;
@@ -154,55 +155,57 @@ FAIRWAY_LANES void linearise_elastic_rows(Workspace& w,
   }
 }
 
-/// What the Newton step does to elastic rows, Eq. (S12).
+/// What the Newton step does to soft constraints, Eq. (S12).
 template <typename Lanes>
-struct ElasticStep {
+struct SoftConstraintStep {
   Lanes used = 0.0;     ///< greatest part of any s that it would use up
   Lanes slope = 0.0;    ///< derivative of the barrier and the price along it
   Lanes product = 0.0;  ///< sum of y hat dc
 
-  /// Adds a row that changes by `change`, to first order.
-  FAIRWAY_LANES void add(const RowState& state,
+  /// Adds a constraint that changes by `change`, to first order.
+  FAIRWAY_LANES void add(const SoftConstraintState& state,
                          double mu,
                          double price,
                          const Lanes& change,
-                         ElasticRow& row) noexcept {
+                         SoftConstraintBlock& constraint) noexcept {
     const Lanes slack = state.slack;
-    const Lanes excess = state.excess;
-    const Lanes curvature = row.curvature;
-    const Lanes sy = slack * row.dual;
-    const Lanes ez = excess * row.excess_dual;
+    const Lanes violation_slack = state.violation_slack;
+    const Lanes curvature = constraint.curvature;
+    const Lanes sy = slack * constraint.dual;
+    const Lanes ez = violation_slack * constraint.violation_dual;
     const Lanes inverse = 1.0 / (sy * ez);
-    const Lanes target_change = mu * Lanes(row.dual_by_mu) - curvature * state.value;
+    const Lanes target_change = mu * Lanes(constraint.dual_by_mu) - curvature * state.value;
     const Lanes dy = target_change - curvature * change;
     const Lanes ds = (mu - slack * dy) * (ez * inverse) - 1.0;
-    const Lanes de = (mu + excess * dy) * (sy * inverse) - 1.0;
-    row.dual_change = dy;
-    row.slack_ratio = ds;
-    row.excess_ratio = de;
+    const Lanes de = (mu + violation_slack * dy) * (sy * inverse) - 1.0;
+    constraint.dual_change = dy;
+    constraint.slack_ratio = ds;
+    constraint.violation_ratio = de;
     used = greatest(used, -ds);
-    slope += price * excess * de - mu * (ds + de);
-    product += (row.dual + target_change) * change;
+    slope += price * violation_slack * de - mu * (ds + de);
+    product += (constraint.dual + target_change) * change;
   }
 };
 
 template <typename Lanes>
-[[nodiscard]] FAIRWAY_LANES ElasticStep<Lanes> step_elastic_rows(Workspace& w, double mu) noexcept {
+[[nodiscard]] FAIRWAY_LANES SoftConstraintStep<Lanes> step_soft_constraints(Workspace& w,
+                                                                            double mu) noexcept {
   const double price = w.problem->violation_weight;
-  ElasticStep<Lanes> step;
+  SoftConstraintStep<Lanes> step;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
-    const RowRange& range = w.row_ranges[b];
+    const ConstraintRange& range = w.constraint_ranges[b];
     const auto p = positions_of<Lanes>(w.step.x, w.step.y, b);
     for (std::size_t i = range.corridor; i < range.watched_corridor; ++i) {
-      ElasticRow& row = w.elastic[i];
-      const Lanes change = p.x * row.normal_x + p.y * row.normal_y;
-      step.add(w.now->rows[i], mu, price, change, row);
+      SoftConstraintBlock& constraint = w.soft_constraints[i];
+      const Lanes change = p.x * constraint.normal_x + p.y * constraint.normal_y;
+      step.add(w.now->constraints[i], mu, price, change, constraint);
     }
     for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
-      ElasticRow& row = w.elastic[i];
-      const Lanes change = (p.x * row.normal_x + p.y * row.normal_y) +
-                           (p.before_x * row.normal_before_x + p.before_y * row.normal_before_y);
-      step.add(w.now->rows[i], mu, price, change, row);
+      SoftConstraintBlock& constraint = w.soft_constraints[i];
+      const Lanes change =
+          (p.x * constraint.normal_x + p.y * constraint.normal_y) +
+          (p.before_x * constraint.normal_before_x + p.before_y * constraint.normal_before_y);
+      step.add(w.now->constraints[i], mu, price, change, constraint);
     }
   }
   return step;

@@ -12,14 +12,14 @@ namespace fairway::interior_point {
 /// Optimality conditions at the iterate, and what the next Newton system needs.
 template <typename Lanes>
 FAIRWAY_LANES OptimalityError linearise(Workspace& w, double mu) noexcept {
-  RowErrors<Lanes> rows;
-  linearise_hard_rows(w, mu, rows);
-  linearise_elastic_rows(w, mu, rows);
-  return optimality_error(rows, linearise_trajectory<Lanes>(w));
+  ConstraintErrors<Lanes> errors;
+  linearise_bounds(w, mu, errors);
+  linearise_soft_constraints(w, mu, errors);
+  return optimality_error(errors, linearise_trajectory<Lanes>(w));
 }
 
-/// Solves the Newton system; without the curvature of rows and dynamics where it is not convex with
-/// it.
+/// Solves the Newton system; without the curvature of constraints and dynamics where it is not
+/// convex with it.
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES bool solve_newton_system(Workspace& w, double mu) noexcept {
   // For problems without curvature by the commands.

@@ -71,7 +71,7 @@ template <typename Lanes>
     vrr = s.coupling[3] - fr * rr;
 
     // The pose before step k is that before step k - 1 and what command k - 1 adds to it.
-    const Four& b = previous.motion;
+    const Pack4d& b = previous.motion;
     const double b_turn = previous.command[3];
     Feedback& f = w.feedback[k];
     f.gain[kLinear] = ku;
@@ -97,7 +97,7 @@ inline void riccati_forward(Workspace& w) noexcept {
     const Feedback& f = w.feedback[k];
     std::array<double, 2> next{};
     for (std::size_t j = 0; j < 2; ++j) {
-      const Four& gain = f.gain[j];
+      const Pack4d& gain = f.gain[j];
       next[j] = ((gain[3] + gain[0] * before[0]) + (gain[1] * before[1] + gain[2] * before[2])) +
                 (f.change[j][0] * v[0] + f.change[j][1] * v[1]);
     }

@@ -42,13 +42,14 @@ struct CommandTerms {
   Lanes hessian, change, coupling, gradient;
 
   FAIRWAY_LANES CommandTerms(const Workspace& w, std::size_t j, std::size_t k, double mu) noexcept
-      : hessian(2.0 * lanes<Lanes>(w.command_weight[j], k) + lanes<Lanes>(w.hard[j].curvature, k)),
+      : hessian(2.0 * lanes<Lanes>(w.command_weight[j], k) +
+                lanes<Lanes>(w.bounds[j].curvature, k)),
         change(2.0 * lanes<Lanes>(w.change_weight[j], k)),
-        gradient(lanes<Lanes>(w.model.gradient[j], k) + mu * lanes<Lanes>(w.hard[j].by_mu, k)) {
-    if (w.num_hard > 2) {
-      const HardRows& rows = w.hard[2 + j];
-      change += lanes<Lanes>(rows.curvature, k);
-      gradient += mu * (lanes<Lanes>(rows.by_mu, k) - lanes<Lanes>(rows.by_mu, k + 1));
+        gradient(lanes<Lanes>(w.model.gradient[j], k) + mu * lanes<Lanes>(w.bounds[j].by_mu, k)) {
+    if (w.num_bounds > 2) {
+      const Bounds& bounds = w.bounds[2 + j];
+      change += lanes<Lanes>(bounds.curvature, k);
+      gradient += mu * (lanes<Lanes>(bounds.by_mu, k) - lanes<Lanes>(bounds.by_mu, k + 1));
     }
     coupling = lanes<Lanes>(w.is_coupled[j], k) * change;
   }
@@ -70,7 +71,7 @@ struct MixedTerms {
 /// Writes row `member` of four stages from the columns of their matrices.
 template <typename Lanes>
 FAIRWAY_LANES void put_rows(Stage* stages,
-                            Four Stage::*member,
+                            Pack4d Stage::*member,
                             const Lanes& a,
                             const Lanes& b,
                             const Lanes& c,
@@ -86,7 +87,7 @@ FAIRWAY_LANES void put_rows(Stage* stages,
 template <typename Lanes>
 FAIRWAY_LANES void add_rows_before(Workspace& w,
                                    std::size_t k,
-                                   Four Stage::*member,
+                                   Pack4d Stage::*member,
                                    const Lanes& a,
                                    const Lanes& b,
                                    const Lanes& c,
@@ -191,7 +192,7 @@ FAIRWAY_LANES void build_stages(Workspace& w, double mu, bool exact) noexcept {
     MixedTerms<Lanes> mixed{};
     mixed.linear_h = linear_phi;
     mixed.angular_h = half * phi_phi;
-    if (w.row_ranges[b].has_barriers()) add_barriers(w, b, mu, exact, motion, mixed);
+    if (w.constraint_ranges[b].has_barriers()) add_barriers(w, b, mu, exact, motion, mixed);
     const CommandTerms<Lanes> linear(w, kLinear, k, mu);
     const CommandTerms<Lanes> angular(w, kAngular, k, mu);
     put_rows(stages, &Stage::linear, mixed.linear_x, mixed.linear_y, mixed.linear_h,

@@ -100,7 +100,7 @@ FAIRWAY_LANES void find_costate(const Workspace& w, Costate& costate) noexcept {
     put(x, k, 2.0 * lanes<Lanes>(w.weight_x, k) * dx - m.now[b].dual_x);
     put(y, k, 2.0 * lanes<Lanes>(w.weight_y, k) * dy - m.now[b].dual_y);
     put(heading, k, 2.0 * lanes<Lanes>(w.weight_heading, k) * turn);
-    const bool barriers = w.row_ranges[b].has_barriers();
+    const bool barriers = w.constraint_ranges[b].has_barriers();
     put(before_x, k, barriers ? -Lanes(m.before[b].dual_x) : Lanes(0.0));
     put(before_y, k, barriers ? -Lanes(m.before[b].dual_y) : Lanes(0.0));
   }
@@ -147,9 +147,9 @@ template <typename Lanes>
                        : w.half_turn * linear * across + dt * lanes<Lanes>(costate.heading, k);
       const Lanes gradient = command_gradient<Lanes>(w, j, k);
       put(w.model.gradient[j], k, gradient);
-      Lanes derivative = by_motion + gradient + lanes<Lanes>(w.hard[j].dual, k);
-      if (w.num_hard > 2) {
-        const PoseArray& dual = w.hard[2 + j].dual;
+      Lanes derivative = by_motion + gradient + lanes<Lanes>(w.bounds[j].dual, k);
+      if (w.num_bounds > 2) {
+        const PoseArray& dual = w.bounds[2 + j].dual;
         derivative += lanes<Lanes>(dual, k) - lanes<Lanes>(dual, k + 1);
       }
       stationarity = greatest(stationarity, magnitude(lanes<Lanes>(w.is_free[j], k) * derivative));

@@ -82,7 +82,7 @@ void find_command_limits(const ControlProblem& problem,
   for (std::size_t k = 0; k < n; ++k) {
     const bool after_fixed = k == 0 || limits.fixed[k - 1];
     const bool before_fixed = k + 1 < n && limits.fixed[k + 1];
-    limits.change_row[k] = !limits.fixed[k] && !after_fixed && change < range_high - range_low;
+    limits.change_bound[k] = !limits.fixed[k] && !after_fixed && change < range_high - range_low;
     if (limits.fixed[k]) continue;
     limits.low[k] = range_low;
     limits.high[k] = range_high;

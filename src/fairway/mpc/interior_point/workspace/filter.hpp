@@ -7,7 +7,7 @@
 
 namespace fairway::interior_point {
 
-/// Two things that a step should lower: the barrier function, and how far the rows are from
+/// Two things that a step should lower: the barrier function, and how far the constraints are from
 /// closing.
 struct Progress {
   double barrier = 0.0;   ///< phi of Eq. (S15)

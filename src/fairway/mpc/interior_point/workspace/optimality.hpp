@@ -9,20 +9,21 @@
 
 namespace fairway::interior_point {
 
-/// How far rows are from satisfying the optimality conditions, each lane for its own rows.
+/// How far constraints are from satisfying the optimality conditions, each lane for its own
+/// constraints.
 template <typename Lanes>
-struct RowErrors {
+struct ConstraintErrors {
   Lanes least_product = std::numeric_limits<double>::infinity();  ///< slack * dual, all of which
   Lanes greatest_product = 0.0;                                   ///< should be mu
   Lanes residual = 0.0;                                           ///< greatest |c + e - s|
-  Lanes dual_sum = 0.0;                                           ///< of the elastic rows
-  std::size_t num_elastic = 0;                                    ///< elastic rows in each lane
+  Lanes dual_sum = 0.0;                                           ///< of the soft constraints
+  std::size_t num_soft_constraints = 0;                           ///< soft constraints in each lane
 };
 
 /// How far the iterate is from satisfying the optimality conditions, docs/solver.md Eq. (S14).
 struct OptimalityError {
   double stationarity = 0.0;      ///< greatest derivative of the Lagrangian by a command
-  double residual = 0.0;          ///< greatest |c + e - s| of the elastic rows
+  double residual = 0.0;          ///< greatest |c + e - s| of the soft constraints
   double least_product = 0.0;     ///< least and greatest product of a slack and its dual,
   double greatest_product = 0.0;  ///< all of which should be mu
   double scale = 1.0;             ///< at least 1; greater when the duals are great on average
@@ -35,16 +36,16 @@ struct OptimalityError {
 };
 
 template <typename Lanes>
-[[nodiscard]] FAIRWAY_LANES OptimalityError optimality_error(const RowErrors<Lanes>& rows,
+[[nodiscard]] FAIRWAY_LANES OptimalityError optimality_error(const ConstraintErrors<Lanes>& errors,
                                                              double stationarity) noexcept {
   // Duals are compared with this: below it on average, errors count in full.
   constexpr double kUsualDual = 100.0;
-  const double count = static_cast<double>(kLanes * rows.num_elastic);
-  const double mean = rows.num_elastic > 0 ? sum_of(rows.dual_sum) / count : 0.0;
+  const double count = static_cast<double>(kLanes * errors.num_soft_constraints);
+  const double mean = errors.num_soft_constraints > 0 ? sum_of(errors.dual_sum) / count : 0.0;
   return {.stationarity = stationarity,
-          .residual = greatest_of(rows.residual),
-          .least_product = least_of(rows.least_product),
-          .greatest_product = greatest_of(rows.greatest_product),
+          .residual = greatest_of(errors.residual),
+          .least_product = least_of(errors.least_product),
+          .greatest_product = greatest_of(errors.greatest_product),
           .scale = std::max(1.0, mean / kUsualDual)};
 }
 

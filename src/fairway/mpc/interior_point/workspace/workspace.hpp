@@ -12,7 +12,8 @@
 
 // The numbers that the interior-point solver works on. Steps are computed four at a time: block b
 // holds commands 4 b .. 4 b + 3 and the poses that they lead to. Beyond the horizon commands, poses
-// and weights are zero, and rows are satisfied whatever happens. Symbols as in docs/solver.md.
+// and weights are zero, and constraints are satisfied whatever happens. Symbols as in
+// docs/solver.md.
 
 namespace fairway::interior_point {
 
@@ -20,7 +21,7 @@ namespace fairway::interior_point {
 inline constexpr double kCentrality = 100.0;
 
 inline constexpr std::size_t kMaxBlocks = (kMaxHorizon + kLanes - 1) / kLanes;
-inline constexpr std::size_t kMaxElasticRows =
+inline constexpr std::size_t kMaxSoftConstraints =
     kMaxBlocks * (4 * kMaxRectanglesPerStep + kMaxObstacles);
 
 /// Entry k belongs to command k = 0..N-1 and to the pose after it.
@@ -32,10 +33,10 @@ using PoseArray = std::array<double, kLanes*(kMaxBlocks + 1)>;
 inline constexpr std::size_t kLinear = 0;
 inline constexpr std::size_t kAngular = 1;
 
-/// Four steps of one elastic row at one point. Slacks are not determined by the commands alone.
-struct RowState {
-  Four value;          ///< c
-  Four slack, excess;  ///< s and e
+/// Four steps of one soft constraint at one point. Slacks are not determined by the commands alone.
+struct SoftConstraintState {
+  Pack4d value;                   ///< c
+  Pack4d slack, violation_slack;  ///< s and e
 };
 
 /// Commands and all that follows from them; the line search fills a second one.
@@ -43,20 +44,21 @@ struct Point {
   std::array<PoseArray, 2> commands;  ///< u_k or r_k is entry k + 1, entry 0 the previous command
   PoseArray x, y, heading;            ///< relative to the start position; heading to its full turns
   StepArray cosine, sine;             ///< of phi_k, the heading that step k moves along
-  std::array<RowState, kMaxElasticRows> rows;
-  double cost = 0.0;          ///< Eq. (S2)
-  double log_sum = 0.0;       ///< of all rooms, slacks and excesses
-  double excess_sum = 0.0;    ///< sum of e
-  double residual_sum = 0.0;  ///< sum of |c + e - s|
+  std::array<SoftConstraintState, kMaxSoftConstraints> constraints;
+  double cost = 0.0;           ///< Eq. (S2)
+  double log_sum = 0.0;        ///< of all rooms, slacks and violation slacks
+  double violation_sum = 0.0;  ///< sum of e
+  double residual_sum = 0.0;   ///< sum of |c + e - s|
 };
 
-/// Rows  low < t < high  of one coordinate, for its commands or for their changes; strictly inside
-/// at all times. A row that is not needed has bounds so far away that it has no weight.
-struct HardRows {
+/// Constraints  low < t < high  of one coordinate, for its commands or for their changes; strictly
+/// inside at all times. A constraint that is not needed has bounds so far away that it has no
+/// weight.
+struct Bounds {
   struct Block {
-    Four low, high;
-    Four dual_low, dual_high;
-    Four inverse_below, inverse_above;  ///< 1 / (t - low), 1 / (high - t)
+    Pack4d low, high;
+    Pack4d dual_low, dual_high;
+    Pack4d inverse_below, inverse_above;  ///< 1 / (t - low), 1 / (high - t)
   };
   std::array<Block, kMaxBlocks> blocks;
   // What they add to the model, by t:
@@ -65,29 +67,29 @@ struct HardRows {
   PoseArray dual;       ///< gradient of the Lagrangian: dual_high - dual_low
 };
 
-/// Four steps of one elastic row  c + e = s,  s >= 0, e >= 0, with price w e; y is the multiplier
-/// of the row, z = w - y that of e >= 0.
-struct ElasticRow {
+/// Four steps of one soft constraint  c + e = s,  s >= 0, e >= 0, with price w e; y is the
+/// multiplier of the constraint, z = w - y that of e >= 0.
+struct SoftConstraintBlock {
   RowKind kind = RowKind::None;
-  int index = 0;                          ///< as in RowName
-  int first_step = 0;                     ///< of the pose that its first lane restrains
-  Four offset;                            ///< Corridor: c = offset + normal . p_k
-  Four normal_x, normal_y;                ///< gradient of c by p_k
-  Four normal_before_x, normal_before_y;  ///< Barrier: gradient of c by p_{k-1}
-  Four centre_x, centre_y;                ///< Barrier: o_k
-  Four centre_before_x, centre_before_y;  ///< Barrier: o_{k-1}
-  Four retention;                         ///< Barrier: beta, 0 beyond the horizon
-  Four near;                              ///< watched while the value is above this
-  Four dual, excess_dual;                 ///< y, z
-  Four curvature;                         ///< sigma = y z / (s z + e y)
-  Four dual_by_mu;                        ///< derivative of y hat by mu, (z - y) / (s z + e y)
-  Four dual_change;                       ///< dy
-  Four slack_ratio, excess_ratio;         ///< ds / s and de / e
+  int index = 0;                            ///< as in RowName
+  int first_step = 0;                       ///< of the pose that its first lane restrains
+  Pack4d offset;                            ///< Corridor: c = offset + normal . p_k
+  Pack4d normal_x, normal_y;                ///< gradient of c by p_k
+  Pack4d normal_before_x, normal_before_y;  ///< Barrier: gradient of c by p_{k-1}
+  Pack4d centre_x, centre_y;                ///< Barrier: o_k
+  Pack4d centre_before_x, centre_before_y;  ///< Barrier: o_{k-1}
+  Pack4d retention;                         ///< Barrier: beta, 0 beyond the horizon
+  Pack4d near;                              ///< watched while the value is above this
+  Pack4d dual, violation_dual;              ///< y, z
+  Pack4d curvature;                         ///< sigma = y z / (s z + e y)
+  Pack4d dual_by_mu;                        ///< derivative of y hat by mu, (z - y) / (s z + e y)
+  Pack4d dual_change;                       ///< dy
+  Pack4d slack_ratio, violation_ratio;      ///< ds / s and de / e
 };
 
-/// The elastic rows of one block: its corridor sides, then its obstacles; of both first those that
-/// the iterates have come near, then those that are only watched.
-struct RowRange {
+/// The soft constraints of one block: its corridor sides, then its obstacles; of both first those
+/// that the iterates have come near, then those that are only watched.
+struct ConstraintRange {
   std::size_t corridor = 0, watched_corridor = 0;
   std::size_t barrier = 0, watched_barrier = 0;
   std::size_t end = 0;
@@ -96,23 +98,23 @@ struct RowRange {
   [[nodiscard]] bool has_barriers() const noexcept { return barrier < watched_barrier; }
 };
 
-/// What elastic rows add to the model by the position of four poses.
+/// What soft constraints add to the model by the position of four poses.
 struct PositionTerms {
-  Four xx, xy, yy;          ///< sum of sigma grad c grad c^T
-  Four bend;                ///< curvature of the rows: that times I
-  Four dual_x, dual_y;      ///< sum of y grad c
-  Four target_x, target_y;  ///< sum of y hat grad c, at mu = 0 ...
-  Four by_mu_x, by_mu_y;    ///< ... and its derivative by mu
+  Pack4d xx, xy, yy;          ///< sum of sigma grad c grad c^T
+  Pack4d bend;                ///< curvature of the constraints: that times I
+  Pack4d dual_x, dual_y;      ///< sum of y grad c
+  Pack4d target_x, target_y;  ///< sum of y hat grad c, at mu = 0 ...
+  Pack4d by_mu_x, by_mu_y;    ///< ... and its derivative by mu
 };
 
-/// Second derivatives of elastic rows by p_k (first) and p_{k-1} (second).
+/// Second derivatives of soft constraints by p_k (first) and p_{k-1} (second).
 struct CouplingTerms {
-  Four xx, xy, yx, yy;
+  Pack4d xx, xy, yx, yy;
 };
 
 /// Quadratic model of the problem around the present point.
 struct Model {
-  /// By p_k, the pose after the step; zero where no row is near.
+  /// By p_k, the pose after the step; zero where no constraint is near.
   std::array<PositionTerms, kMaxBlocks> now;
   // Only where there are obstacles near:
   std::array<PositionTerms, kMaxBlocks> before;  ///< by p_{k-1}
@@ -124,18 +126,18 @@ struct Model {
 /// One step of the Newton system in the coordinates of section 3 of docs/solver.md: rows of
 /// matrices over (x, y, heading), with the gradient in the last lane.
 struct Stage {
-  Four pose_x, pose_y, pose_heading;  ///< Hessian by the pose after the step
-  Four linear, angular;               ///< Hessian by the command and the pose before the step
-  Four motion;                        ///< B: (x, y) by u, (x, y) by r
-  Four command;                       ///< Hessian by the command: (uu, ur, rr); B: heading by r
-  Four coupling;  ///< minus the Hessian by the command and the one before: (u, r), then that by
-                  ///< the one before: (u, r)
+  Pack4d pose_x, pose_y, pose_heading;  ///< Hessian by the pose after the step
+  Pack4d linear, angular;               ///< Hessian by the command and the pose before the step
+  Pack4d motion;                        ///< B: (x, y) by u, (x, y) by r
+  Pack4d command;                       ///< Hessian by the command: (uu, ur, rr); B: heading by r
+  Pack4d coupling;  ///< minus the Hessian by the command and the one before: (u, r), then that by
+                    ///< the one before: (u, r)
 };
 
 /// Feedback of the Riccati recursion, dnu_k = gain . (pose before step k - 1, 1) + change .
 /// dnu_{k-1}.
 struct Feedback {
-  std::array<Four, 2> gain;
+  std::array<Pack4d, 2> gain;
   std::array<std::array<double, 2>, 2> change;
 };
 
@@ -153,7 +155,7 @@ struct Workspace {
   std::size_t num_blocks = 0;
   double half_turn = 0.0;    ///< d phi_k / d r_k: dt / 2 with midpoint integration, else 0
   double full_turns = 0.0;   ///< taken off all headings [rad]
-  double first_slack = 0.0;  ///< least slack of an elastic row to begin with
+  double first_slack = 0.0;  ///< least slack of a soft constraint to begin with
   StepArray target_x, target_y, target_heading, weight_x, weight_y, weight_heading;
   std::array<StepArray, 2> command_weight;
   std::array<PoseArray, 2> change_weight;  ///< entry k is that of nu_k - nu_{k-1}
@@ -164,11 +166,11 @@ struct Workspace {
   std::array<Point, 2> points;
   Point* now = nullptr;          ///< the iterate
   Point* trial = nullptr;        ///< the other one
-  std::array<HardRows, 4> hard;  ///< of u, r, and where there are any of their changes
-  std::size_t num_hard = 2;      ///< 2 without change bounds, else 4
-  std::array<ElasticRow, kMaxElasticRows> elastic;
-  std::array<RowRange, kMaxBlocks> row_ranges;
-  std::size_t num_elastic = 0;  ///< of those, each for four steps, watched ones included
+  std::array<Bounds, 4> bounds;  ///< of u, r, and where there are any of their changes
+  std::size_t num_bounds = 2;    ///< 2 without change bounds, else 4
+  std::array<SoftConstraintBlock, kMaxSoftConstraints> soft_constraints;
+  std::array<ConstraintRange, kMaxBlocks> constraint_ranges;
+  std::size_t num_soft_constraints = 0;  ///< of those, each for four steps, watched ones included
   Model model;
   std::array<Stage, kMaxBlocks * kLanes> stages;
   std::array<Feedback, kMaxHorizon> feedback;
