@@ -1,20 +1,35 @@
+# What is installed, by component: `cmake --install BUILD --component core` installs the library that
+# embedders link and nothing else. find_package(fairway) finds what of it is there.
+#   core  fairway::fairway, its public headers, the CMake package, the licence
+#   simulation, io, ipopt  the library of that name
+#   tool  the fairway tool and the scenarios
 include(CMakePackageConfigHelpers)
 
 set(FAIRWAY_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fairway)
-set(fairway_targets fairway)
-foreach(optional fairway_simulation fairway_io fairway_ipopt)
-  if(TARGET ${optional})
-    list(APPEND fairway_targets ${optional})
+
+# Each library has an export of its own, so that one can be installed without the others.
+function(fairway_install target component)
+  if(NOT TARGET ${target})
+    return()
   endif()
-endforeach()
-install(TARGETS ${fairway_targets} EXPORT fairway-targets FILE_SET HEADERS)
-install(EXPORT fairway-targets NAMESPACE fairway:: DESTINATION ${FAIRWAY_CONFIG_DIR})
+  install(TARGETS ${target} EXPORT ${target}-targets
+          ARCHIVE COMPONENT ${component} LIBRARY COMPONENT ${component}
+          FILE_SET HEADERS COMPONENT ${component})
+  install(EXPORT ${target}-targets NAMESPACE fairway:: DESTINATION ${FAIRWAY_CONFIG_DIR} COMPONENT ${component})
+endfunction()
+fairway_install(fairway core)
+fairway_install(fairway_simulation simulation)
+fairway_install(fairway_io io)
+fairway_install(fairway_ipopt ipopt)
+
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/fairway-config.cmake.in fairway-config.cmake
                               INSTALL_DESTINATION ${FAIRWAY_CONFIG_DIR})
 write_basic_package_version_file(fairway-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/fairway-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/fairway-config-version.cmake
-        DESTINATION ${FAIRWAY_CONFIG_DIR})
+        DESTINATION ${FAIRWAY_CONFIG_DIR} COMPONENT core)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core)
 if(TARGET fairway_tool)
-  install(TARGETS fairway_tool)
+  install(TARGETS fairway_tool COMPONENT tool)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/fairway COMPONENT tool)
 endif()
