@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-#include "experiments/thread_clock.hpp"
+#include "experiments/clocks.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
 
@@ -60,7 +60,7 @@ void run(int robots, double seconds) {
   Scenario scenario = random_tasks(robots);
   scenario.time_limit = seconds;
   EpisodeHooks hooks;
-  hooks.clock = [] { return 1e-6 * benchmark::thread_cpu_us(); };
+  hooks.clock = thread_cpu_seconds;
   const EpisodeResult result = run_episode(scenario, hooks);
   std::vector<double> rounds;
   int contacts = 0;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/thread_clock.hpp"
+#include "experiments/clocks.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
 #include "fairway/simulation/scenarios/swap_scenario.hpp"
@@ -71,7 +71,7 @@ void run(int robots, const Options& options) {
     scenario.radio = options.radio;
     scenario.settings.prediction.predict_motion = options.predict;
     EpisodeHooks hooks;
-    hooks.clock = [] { return 1e-6 * benchmark::thread_cpu_us(); };
+    hooks.clock = thread_cpu_seconds;
     const EpisodeResult result = run_episode(scenario, hooks);
     bool all = true;
     bool touched = false;

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/thread_clock.hpp"
+#include "experiments/clocks.hpp"
 #include "fairway/io/scenario/tracks_file.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
@@ -157,7 +157,7 @@ struct Tally {
 void run(const Recording& recording, const Options& options) {
   Noise noise(options.seed);
   EpisodeHooks hooks;
-  hooks.clock = [] { return 1e-6 * benchmark::thread_cpu_us(); };
+  hooks.clock = thread_cpu_seconds;
   Tally with;
   Tally without;
   for (int i = 0; i < options.runs; ++i) {

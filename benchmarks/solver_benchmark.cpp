@@ -14,12 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "experiments/clocks.hpp"
 #include "experiments/solver/ocp_instances.hpp"
-#include "experiments/thread_clock.hpp"
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point/solver.hpp"
 #include "fairway/mpc/ipopt/ipopt_solver.hpp"
 #include "fairway/mpc/start_guesses.hpp"
+#include "fairway/simulation/recorded/metrics.hpp"
 #include "ocp_generator.hpp"
 
 namespace fairway::benchmark {
@@ -40,14 +41,6 @@ struct Column {
     ++solved;
     if (solution.cost <= best_cost * (1.0 + kNear)) ++near_best;
   }
-
-  [[nodiscard]] double quantile(double share) const {
-    std::vector<double> sorted = times;
-    std::sort(sorted.begin(), sorted.end());
-    const auto rank =
-        static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-    return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
-  }
 };
 
 struct Row {
@@ -62,9 +55,9 @@ MpcSolution timed(int repeats, double& fastest, Solve&& solve) {
   fastest = std::numeric_limits<double>::infinity();
   MpcSolution first;
   for (int i = 0; i < repeats; ++i) {
-    const double begin = thread_cpu_us();
+    const double begin = thread_cpu_seconds();
     const MpcSolution& solution = solve();
-    fastest = std::min(fastest, thread_cpu_us() - begin);
+    fastest = std::min(fastest, 1e6 * (thread_cpu_seconds() - begin));
     if (i == 0) first = solution;
   }
   return first;
@@ -123,8 +116,9 @@ void print_head(const char* first) {
 }
 
 void print_column(const Column& column, int feasible) {
-  std::printf(" %.1f / %.1f / %.1f | %d of %d | %d |", column.quantile(0.5), column.quantile(0.99),
-              column.quantile(1.0), column.solved, feasible, column.near_best);
+  const Quantiles q = quantiles(column.times);
+  std::printf(" %.1f / %.1f / %.1f | %d of %d | %d |", q.median, q.p99, q.max, column.solved,
+              feasible, column.near_best);
 }
 
 void print_row(const std::string& name, const Row& row) {
@@ -134,7 +128,8 @@ void print_row(const std::string& name, const Row& row) {
     std::printf(" | | | |\n");
   } else {
     print_column(row.ipopt, row.feasible);
-    std::printf(" %.0f |\n", row.ipopt.quantile(0.5) / row.interior_point.quantile(0.5));
+    std::printf(" %.0f |\n",
+                quantiles(row.ipopt.times).median / quantiles(row.interior_point.times).median);
   }
   std::fflush(stdout);
 }

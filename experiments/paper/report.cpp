@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include "cli/json_text.hpp"
 #include "cli/output.hpp"
 #include "experiments/paper/page.hpp"
 #include "fairway/io/whole_file.hpp"

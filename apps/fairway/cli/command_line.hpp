@@ -42,8 +42,8 @@ class Argument {
   CLI::Option* option_;
 };
 
-/// The arguments and options of one command. CLI11 is behind this file alone: a source that
-/// includes its headers takes seven seconds longer to compile.
+/// The arguments and options of one command. CLI11 is behind this file alone: its headers take six
+/// seconds to compile, nine to precompile, and then one for each source that loads them.
 class Options {
  public:
   explicit Options(CLI::App& command) noexcept : command_(&command) {}

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "fairway/io/drawing/canvas.hpp"
 #include "fairway/io/whole_file.hpp"
@@ -21,6 +22,10 @@ std::vector<std::string>& old_names() {
 }
 
 }  // namespace
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
 
 void note_old_names(const std::vector<std::string>& names) {
   for (const std::string& name : names) {

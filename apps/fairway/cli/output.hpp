@@ -5,9 +5,18 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "fairway/base/error.hpp"
 
 namespace fairway::app {
+
+/// Objects keep the order in which their fields are written.
+using Json = nlohmann::ordered_json;
+
+/// `json` as indented text with a line break at its end. Bytes that are not UTF-8, from a file's
+/// name say, become U+FFFD; numbers that are not finite become null.
+[[nodiscard]] std::string json_text(const Json& json);
 
 /// Keeps names of settings that were given under their old name, "old (now new)", until the command
 /// has ended: a command that fails with exit code 2 prints its error and nothing else.

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "cli/stopwatch.hpp"
+#include "experiments/clocks.hpp"
 
 namespace fairway::app {
 

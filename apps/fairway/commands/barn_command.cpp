@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/json_text.hpp"
 #include "cli/output.hpp"
 #include "cli/physics_choice.hpp"
 #include "cli/point_argument.hpp"
@@ -15,7 +15,7 @@
 #include "commands/commands.hpp"
 #include "experiments/barn/barn_file.hpp"
 #include "experiments/barn/barn_summary.hpp"
-#include "experiments/thread_clock.hpp"
+#include "experiments/clocks.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/trace_file.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
@@ -128,13 +128,12 @@ Expected<BarnScore> BarnCommand::drive(const BarnWorld& world,
   if (!trace_dir.empty()) outputs.keep_page();
   if (const auto opened = outputs.open(only_run ? "" : run); !opened)
     return tl::unexpected(opened.error());
-  const EpisodeResult result =
-      run_episode(scenario, {.clock = [] { return 1e-6 * thread_cpu_us(); },
-                             .on_cycle = {},
-                             .physics = engine,
-                             .solver = nullptr,
-                             .observer = outputs.observer(),
-                             .play = {}});
+  const EpisodeResult result = run_episode(scenario, {.clock = thread_cpu_seconds,
+                                                      .on_cycle = {},
+                                                      .physics = engine,
+                                                      .solver = nullptr,
+                                                      .observer = outputs.observer(),
+                                                      .play = {}});
   const BarnScore score = barn_score(world, trial, result);
   summary.add(score, result);
   if (const auto kept = keep_trace(run, scenario, score, result); !kept)

@@ -3,8 +3,8 @@
 #include <string>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/json_text.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "fairway/io/recording/reading/recording_reader.hpp"

@@ -8,11 +8,11 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "commands/commands.hpp"
+#include "experiments/clocks.hpp"
 #include "experiments/paper/case1.hpp"
 #include "experiments/paper/case2.hpp"
 #include "experiments/paper/case3.hpp"
 #include "experiments/paper/report.hpp"
-#include "experiments/thread_clock.hpp"
 #ifdef FAIRWAY_HAS_IPOPT
 #include "fairway/mpc/ipopt/ipopt_solver.hpp"
 #endif
@@ -38,7 +38,7 @@ struct ReproduceCommand {
 
 Expected<StudyOptions> ReproduceCommand::options() const {
   StudyOptions options{.seed = static_cast<std::uint64_t>(seed), .maps = maps, .threads = threads};
-  options.clock = [] { return 1e-6 * thread_cpu_us(); };
+  options.clock = thread_cpu_seconds;
   if (solver == "interior_point") return options;
 #ifdef FAIRWAY_HAS_IPOPT
   options.make_solver = [] { return std::make_unique<IpoptSolver>(); };

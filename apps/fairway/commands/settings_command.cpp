@@ -13,12 +13,15 @@ namespace {
 struct SettingsCommand {
   SettingsOptions settings;
   bool markdown = false;
+  bool essential = false;
 
   [[nodiscard]] Expected<int> run() const {
     const Expected<Settings> loaded = load_settings(settings);
     if (!loaded) return tl::unexpected(loaded.error());
     if (const auto valid = validate(*loaded); !valid) return tl::unexpected(valid.error());
-    const auto printed = print(markdown ? io::settings_markdown() : io::settings_yaml(*loaded));
+    const auto choice = essential ? io::SettingsChoice::Essential : io::SettingsChoice::All;
+    const auto printed =
+        print(markdown ? io::settings_markdown() : io::settings_yaml(*loaded, choice));
     if (!printed) return tl::unexpected(printed.error());
     return kDone;
   }
@@ -32,6 +35,8 @@ void add_settings_command(CommandLine& tool) {
       tool.add_command("settings", "Print every setting as YAML that --settings reads back",
                        [command] { return command->run(); });
   add_settings_options(options, command->settings);
+  options.add_flag("--essential", command->essential,
+                   "Print only those that every user has to check for the robot at hand");
   options.add_flag("--markdown", command->markdown, "Print the page docs/settings.md instead");
 }
 

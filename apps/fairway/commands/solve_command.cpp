@@ -11,8 +11,8 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "commands/commands.hpp"
+#include "experiments/clocks.hpp"
 #include "experiments/solver/ocp_instances.hpp"
-#include "experiments/thread_clock.hpp"
 #include "fairway/mpc/evaluation.hpp"
 #include "results/instance_solver.hpp"
 #include "results/solve_report.hpp"
@@ -75,9 +75,9 @@ SolvedInstance SolveCommand::solve_one(InstanceSolver& solve,
   SolvedInstance solved{.id = instance.id, .kind = instance.kind};
   solved.time_us = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repeat; ++i) {
-    const double begin = thread_cpu_us();
+    const double begin = thread_cpu_seconds();
     const MpcSolution& solution = solve.solve(problem, guesses);
-    solved.time_us = std::min(solved.time_us, thread_cpu_us() - begin);
+    solved.time_us = std::min(solved.time_us, 1e6 * (thread_cpu_seconds() - begin));
     if (i == 0) solved.solution = solution;
   }
   solved.solution.status = checked_status(problem, solved.solution);

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/json_text.hpp"
+#include "cli/output.hpp"
 #include "fairway/io/drawing/speed_picture.hpp"
 #include "fairway/io/drawing/world_picture.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"

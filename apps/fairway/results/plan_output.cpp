@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/json_text.hpp"
 #include "cli/output.hpp"
 #include "fairway/io/drawing/world_picture.hpp"
 

@@ -5,18 +5,14 @@
 #include <cmath>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/json_text.hpp"
+#include "cli/output.hpp"
+#include "fairway/simulation/recorded/metrics.hpp"
 
 namespace fairway::app {
 
 namespace {
-
-// The smallest time that at least `share` of the sorted times do not exceed.
-double quantile(const std::vector<double>& sorted, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
-}
 
 template <typename Predicate>
 ClassSummary summary_of(const std::string& kind,
@@ -29,11 +25,11 @@ ClassSummary summary_of(const std::string& kind,
     times.push_back(instance.time_us);
     if (instance.solution.status == SolveStatus::Solved) ++summary.solved;
   }
-  std::sort(times.begin(), times.end());
+  const Quantiles q = quantiles(times);
   summary.count = times.size();
-  summary.median_us = quantile(times, 0.5);
-  summary.p99_us = quantile(times, 0.99);
-  summary.max_us = times.back();
+  summary.median_us = q.median;
+  summary.p99_us = q.p99;
+  summary.max_us = q.max;
   return summary;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/stopwatch.hpp"
+#include "experiments/clocks.hpp"
 #include "fairway/geometry/oriented_rectangle.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 #include "server/live_world.hpp"
@@ -12,8 +12,8 @@ namespace fairway::app {
 
 namespace {
 
-constexpr double kWalkingSpeed = 1.4;        // [m/s]
-constexpr std::size_t kMostCells = 500'000;  // of one stroke
+constexpr double kWalkingSpeed = 1.4;              // [m/s]
+constexpr std::size_t kMostStrokeCells = 500'000;  // of one stroke
 constexpr std::size_t kMostBodies = 100;
 constexpr std::size_t kMostRobots = 50;
 
@@ -35,7 +35,7 @@ std::vector<CellIndex> cells_of(const PaintCommand& stroke, const GridFrame& fra
     for (int x = low(from.x(), to.x()); x <= high(from.x(), to.x(), frame.width); ++x) {
       const Eigen::Vector2d center(x + 0.5, y + 0.5);
       if ((line.nearest(center) - center).norm() > radius) continue;
-      if (cells.size() == kMostCells) return cells;
+      if (cells.size() == kMostStrokeCells) return cells;
       cells.push_back({.x = x, .y = y});
     }
   }

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "cli/stopwatch.hpp"
+#include "experiments/clocks.hpp"
 #include "fairway/io/recording/scenario_archive.hpp"
 #include "fairway/io/web_report/report.hpp"
 #include "fairway/simulation/recorded/observer_list.hpp"
@@ -15,11 +15,11 @@ namespace fairway::app {
 
 namespace {
 
-constexpr std::size_t kMostWaiting = 256;         // commands of clients
-constexpr std::size_t kMostMapsWaiting = 16;      // maps are large
-constexpr std::size_t kMostDownloads = 300;       // commands and downloads
-constexpr std::size_t kMostUploads = 8;           // maps; the oldest makes room
-constexpr std::size_t kMostRecords = 64U << 20U;  // for a report [bytes]
+constexpr std::size_t kMostWaitingCommands = 256;       // commands of clients
+constexpr std::size_t kMostMapsWaiting = 16;            // maps are large
+constexpr std::size_t kMostWaitingWithDownloads = 300;  // commands and downloads
+constexpr std::size_t kMostUploads = 8;                 // maps; the oldest makes room
+constexpr std::size_t kMostRecords = 64U << 20U;        // for a report [bytes]
 constexpr double kBeginningPeriod = 60.0;  // who joins late sees at least as much of the past [s]
 constexpr std::size_t kBeginningBytes = 8U << 20U;  // or so much of it
 constexpr double kMostLate = 0.2;                   // for what is asked between two cycles [s]
@@ -46,14 +46,14 @@ LiveWorld::~LiveWorld() {
   wake_.notify_all();
 }
 
-void LiveWorld::ask(ClientCommand command) { enqueue(std::move(command), kMostWaiting); }
+void LiveWorld::ask(ClientCommand command) { enqueue(std::move(command), kMostWaitingCommands); }
 
 bool LiveWorld::use_map(std::string name, OccupancyGrid map) {
   return enqueue(UseMap{.name = std::move(name), .map = std::move(map)}, kMostMapsWaiting);
 }
 
 void LiveWorld::download(Download what, std::function<void(std::string)> done) {
-  enqueue(Save{.what = what, .done = std::move(done)}, kMostDownloads);
+  enqueue(Save{.what = what, .done = std::move(done)}, kMostWaitingWithDownloads);
 }
 
 bool LiveWorld::enqueue(Request request, std::size_t most_waiting) {

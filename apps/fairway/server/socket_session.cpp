@@ -11,7 +11,7 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "cli/stopwatch.hpp"
+#include "experiments/clocks.hpp"
 
 namespace fairway::app {
 
@@ -21,10 +21,10 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using beast::error_code;
 
-constexpr std::size_t kLargestMessage = 64U << 10U;  // that a client may send [bytes]
-constexpr std::size_t kMostWaiting = 48U << 20U;     // to be sent to a client [bytes]
-constexpr double kMessagesPerSecond = 200.0;         // beyond that a client is read more slowly
-constexpr double kBurst = 400.0;                     // messages at once
+constexpr std::size_t kLargestMessage = 64U << 10U;    // that a client may send [bytes]
+constexpr std::size_t kMostWaitingBytes = 48U << 20U;  // to be sent to a client [bytes]
+constexpr double kMessagesPerSecond = 200.0;           // beyond that a client is read more slowly
+constexpr double kBurst = 400.0;                       // messages at once
 
 class SocketSession final : public Connection, public std::enable_shared_from_this<SocketSession> {
  public:
@@ -60,7 +60,7 @@ class SocketSession final : public Connection, public std::enable_shared_from_th
     if (!open_) return;
     waiting_ += message->size();
     queue_.push_back({.content = std::move(message), .binary = binary});
-    if (waiting_ > kMostWaiting) {
+    if (waiting_ > kMostWaitingBytes) {
       // It does not keep up. The pending read ends, and with it the session.
       beast::get_lowest_layer(socket_).cancel();
       return;

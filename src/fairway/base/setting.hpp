@@ -19,6 +19,10 @@ struct SettingInfo {
   const char* meaning;  ///< one sentence
   double min = -std::numeric_limits<double>::infinity();  ///< least allowed value, inclusive
   double max = std::numeric_limits<double>::infinity();   ///< greatest allowed value, inclusive
+  bool essential = false;  ///< whether every user has to check it for the robot at hand
 };
+
+/// Marks a setting in its table as essential.
+inline constexpr bool kEssential = true;
 
 }  // namespace fairway

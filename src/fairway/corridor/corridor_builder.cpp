@@ -15,11 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-bool same_frame(const GridFrame& a, const GridFrame& b) noexcept {
-  return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
-         a.origin.position == b.origin.position && a.origin.heading == b.origin.heading;
-}
-
 // What differs between two maps inside a block.
 struct Difference {
   bool any = false;

@@ -38,24 +38,29 @@ struct RobotSettings {
 
 template <typename Settings, typename Visitor>
 void visit_robot(Settings& s, Visitor&& field) {
-  field(s.radius, SettingInfo{"radius", "m", "radius of the disc that covers the robot", 0.01, 10});
+  field(s.radius, SettingInfo{"radius", "m", "radius of the disc that covers the robot", 0.01, 10,
+                              kEssential});
   field(s.length,
-        SettingInfo{"length", "m", "length of a rectangular body; 0: the body is the disc", 0, 20});
-  field(s.width,
-        SettingInfo{"width", "m", "width of a rectangular body; 0: the body is the disc", 0, 20});
+        SettingInfo{"length", "m", "length of a rectangular body; 0: the body is the disc", 0, 20,
+                    kEssential});
+  field(s.width, SettingInfo{"width", "m", "width of a rectangular body; 0: the body is the disc",
+                             0, 20, kEssential});
   field(s.discs, SettingInfo{"discs", "m",
                              "discs that form the body, in the robot's frame; none: the body is "
                              "the rectangle or the disc"});
   field(s.linear_min,
-        SettingInfo{"linear_min", "m/s", "least linear speed; negative allows reversing", -10, 10});
-  field(s.linear_max, SettingInfo{"linear_max", "m/s", "greatest linear speed", 0.01, 10});
-  field(s.angular_max, SettingInfo{"angular_max", "rad/s", "greatest angular speed", 0.01, 20});
+        SettingInfo{"linear_min", "m/s", "least linear speed; negative allows reversing", -10, 10,
+                    kEssential});
+  field(s.linear_max,
+        SettingInfo{"linear_max", "m/s", "greatest linear speed", 0.01, 10, kEssential});
+  field(s.angular_max,
+        SettingInfo{"angular_max", "rad/s", "greatest angular speed", 0.01, 20, kEssential});
   field(s.linear_acceleration_max,
         SettingInfo{"linear_acceleration_max", "m/s^2",
-                    "greatest change of linear speed per second", 0.01, 1000});
+                    "greatest change of linear speed per second", 0.01, 1000, kEssential});
   field(s.angular_acceleration_max,
         SettingInfo{"angular_acceleration_max", "rad/s^2",
-                    "greatest change of angular speed per second", 0.01, 1000});
+                    "greatest change of angular speed per second", 0.01, 1000, kEssential});
 }
 
 }  // namespace fairway

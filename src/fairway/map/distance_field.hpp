@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -15,6 +16,13 @@ struct CellWindow {
   CellIndex first;
   CellIndex last;
 };
+
+/// Grows `window` to hold `cell` too. An empty window must have its `first` at or beyond, and its
+/// `last` at or before, every cell that it may get.
+inline void include(CellWindow& window, CellIndex cell) noexcept {
+  window.first = {.x = std::min(window.first.x, cell.x), .y = std::min(window.first.y, cell.y)};
+  window.last = {.x = std::max(window.last.x, cell.x), .y = std::max(window.last.y, cell.y)};
+}
 
 /// For every cell the exact Euclidean distance from its centre to the nearest blocked cell, as a
 /// closed square, and to the outside of the grid. 0 in blocked cells.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "fairway/geometry/pose2.hpp"
 
@@ -56,5 +58,16 @@ struct GridFrame {
     return to_world({cell.x + 0.5, cell.y + 0.5});
   }
 };
+
+/// Whether the cells of both grids lie at the same places, to the bit.
+[[nodiscard]] inline bool same_frame(const GridFrame& a, const GridFrame& b) noexcept {
+  const auto same = [](double p, double q) {
+    return std::bit_cast<std::uint64_t>(p) == std::bit_cast<std::uint64_t>(q);
+  };
+  return a.width == b.width && a.height == b.height && same(a.resolution, b.resolution) &&
+         same(a.origin.position.x(), b.origin.position.x()) &&
+         same(a.origin.position.y(), b.origin.position.y()) &&
+         same(a.origin.heading, b.origin.heading);
+}
 
 }  // namespace fairway

@@ -27,10 +27,11 @@ struct NavigationSettings {
 
 template <typename Settings, typename Visitor>
 void visit_navigation(Settings& s, Visitor&& field) {
-  field(s.control_period,
-        SettingInfo{"control_period", "s", "time from one command to the next", 0.005, 1});
-  field(s.goal_tolerance, SettingInfo{"goal_tolerance", "m",
-                                      "distance at which the goal counts as reached", 0.001, 10});
+  field(s.control_period, SettingInfo{"control_period", "s", "time from one command to the next",
+                                      0.005, 1, kEssential});
+  field(s.goal_tolerance,
+        SettingInfo{"goal_tolerance", "m", "distance at which the goal counts as reached", 0.001,
+                    10, kEssential});
   field(s.heading_tolerance,
         SettingInfo{"heading_tolerance", "rad", "turn at which a goal's heading counts as reached",
                     0.001, 3.15});

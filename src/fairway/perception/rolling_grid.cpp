@@ -214,9 +214,7 @@ void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
   not_seen_free_.set(cell, is_occupied);
   if (is_occupied == was_occupied) return;
   occupied_.set(cell, is_occupied);
-  changed_.first = {.x = std::min(changed_.first.x, cell.x),
-                    .y = std::min(changed_.first.y, cell.y)};
-  changed_.last = {.x = std::max(changed_.last.x, cell.x), .y = std::max(changed_.last.y, cell.y)};
+  include(changed_, cell);
 }
 
 void RollingGrid::mark(const Beam& beam) noexcept {

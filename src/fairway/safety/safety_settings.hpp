@@ -23,8 +23,9 @@ void visit_safety(Settings& s, Visitor&& field) {
                     "time until the base follows a command, in control periods; 0.5 is a linear "
                     "ramp",
                     0, 5});
-  field(s.stop_margin, SettingInfo{"stop_margin", "m",
-                                   "clearance beyond the body in the check of the stop", 0, 1});
+  field(s.stop_margin,
+        SettingInfo{"stop_margin", "m", "clearance beyond the body in the check of the stop", 0, 1,
+                    kEssential});
   field(s.turn_clearance_tolerance,
         SettingInfo{"turn_clearance_tolerance", "m",
                     "how far a body that is no disc may go where its covering disc does not fit", 0,

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "fairway/io/recording/exact_json.hpp"
-
 namespace fairway::io {
 
 CellTracker::Look CellTracker::look(const BitGrid& grid) {
@@ -12,7 +10,7 @@ CellTracker::Look CellTracker::look(const BitGrid& grid) {
   Slot& slot = at->second;
   if (is_new) slot.number = static_cast<int>(slots_.size()) - 1;
   Look found{.slot = slot.number,
-             .whole = is_new || !exact::same_frame(slot.known.frame(), grid.frame()),
+             .whole = is_new || !same_frame(slot.known.frame(), grid.frame()),
              .changed = false,
              .before = &slot.known};
   for (int y = 0; !found.whole && !found.changed && y < grid.frame().height; ++y)

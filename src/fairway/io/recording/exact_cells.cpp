@@ -12,10 +12,6 @@ namespace fairway::io::exact {
 
 namespace {
 
-bool same_bits(double a, double b) noexcept {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
 void append_word(std::string& bytes, std::uint64_t word) {
   for (int i = 0; i < 8; ++i)
     bytes.push_back(static_cast<char>(word >> (8 * i) & 0xFFU));
@@ -29,13 +25,6 @@ std::uint64_t word_at(std::string_view bytes, std::size_t index) noexcept {
 }
 
 }  // namespace
-
-bool same_frame(const GridFrame& a, const GridFrame& b) noexcept {
-  return a.width == b.width && a.height == b.height && same_bits(a.resolution, b.resolution) &&
-         same_bits(a.origin.position.x(), b.origin.position.x()) &&
-         same_bits(a.origin.position.y(), b.origin.position.y()) &&
-         same_bits(a.origin.heading, b.origin.heading);
-}
 
 Json to_json(const GridFrame& frame) {
   return {{"width", frame.width},

@@ -55,9 +55,6 @@ using Json = nlohmann::json;
 /// Carries out such changes.
 void change_cells(const Json& runs, BitGrid& grid);
 
-/// Whether two grids lie alike in the world, to the bit.
-[[nodiscard]] bool same_frame(const GridFrame& a, const GridFrame& b) noexcept;
-
 /// The plan a navigator has in mind; only poses and commands, and what limits it. It is an answer
 /// that is looked at, not an input: poses and commands are rounded to 1e-4 m, rad, m/s, rad/s.
 [[nodiscard]] Json to_json(const MpcSolution& solution);

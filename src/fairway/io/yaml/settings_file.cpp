@@ -15,8 +15,17 @@ namespace fairway::io {
 
 namespace {
 
-constexpr std::size_t kLongestFile = 1U << 20;  // [bytes]
+constexpr std::size_t kLongestSettings = 1U << 20;  // [bytes]
 constexpr std::array<const char*, 2> kPresets{"default", "paper"};
+
+constexpr const char* kAllHead =
+    "# Every setting of Fairway. After each value: [unit] meaning (what is allowed; default).\n"
+    "# A file may leave out what it does not change. `preset: paper` as a first line takes the\n"
+    "# values of the paper for what the file leaves out.\n";
+constexpr const char* kEssentialHead =
+    "# What to check for every robot. After each value: [unit] meaning (what is allowed; "
+    "default).\n"
+    "# `fairway settings` prints every setting.\n";
 
 // A list as people write it in YAML, in one line or one disc per line.
 void read_discs(YamlMapping& mapping, const char* key, BodyDiscs& discs) {
@@ -164,7 +173,7 @@ Expected<Settings> parse_settings(const std::string& text,
 Expected<Settings> read_settings(const std::string& path,
                                  const Settings& base,
                                  std::vector<std::string>* warnings) {
-  const Expected<std::string> text = read_whole_file(path, kLongestFile);
+  const Expected<std::string> text = read_whole_file(path, kLongestSettings);
   if (!text) return tl::unexpected(text.error());
   return parse_settings(*text, path, base, warnings);
 }
@@ -201,7 +210,7 @@ Expected<void> assign_setting(Settings& settings,
                           names.empty() ? groups : names, names.empty() ? "group" : "key"));
 }
 
-std::string settings_yaml(const Settings& settings) {
+std::string settings_yaml(const Settings& settings, SettingsChoice choice) {
   std::vector<std::string> defaults;
   const Settings default_settings;
   visit_settings(default_settings, [&](const char* /*group*/, auto&& visit_fields) {
@@ -209,20 +218,20 @@ std::string settings_yaml(const Settings& settings) {
       defaults.push_back(value_text(value));
     });
   });
-  std::string text =
-      "# Every setting of Fairway. After each value: [unit] meaning (what is allowed; default).\n"
-      "# A file may leave out what it does not change. `preset: paper` as a first line takes the\n"
-      "# values of the paper for what the file leaves out.\n";
+  std::string text = choice == SettingsChoice::All ? kAllHead : kEssentialHead;
   std::size_t index = 0;
   visit_settings(settings, [&](const char* group, auto&& visit_fields) {
-    text += fmt::format("\n{}:\n", group);
+    std::string lines;
     visit_fields([&](const auto& value, const SettingInfo& info) {
       using Value = std::remove_cvref_t<decltype(value)>;
+      const std::string& usual = defaults[index++];
+      if (choice == SettingsChoice::Essential && !info.essential) return;
       const std::string setting = fmt::format("  {}: {}", info.name, value_text(value));
       const std::string unit = *info.unit == '\0' ? "" : fmt::format("[{}] ", info.unit);
-      text += fmt::format("{:<36} # {}{} ({}; default {})\n", setting, unit, info.meaning,
-                          expected_text<Value>(info), defaults[index++]);
+      lines += fmt::format("{:<36} # {}{} ({}; default {})\n", setting, unit, info.meaning,
+                           expected_text<Value>(info), usual);
     });
+    if (!lines.empty()) text += fmt::format("\n{}:\n{}", group, lines);
   });
   return text;
 }

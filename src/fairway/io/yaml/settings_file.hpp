@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,9 +37,13 @@ namespace fairway::io {
                                             std::string_view assignment,
                                             std::vector<std::string>* warnings = nullptr);
 
-/// Every setting as YAML that `parse_settings` turns back into the same settings, with unit,
-/// meaning, range and default of each in a comment.
-[[nodiscard]] std::string settings_yaml(const Settings& settings);
+/// Which settings are printed: all, or those that every user has to check.
+enum class SettingsChoice : std::uint8_t { All, Essential };
+
+/// Settings as YAML that `parse_settings` turns back into the same values, with unit, meaning,
+/// range and default of each in a comment.
+[[nodiscard]] std::string settings_yaml(const Settings& settings,
+                                        SettingsChoice choice = SettingsChoice::All);
 
 /// The page docs/settings.md: a table per group, with the values of both presets.
 [[nodiscard]] std::string settings_markdown();

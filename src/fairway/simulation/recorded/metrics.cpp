@@ -5,18 +5,21 @@
 #include <cmath>
 #include <vector>
 
+#include "fairway/base/contract.hpp"
+
 namespace fairway {
+
+double quantile(std::span<const double> sorted, double share) {
+  FAIRWAY_EXPECTS(!sorted.empty());
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
 
 Quantiles quantiles(std::span<const double> sample) {
   if (sample.empty()) return {};
   std::vector<double> sorted(sample.begin(), sample.end());
   std::sort(sorted.begin(), sorted.end());
-  const auto at = [&](double share) {
-    const auto rank =
-        static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-    return sorted[std::max<std::size_t>(rank, 1) - 1];
-  };
-  return {.median = at(0.5), .p99 = at(0.99), .max = sorted.back()};
+  return {.median = quantile(sorted, 0.5), .p99 = quantile(sorted, 0.99), .max = sorted.back()};
 }
 
 double smoothness(const Trace& trace, std::size_t robot) {

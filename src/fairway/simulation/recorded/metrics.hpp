@@ -7,6 +7,10 @@
 
 namespace fairway {
 
+/// The least member of a sample that at least `share` of it do not exceed.
+/// @param sorted  In ascending order. @pre not empty, 0 <= share <= 1.
+[[nodiscard]] double quantile(std::span<const double> sorted, double share);
+
 /// Order statistics of a sample; zeros for an empty one.
 struct Quantiles {
   double median = 0.0;

@@ -16,6 +16,8 @@ TEST(Metrics, QuantilesAreMembersOfTheSample) {
   EXPECT_EQ(q.median, 100.0);
   EXPECT_EQ(q.p99, 198.0);
   EXPECT_EQ(q.max, 200.0);
+  EXPECT_EQ(quantile(std::vector<double>{1.0, 2.0, 4.0, 8.0}, 0.0), 1.0);
+  EXPECT_EQ(quantile(std::vector<double>{1.0, 2.0, 4.0, 8.0}, 0.75), 4.0);
   EXPECT_EQ(quantiles({}).max, 0.0);
   EXPECT_EQ(quantiles(std::vector<double>{7.0}).p99, 7.0);
 }

@@ -168,7 +168,7 @@ class Player {
       cycle.occupied = grid(json.at("occupied").get<int>());
       // Those who show it take the two for readings of one map.
       if (cycle.input.map == nullptr ||
-          !exact::same_frame(cycle.input.map->frame(), cycle.occupied->frame())) {
+          !same_frame(cycle.input.map->frame(), cycle.occupied->frame())) {
         throw std::invalid_argument("expected what is occupied on the robot's own map");
       }
     }
@@ -190,7 +190,7 @@ class Player {
     }
     if (robots.size() != robots_) throw std::invalid_argument("expected every robot");
     const BitGrid* obstacles = map(json);
-    if (obstacles == nullptr || !exact::same_frame(obstacles->frame(), frame_)) {
+    if (obstacles == nullptr || !same_frame(obstacles->frame(), frame_)) {
       throw std::invalid_argument("expected cells of the scenario's map");
     }
     observer_.on_world({.time = exact::to_number(json.at("time")),

@@ -2,12 +2,21 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
-namespace fairway::app {
+// Clocks for programs; the library reads none.
+namespace fairway {
 
 /// A clock that only moves forward [s].
 [[nodiscard]] inline double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// CPU time that this thread has used [s]: unlike time on the wall it does not count other programs.
+[[nodiscard]] inline double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Measures from its construction on.
@@ -19,4 +28,4 @@ class Stopwatch {
   double start_ = steady_seconds();
 };
 
-}  // namespace fairway::app
+}  // namespace fairway
