@@ -13,7 +13,7 @@ void PreparedMap::update(const BitGrid& bits, const CellWindow& changed) {
       .first = {.x = std::max(0, changed.first.x), .y = std::max(0, changed.first.y)},
       .last = {.x = std::min(frame.width - 1, changed.last.x),
                .y = std::min(frame.height - 1, changed.last.y)}};
-  const bool same = same_cells(frame, obstacles.frame());
+  const bool same = same_frame(frame, obstacles.frame());
   if (same && is_empty(inside)) return;
   const double width = inside.last.x - inside.first.x + 1;
   const double height = inside.last.y - inside.first.y + 1;
@@ -36,11 +36,6 @@ CellWindow united(const CellWindow& a, const CellWindow& b) noexcept {
   if (is_empty(b)) return a;
   return {.first = {.x = std::min(a.first.x, b.first.x), .y = std::min(a.first.y, b.first.y)},
           .last = {.x = std::max(a.last.x, b.last.x), .y = std::max(a.last.y, b.last.y)}};
-}
-
-bool same_cells(const GridFrame& a, const GridFrame& b) noexcept {
-  return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
-         a.origin.position == b.origin.position && a.origin.heading == b.origin.heading;
 }
 
 }  // namespace fairway

@@ -38,7 +38,4 @@ inline constexpr CellWindow kNoCells{.first = {.x = 0, .y = 0}, .last = {.x = -1
   return window.first.x > window.last.x || window.first.y > window.last.y;
 }
 
-/// Whether two grids have the same cells in the same place.
-[[nodiscard]] bool same_cells(const GridFrame& a, const GridFrame& b) noexcept;
-
 }  // namespace fairway

@@ -36,7 +36,7 @@ template <typename Settings, typename Visitor>
 void visit_prediction(Settings& s, Visitor&& field) {
   field(s.obstacle_margin,
         SettingInfo{"obstacle_margin", "m", "distance kept from moving obstacles beyond both radii",
-                    0, 10});
+                    0, 10, kEssential});
   field(s.predict_motion,
         SettingInfo{"predict_motion", "",
                     "predict that moving obstacles keep their velocity; if not, that they stand "

@@ -35,13 +35,13 @@ void MapNavigator::set_map(const OccupancyGrid& map) {
 }
 
 void MapNavigator::set_map(const BitGrid& obstacles) {
-  const bool moved = !state_->map || !same_cells(obstacles.frame(), state_->map->frame());
+  const bool moved = !state_->map || !same_frame(obstacles.frame(), state_->map->frame());
   state_->map = obstacles;
   state_->change(all_cells(obstacles.frame()), moved);
 }
 
 void MapNavigator::update_map(const OccupancyGrid& map, CellIndex first, CellIndex last) {
-  if (!state_->map || !same_cells(map.frame(), state_->map->frame())) {
+  if (!state_->map || !same_frame(map.frame(), state_->map->frame())) {
     throw std::invalid_argument("update_map: expected a grid with the cells of the present map");
   }
   const bool unknown_blocks = state_->settings.map.unknown_is_occupied;
