@@ -1,7 +1,7 @@
-# What each part of Fairway needs from apt; sourced by ./demo and ./test.
-# build: compiler and build system; library: the core; tool: files, pictures, recordings and
+# What each part of Fairway needs from apt; sourced by ./demo, ./test and .ci.
+# build: compiler, build system and compiler cache; library: the core; tool: files, pictures, recordings and
 # the command line; reference: the optional IPOPT solver; test: what only the tests need.
-build_packages=(g++ cmake ninja-build pkg-config)
+build_packages=(g++ cmake ninja-build pkg-config ccache)
 library_packages=(libeigen3-dev libexpected-dev)
 tool_packages=(libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libgraphicsmagick++1-dev
   zlib1g-dev libzstd-dev)
@@ -20,3 +20,7 @@ ros1_packages=(libroscpp-dev libtf2-ros-dev libactionlib-dev libmove-base-msgs-d
   python3-visualization-msgs python3-tf2-msgs python3-rosparam)
 # ROS 2 on the wire, optional; iproute2 makes the networks of its test.
 dds_packages=(cyclonedds-dev cyclonedds-tools iproute2)
+# The checks of .ci; the formatter's version decides about the result, so it is pinned.
+format_packages=(git clang-format-14)
+tidy_packages=(git clang clang-tidy)
+fuzz_packages=(clang libclang-rt-14-dev libgtest-dev)

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2d;
 using Json = nlohmann::json;
 
-constexpr std::size_t kLargestFile = 64U << 20U;  // [bytes]
+constexpr std::size_t kLargestWorlds = 64U << 20U;  // [bytes]
 
 // Numbers out of a JSON object; remembers the first thing that is not as expected.
 class Reader {
@@ -82,7 +82,7 @@ class Reader {
 };
 
 Expected<Json> read_json(const std::string& file) {
-  const Expected<std::string> text = read_whole_file(file, kLargestFile);
+  const Expected<std::string> text = read_whole_file(file, kLargestWorlds);
   if (!text) return fail(text.error().message);
   Json json = Json::parse(*text, nullptr, false);
   if (json.is_discarded()) return fail(file + ": expected JSON");

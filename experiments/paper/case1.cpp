@@ -12,7 +12,7 @@ namespace fairway::reproduction {
 
 namespace {
 
-constexpr int kMaps = 40;
+constexpr int kDriveMaps = 40;
 constexpr int kMapsWithSlowSolver = 2;  // another solver takes hundreds of times as long
 
 Finding change_finding(const DriveRuns& runs, const char* claim, DriveMeasure measure) {
@@ -93,7 +93,7 @@ Overruled overruled_cycles(const DriveRuns& runs) {
 }  // namespace
 
 Chapter run_case1(const StudyOptions& options) {
-  const int usual = options.make_solver ? kMapsWithSlowSolver : kMaps;
+  const int usual = options.make_solver ? kMapsWithSlowSolver : kDriveMaps;
   const int maps = options.maps > 0 ? options.maps : usual;
   std::vector<DriveRuns> courses;
   for (const DriveCourse course :

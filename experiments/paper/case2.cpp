@@ -11,7 +11,7 @@ namespace fairway::reproduction {
 
 namespace {
 
-constexpr int kMaps = 40;
+constexpr int kCorridorMaps = 40;
 constexpr int kFieldsPerMap = 5;
 
 std::shared_ptr<const CorridorComparison> first_of(const CorridorEnvironment& e) {
@@ -107,7 +107,7 @@ std::string structured_caption(const CorridorEnvironment& e) {
 }  // namespace
 
 Chapter run_case2(const StudyOptions& options) {
-  const int maps = options.maps > 0 ? options.maps : kMaps;
+  const int maps = options.maps > 0 ? options.maps : kCorridorMaps;
   std::vector<CorridorEnvironment> environments = {
       {MapKind::UnstructuredLarge, "Environment 1", {}},
       {MapKind::UnstructuredSmall, "Environment 2", {}},

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kRuns = 40;
 constexpr int kRunsWithSlowSolver = 2;
-constexpr std::array kKinds = {ExchangeKind::Ismpc, ExchangeKind::Ours};
 
 // All runs of one kind in numbers.
 struct Summary {
@@ -52,7 +51,7 @@ Table exchange_table(const ExchangeRuns& runs) {
       .header = {"method", "keep-out distance [m]", "all arrived", "runs with contact", "time [s]",
                  "least separation of bodies [m]"},
       .rows = {}};
-  for (const ExchangeKind kind : kKinds) {
+  for (const ExchangeKind kind : kComparedExchanges) {
     const Summary s = summary_of(runs, kind);
     const Exchange& first = runs.front().at(static_cast<std::size_t>(kind));
     table.rows.push_back({to_text(kind), fixed(keep_out_distance(first.settings), 1),
@@ -65,7 +64,7 @@ Table exchange_table(const ExchangeRuns& runs) {
 
 Json exchange_numbers(const ExchangeRuns& runs) {
   Json all = Json::object();
-  for (const ExchangeKind kind : kKinds) {
+  for (const ExchangeKind kind : kComparedExchanges) {
     const Summary s = summary_of(runs, kind);
     Json each = Json::array();
     for (const ExchangeComparison& one : runs) {
@@ -91,7 +90,7 @@ Table cycle_times(const ExchangeRuns& runs) {
                   "the runs' medians and 99th percentiles.",
               .header = {"method", "median", "99 %"},
               .rows = {}};
-  for (const ExchangeKind kind : kKinds) {
+  for (const ExchangeKind kind : kComparedExchanges) {
     std::vector<double> medians;
     std::vector<double> tails;
     for (const ExchangeComparison& one : runs) {
@@ -106,7 +105,7 @@ Table cycle_times(const ExchangeRuns& runs) {
 
 Json exchange_timing(const ExchangeRuns& runs) {
   Json all = Json::object();
-  for (const ExchangeKind kind : kKinds) {
+  for (const ExchangeKind kind : kComparedExchanges) {
     Json each = Json::array();
     for (const ExchangeComparison& one : runs) {
       const Quantiles& q = one.at(static_cast<std::size_t>(kind)).cycle;
@@ -141,7 +140,7 @@ Chapter run_case3(const StudyOptions& options) {
       "constant velocity; our recovery is off, our check of the stop on. Ours: default settings; "
       "robots tell each other what they have bound themselves to and intend. The paper shows one "
       "run; here there are many, with different starts.";
-  for (const ExchangeKind kind : kKinds) {
+  for (const ExchangeKind kind : kComparedExchanges) {
     chapter.findings.push_back(arrival_finding(*runs, kind));
     const Summary s = summary_of(*runs, kind);
     if (s.contacts > 0) {

@@ -14,9 +14,9 @@
 namespace fairway::io {
 namespace {
 
-constexpr std::size_t kLargestFile = 256U << 20U;  // [bytes]
-constexpr double kObstacleRadius = 0.8;            // Ro of Table I
-constexpr double kInwardOffset = 0.3;              // Delta_s of Table I
+constexpr std::size_t kLargestInstances = 256U << 20U;  // [bytes]
+constexpr double kObstacleRadius = 0.8;                 // Ro of Table I
+constexpr double kInwardOffset = 0.3;                   // Delta_s of Table I
 
 using Fields = std::vector<std::string_view>;
 
@@ -183,7 +183,7 @@ Expected<std::vector<OcpInstance>> parse_ocp_instances(std::string_view text,
 }
 
 Expected<std::vector<OcpInstance>> read_ocp_instances(const std::string& path) {
-  const Expected<std::string> text = read_whole_file(path, kLargestFile);
+  const Expected<std::string> text = read_whole_file(path, kLargestInstances);
   if (!text) return tl::unexpected<Error>(text.error());
   return parse_ocp_instances(*text, path);
 }
@@ -193,7 +193,7 @@ Expected<std::vector<OcpResult>> parse_ocp_results(std::string_view text, const 
 }
 
 Expected<std::vector<OcpResult>> read_ocp_results(const std::string& path) {
-  const Expected<std::string> text = read_whole_file(path, kLargestFile);
+  const Expected<std::string> text = read_whole_file(path, kLargestInstances);
   if (!text) return tl::unexpected<Error>(text.error());
   return parse_ocp_results(*text, path);
 }

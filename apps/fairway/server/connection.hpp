@@ -4,8 +4,14 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace fairway::app {
+
+/// A message that several connections may send.
+[[nodiscard]] inline std::shared_ptr<const std::string> shared(std::string text) {
+  return std::make_shared<const std::string>(std::move(text));
+}
 
 /// A WebSocket with somebody at the other end. Used in the network's thread only.
 class Connection {

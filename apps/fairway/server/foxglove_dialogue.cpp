@@ -14,10 +14,6 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostSubscriptions = 1000;  // of one viewer
 
-std::shared_ptr<const std::string> shared(std::string text) {
-  return std::make_shared<const std::string>(std::move(text));
-}
-
 // A message: opcode 1, number of the subscription, time, content.
 std::shared_ptr<const std::string> data_message(std::uint32_t subscription,
                                                 const LiveMessages::Message& message) {

@@ -26,7 +26,7 @@ using beast::error_code;
 
 constexpr std::uint32_t kLargestHeader = 8U << 10U;  // [bytes]
 constexpr std::uint64_t kLargestUpload = 24U << 20U;
-constexpr int kMostDownloads = 4;  // at once
+constexpr int kMostDownloadsAtOnce = 4;  // at once
 constexpr auto kPatience = std::chrono::seconds(30);
 
 using Response = http::response<http::string_body>;
@@ -102,7 +102,8 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
   }
 
   void save(LiveWorld::Download what, const char* name) {
-    if (context_.downloads >= kMostDownloads) return refuse(http::status::service_unavailable);
+    if (context_.downloads >= kMostDownloadsAtOnce)
+      return refuse(http::status::service_unavailable);
     ++context_.downloads;
     downloading_ = true;
     stream_.expires_never();  // the world answers when it is between two cycles

@@ -13,10 +13,6 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostStretches = 6;
 
-std::shared_ptr<const std::string> shared(std::string text) {
-  return std::make_shared<const std::string>(std::move(text));
-}
-
 std::shared_ptr<const std::string> dumped(const Json& json) {
   return shared(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

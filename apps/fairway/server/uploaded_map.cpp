@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kMostCells = 16U << 20U;
+constexpr std::uint64_t kMostMapCells = 16U << 20U;
 constexpr std::size_t kLongestName = 80;
 
 // The number of pixels that a PNG promises, before memory for them is asked for. 0 for others: a
@@ -35,7 +35,7 @@ Expected<UploadedMap> read(const Json& json) {
   const std::string name = json.at("name").get<std::string>().substr(0, kLongestName);
   const auto image = io::from_base64(json.at("image").get_ref<const std::string&>());
   if (!image) return fail("image: expected base64");
-  if (promised_pixels(*image) > kMostCells)
+  if (promised_pixels(*image) > kMostMapCells)
     return fail("image: expected at most 16 million pixels");
   io::MapHeader header{.image = {},
                        .resolution = 0.05,

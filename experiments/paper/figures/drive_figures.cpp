@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Kind = io::LegendEntry::Kind;
 
-constexpr std::array kDrivers = {DriverKind::Ismpc, DriverKind::Smpc, DriverKind::Ours};
+constexpr std::array kShownDrivers = {DriverKind::Ismpc, DriverKind::Smpc, DriverKind::Ours};
 
 // Where the driver aims in turn: seeds, or centroids of overlaps.
 std::vector<Vector2d> targets_of(const Drive& drive, DriverKind kind) {
@@ -68,7 +68,7 @@ Panel drive_panel(const std::shared_ptr<const DriveRuns>& runs,
 
 std::vector<io::LegendEntry> track_legend() {
   std::vector<io::LegendEntry> entries;
-  for (const DriverKind kind : kDrivers)
+  for (const DriverKind kind : kShownDrivers)
     entries.push_back({.kind = Kind::Line, .text = to_text(kind), .stroke = track_stroke(kind)});
   return entries;
 }
@@ -183,7 +183,7 @@ Figure trajectory_figure(const std::shared_ptr<const DriveRuns>& runs) {
                            .data = bounds_of(*grid),
                            .draw = [runs, grid](io::Canvas& canvas, const io::PlotAxes& axes) {
                              draw_map_within(canvas, axes, *grid);
-                             for (const DriverKind kind : kDrivers) {
+                             for (const DriverKind kind : kShownDrivers) {
                                canvas.line(axes.at(track_of(runs->maps.front().of(kind))),
                                            track_stroke(kind));
                              }
@@ -200,7 +200,7 @@ Figure speed_figure(const std::shared_ptr<const DriveRuns>& runs) {
               "m/s, from 0.05 m/s for the paper's two, and 1.5 rad/s.",
           .draw = [runs](io::PictureFormat format) {
             double end = 0.0;
-            for (const DriverKind kind : kDrivers)
+            for (const DriverKind kind : kShownDrivers)
               end = std::max(end, runs->maps.front().of(kind).rows.back().time);
             PanelPicture picture{.columns = 2,
                                  .ratio = 0.52,
@@ -208,7 +208,7 @@ Figure speed_figure(const std::shared_ptr<const DriveRuns>& runs) {
                                              .text = "bound",
                                              .stroke = {.width = 1.0, .dash = {5.0, 3.0}}}},
                                  .panels = {}};
-            for (const DriverKind kind : kDrivers) {
+            for (const DriverKind kind : kShownDrivers) {
               picture.panels.push_back(speed_panel(runs, kind, &Twist2::linear, end));
               picture.panels.push_back(speed_panel(runs, kind, &Twist2::angular, end));
             }

@@ -15,7 +15,6 @@ namespace {
 using Eigen::Vector2d;
 using Kind = io::LegendEntry::Kind;
 
-constexpr std::array kKinds = {ExchangeKind::Ismpc, ExchangeKind::Ours};
 constexpr std::array kShares = {0.2, 0.4, 0.6, 1.0};  // of the run's time
 
 const Exchange& first_run(const ExchangeRuns& runs, ExchangeKind kind) {
@@ -155,7 +154,7 @@ Figure separation_figure(const std::shared_ptr<const ExchangeRuns>& runs) {
                                       .text = "contact",
                                       .stroke = {.color = io::palette::kGrey, .width = 0.5},
                                       .fill = io::palette::kGrey.faded(0.35)});
-            for (const ExchangeKind kind : kKinds)
+            for (const ExchangeKind kind : kComparedExchanges)
               picture.panels.push_back(separation_panel(runs, kind));
             return draw_panels(picture, format);
           }};

@@ -14,9 +14,9 @@ namespace fairway::reproduction {
 
 namespace {
 
-constexpr double kBodyRadius = 0.25;  // [m]
-constexpr double kCorner = 1.5;       // start and goal are this far from the corners [m]
-constexpr double kTimeLimit = 120.0;  // more than twice what a run takes [s]
+constexpr double kDriverRadius = 0.25;     // [m]
+constexpr double kDriveCorner = 1.5;       // start and goal are this far from the corners [m]
+constexpr double kDriveTimeLimit = 120.0;  // more than twice what a run takes [s]
 
 }  // namespace
 
@@ -51,7 +51,7 @@ MapKind map_kind(DriveCourse course) noexcept {
 Settings driver_settings(DriveCourse course, DriverKind kind) {
   constexpr double kNever = 1000.0;  // [s]
   Settings settings = kind == DriverKind::Ours ? Settings{} : paper_settings();
-  settings.robot.radius = kBodyRadius;
+  settings.robot.radius = kDriverRadius;
   if (kind == DriverKind::Ours) return settings;
   settings.navigation.stall_timeout = kNever;
   if (course == DriveCourse::LargeRectangles) settings.corridor.method = CorridorMethod::Fewest;
@@ -64,15 +64,16 @@ bool DriveComparison::all_reached() const {
 }
 
 Scenario drive_scenario(DriveCourse course, std::uint64_t seed, DriverKind kind) {
-  const double far = side_length(map_kind(course)) - kCorner;
+  const double far = side_length(map_kind(course)) - kDriveCorner;
   Scenario scenario;
   scenario.name = to_text(kind);
   scenario.map = generate_map(map_kind(course), seed);
   scenario.settings = driver_settings(course, kind);
-  scenario.robots = {{.name = "robot",
-                      .start = {.position = {kCorner, kCorner}, .heading = 0.25 * std::numbers::pi},
-                      .goal = {.position = {far, far}, .heading = std::nullopt}}};
-  scenario.time_limit = kTimeLimit;
+  scenario.robots = {
+      {.name = "robot",
+       .start = {.position = {kDriveCorner, kDriveCorner}, .heading = 0.25 * std::numbers::pi},
+       .goal = {.position = {far, far}, .heading = std::nullopt}}};
+  scenario.time_limit = kDriveTimeLimit;
   return scenario;
 }
 

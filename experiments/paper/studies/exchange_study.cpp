@@ -14,15 +14,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kBodyRadius = 0.25;   // [m]
-constexpr double kPaperKeepOut = 0.8;  // R_o [m]
-constexpr double kTimeLimit = 90.0;    // some ten times what the straight way takes [s]
+constexpr double kExchangeBody = 0.25;       // [m]
+constexpr double kPaperKeepOut = 0.8;        // R_o [m]
+constexpr double kExchangeTimeLimit = 90.0;  // some ten times what the straight way takes [s]
 
 Settings exchange_settings(ExchangeKind kind) {
   Settings settings = kind == ExchangeKind::Ismpc ? paper_settings() : Settings{};
-  settings.robot.radius = kBodyRadius;
+  settings.robot.radius = kExchangeBody;
   if (kind == ExchangeKind::Ismpc) {
-    settings.prediction.obstacle_margin = kPaperKeepOut - 2.0 * kBodyRadius;
+    settings.prediction.obstacle_margin = kPaperKeepOut - 2.0 * kExchangeBody;
     settings.navigation.stall_timeout = 1000.0;  // the paper has no recovery
   }
   return settings;
@@ -87,7 +87,7 @@ double Exchange::nearest(const ExchangeMoment& moment, std::size_t robot) {
 Scenario exchange_scenario(std::uint64_t seed, ExchangeKind kind) {
   Scenario scenario = swap_scenario(static_cast<int>(kExchangeRobots), kExchangeRadius,
                                     exchange_settings(kind), seed + 1);
-  scenario.time_limit = kTimeLimit;
+  scenario.time_limit = kExchangeTimeLimit;
   // The paper's robots share positions and speeds, which everybody here sees anyhow.
   scenario.radio.on = kind == ExchangeKind::Ours;
   return scenario;

@@ -17,6 +17,7 @@ enum class ExchangeKind : std::uint8_t {
   Ours,   ///< our default settings; robots tell each other what they intend
 };
 inline constexpr std::size_t kExchangeKinds = 2;
+inline constexpr std::array kComparedExchanges = {ExchangeKind::Ismpc, ExchangeKind::Ours};
 inline constexpr std::size_t kExchangeRobots = 4;
 inline constexpr double kExchangeRadius = 4.0;  ///< of the circle that they start on [m]
 

@@ -52,7 +52,7 @@ struct Pair {
   CorridorKind method;
   CorridorKind base;
 };
-constexpr std::array<Pair, 4> kPairs = {
+constexpr std::array<Pair, 4> kMethodPairs = {
     Pair{CorridorKind::MdsrcPublished, CorridorKind::SrcPublished},
     Pair{CorridorKind::MdsrcSound, CorridorKind::SrcSound},
     Pair{CorridorKind::Fewest, CorridorKind::SrcSound},
@@ -143,7 +143,7 @@ Table gain_table(const std::vector<CorridorEnvironment>& environments) {
                         : "\u2013");
   }
   table.rows.push_back(std::move(paper));
-  for (const Pair& pair : kPairs) {
+  for (const Pair& pair : kMethodPairs) {
     std::vector<std::string> row = {pair_name(pair)};
     for (const CorridorEnvironment& e : environments) {
       const CorridorGain gain = gain_over(e.maps, pair.method, pair.base);
@@ -229,7 +229,7 @@ Json corridor_numbers(const std::vector<CorridorEnvironment>& environments) {
       methods[to_text(method)] = std::move(one);
     }
     Json gains = Json::object();
-    for (const Pair& pair : kPairs)
+    for (const Pair& pair : kMethodPairs)
       gains[pair_name(pair)] = gain_json(gain_over(e.maps, pair.method, pair.base));
     Json seeds = Json::array();
     Json lengths = Json::array();

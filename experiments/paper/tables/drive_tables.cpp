@@ -16,9 +16,9 @@ struct DriverPair {
   DriverKind kind;
   DriverKind base;
 };
-constexpr std::array kPairs = {DriverPair{DriverKind::Ismpc, DriverKind::Smpc},
-                               DriverPair{DriverKind::Ours, DriverKind::Smpc},
-                               DriverPair{DriverKind::Ours, DriverKind::Ismpc}};
+constexpr std::array kDriverPairs = {DriverPair{DriverKind::Ismpc, DriverKind::Smpc},
+                                     DriverPair{DriverKind::Ours, DriverKind::Smpc},
+                                     DriverPair{DriverKind::Ours, DriverKind::Ismpc}};
 
 std::string pair_name(const DriverPair& pair) {
   return std::string(to_text(pair.kind)) + " against " + to_text(pair.base);
@@ -166,7 +166,7 @@ Table drive_change_table(const DriveRuns& runs) {
               .rows = {}};
   for (const DriveMeasure measure : kDriveMeasures)
     table.header.emplace_back(to_text(measure));
-  for (const DriverPair& pair : kPairs) {
+  for (const DriverPair& pair : kDriverPairs) {
     std::vector<std::string> row = {pair_name(pair)};
     for (const DriveMeasure measure : kDriveMeasures) {
       const TestResult test =
@@ -233,7 +233,7 @@ Json drive_numbers(const std::vector<DriveRuns>& courses) {
     for (const DriverKind kind : kDrivers)
       drivers[to_text(kind)] = driver_json(runs, kind);
     Json changes = Json::object();
-    for (const DriverPair& pair : kPairs) {
+    for (const DriverPair& pair : kDriverPairs) {
       for (const DriveMeasure measure : kDriveMeasures) {
         const std::vector<double> a = values(runs, pair.kind, measure);
         const std::vector<double> b = values(runs, pair.base, measure);

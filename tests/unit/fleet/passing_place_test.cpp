@@ -20,7 +20,7 @@ BitGrid two_rooms() {
   return grid;
 }
 
-ReferencePath straight(const Vector2d& from, const Vector2d& to) {
+ReferencePath straight_path(const Vector2d& from, const Vector2d& to) {
   ReferencePath path;
   path.count = 2;
   path.points = {from, to};
@@ -37,16 +37,16 @@ SharedMotion coming(const Vector2d& from, const Vector2d& to) {
 
 TEST(PassingPlace, ADoorIsNarrowAndARoomIsNot) {
   const BitGrid grid = two_rooms();
-  const NarrowPlaces narrow(straight({2, 2}, {8, 2}), kRadius, grid);
+  const NarrowPlaces narrow(straight_path({2, 2}, {8, 2}), kRadius, grid);
   ASSERT_GT(narrow.count, 0);
   for (int i = 0; i < narrow.count; ++i)
     EXPECT_NEAR(narrow.places[static_cast<std::size_t>(i)].position.x(), 5.05, 0.5);
-  EXPECT_EQ(NarrowPlaces(straight({1, 2}, {4, 2}), kRadius, grid).count, 0);
+  EXPECT_EQ(NarrowPlaces(straight_path({1, 2}, {4, 2}), kRadius, grid).count, 0);
 }
 
 TEST(PassingPlace, OnlyWhoComesTheOtherWayIsMet) {
   const BitGrid grid = two_rooms();
-  const NarrowPlaces narrow(straight({2, 2}, {8, 2}), kRadius, grid);
+  const NarrowPlaces narrow(straight_path({2, 2}, {8, 2}), kRadius, grid);
   EXPECT_NEAR(narrow.length_to_meeting(coming({8, 2}, {1, 2}), kRadius), 3.0, 0.6);
   EXPECT_TRUE(std::isinf(narrow.length_to_meeting(coming({3, 2}, {9, 2}), kRadius)));
   EXPECT_TRUE(std::isinf(narrow.length_to_meeting(coming({8, 1}, {6, 1}), kRadius)));
@@ -54,7 +54,7 @@ TEST(PassingPlace, OnlyWhoComesTheOtherWayIsMet) {
 
 TEST(PassingPlace, OnlyWhoEntersTheSameWayAtTheSameTimeMerges) {
   const BitGrid grid = two_rooms();
-  const NarrowPlaces narrow(straight({3.5, 2.5}, {8, 2}), kRadius, grid);
+  const NarrowPlaces narrow(straight_path({3.5, 2.5}, {8, 2}), kRadius, grid);
   EXPECT_TRUE(std::isfinite(narrow.length_to_merging(coming({3.5, 1.5}, {8, 2.6}), kRadius)));
   EXPECT_TRUE(std::isinf(narrow.length_to_merging(coming({2, 1.5}, {8, 2.3}), kRadius))) << "later";
   EXPECT_TRUE(std::isinf(narrow.length_to_merging(coming({5, 2}, {8, 2}), kRadius))) << "inside";
@@ -63,7 +63,7 @@ TEST(PassingPlace, OnlyWhoEntersTheSameWayAtTheSameTimeMerges) {
 
 TEST(PassingPlace, AGoalInANarrowPlaceShutsIn) {
   const BitGrid grid = two_rooms();
-  const NarrowPlaces narrow(straight({2, 2}, {8, 2}), kRadius, grid);
+  const NarrowPlaces narrow(straight_path({2, 2}, {8, 2}), kRadius, grid);
   EXPECT_TRUE(narrow.hold_goal_of(coming({8, 2}, {5, 2}), kRadius));
   EXPECT_FALSE(narrow.hold_goal_of(coming({8, 2}, {1, 2}), kRadius));
   EXPECT_FALSE(narrow.hold_goal_of(SharedMotion{}, kRadius)) << "no goal";

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRadius = 0.25;
+constexpr double kRobotRadius = 0.25;
 
 // 16 m x 6 m: a room up to x = 4 m, then a passage of 0.8 m at y = 3 m that ends at x = 14 m.
 BitGrid dead_end() {
@@ -26,7 +26,7 @@ BitGrid dead_end() {
 }
 
 SharedMotion robot_at(const Vector2d& position, const Vector2d& goal) {
-  SharedMotion motion{.position = position, .radius = kRadius, .under_way = true};
+  SharedMotion motion{.position = position, .radius = kRobotRadius, .under_way = true};
   motion.can_step_aside = false;
   motion.way.count = 1;
   motion.way.points[0] = goal;
@@ -36,7 +36,7 @@ SharedMotion robot_at(const Vector2d& position, const Vector2d& goal) {
 class WayBackTest : public testing::Test {
  protected:
   PassingEnvironment around() {
-    return {.obstacles = &grid_, .fleet = fleet_, .passing = passing_, .radius = kRadius};
+    return {.obstacles = &grid_, .fleet = fleet_, .passing = passing_, .radius = kRobotRadius};
   }
 
   BitGrid grid_ = dead_end();
@@ -48,14 +48,14 @@ class WayBackTest : public testing::Test {
 TEST_F(WayBackTest, LeadsOutOfThePassageToAPlaceThatLetsPass) {
   const RetreatPath way = find_retreat_path({8, 3}, around());
   ASSERT_TRUE(way.exists());
-  EXPECT_TRUE(lets_pass(way.place(), coming_, kRadius));
+  EXPECT_TRUE(lets_pass(way.place(), coming_, kRobotRadius));
   EXPECT_TRUE(leads_aside(way, {8, 3}, around()));
   EXPECT_GT(way.length({8, 3}), 4.0);
   EXPECT_LT(way.length({8, 3}), 6.0);
   Vector2d from(8, 3);
   for (int i = 0; i < way.count; ++i) {
     const Vector2d& to = way.points[static_cast<std::size_t>(i)];
-    EXPECT_TRUE(is_free(grid_, from, to, kRadius));
+    EXPECT_TRUE(is_free(grid_, from, to, kRobotRadius));
     from = to;
   }
 }
@@ -67,7 +67,7 @@ TEST_F(WayBackTest, DoesNotExistWhereThePassageEndsBehindTheRobot) {
 }
 
 TEST_F(WayBackTest, DoesNotLeadThroughARobotThatStandsAtItsGoal) {
-  SharedMotion arrived{.position = {6, 3}, .radius = kRadius};
+  SharedMotion arrived{.position = {6, 3}, .radius = kRobotRadius};
   fleet_.push_back({.motion = &arrived});
   EXPECT_FALSE(find_retreat_path({8, 3}, around()).exists());
 }
@@ -86,15 +86,15 @@ TEST_F(WayBackTest, LeavesRoomForThoseWhoComeAfter) {
   fleet_.push_back({.motion = &between});
   const RetreatPath followed = find_retreat_path({6, 3}, around());
   ASSERT_TRUE(alone.exists() && followed.exists());
-  EXPECT_TRUE(lets_pass(followed.place(), coming_, kRadius, 2.0 * kRadius));
-  EXPECT_GT(followed.length({6, 3}), alone.length({6, 3}) + kRadius);
+  EXPECT_TRUE(lets_pass(followed.place(), coming_, kRobotRadius, 2.0 * kRobotRadius));
+  EXPECT_GT(followed.length({6, 3}), alone.length({6, 3}) + kRobotRadius);
 }
 
 TEST_F(WayBackTest, IsShortenedByWhatIsPassed) {
   RetreatPath way = find_retreat_path({8, 3}, around());
   const int before = way.count;
   const Vector2d place = way.place();
-  shorten(way, way.points[0], grid_, kRadius);
+  shorten(way, way.points[0], grid_, kRobotRadius);
   EXPECT_LT(way.count, before);
   EXPECT_EQ(way.place(), place);
 }

@@ -8,17 +8,18 @@
 namespace fairway {
 namespace {
 
-constexpr double kDt = 0.1;
+constexpr double kCycleTime = 0.1;
 constexpr double kPatience = 0.4;
 
 TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 100; ++i) {
-    EXPECT_EQ(recovery.update(20.0 - 0.1 * i, false, false, true, kDt, kPatience),
+    EXPECT_EQ(recovery.update(20.0 - 0.1 * i, false, false, true, kCycleTime, kPatience),
               RecoveryAction::None);
   }
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(recovery.update(10.1, true, false, true, kDt, kPatience), RecoveryAction::None);
+    EXPECT_EQ(recovery.update(10.1, true, false, true, kCycleTime, kPatience),
+              RecoveryAction::None);
   }
 }
 
@@ -27,7 +28,7 @@ TEST(RecoveryBehaviour, StandingGoesThroughAllThatCanBeTried) {
     RecoveryBehaviour recovery;
     std::set<RecoveryAction> seen;
     for (int i = 0; i < 200; ++i) {
-      seen.insert(recovery.update(5.0, true, false, can_back, kDt, kPatience));
+      seen.insert(recovery.update(5.0, true, false, can_back, kCycleTime, kPatience));
     }
     EXPECT_TRUE(seen.contains(RecoveryAction::Turn));
     EXPECT_TRUE(seen.contains(RecoveryAction::Plan));
@@ -42,11 +43,11 @@ TEST(RecoveryBehaviour, WhatIsRefusedGivesWayToTheNextThingSoon) {
   std::set<RecoveryAction> seen;
   int cycles = 0;
   for (; !seen.contains(RecoveryAction::Wait) && cycles < 100; ++cycles) {
-    const RecoveryAction action = recovery.update(5.0, true, false, true, kDt, kPatience);
+    const RecoveryAction action = recovery.update(5.0, true, false, true, kCycleTime, kPatience);
     seen.insert(action);
     if (action != RecoveryAction::None) recovery.refuse();
   }
-  EXPECT_LT(cycles * kDt, 2.0);
+  EXPECT_LT(cycles * kCycleTime, 2.0);
   for (const RecoveryAction action : {RecoveryAction::Turn, RecoveryAction::Plan,
                                       RecoveryAction::Back, RecoveryAction::TurnToClearance})
     EXPECT_TRUE(seen.contains(action));
@@ -55,26 +56,27 @@ TEST(RecoveryBehaviour, WhatIsRefusedGivesWayToTheNextThingSoon) {
 TEST(RecoveryBehaviour, TwoRefusalsAreNoReasonToGiveUp) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 5; ++i)
-    (void)recovery.update(5.0, true, false, true, kDt, kPatience);
+    (void)recovery.update(5.0, true, false, true, kCycleTime, kPatience);
   recovery.refuse();
   recovery.refuse();
   for (int i = 0; i < 20; ++i) {
-    EXPECT_EQ(recovery.update(5.0, false, false, true, kDt, kPatience), RecoveryAction::Turn);
+    EXPECT_EQ(recovery.update(5.0, false, false, true, kCycleTime, kPatience),
+              RecoveryAction::Turn);
   }
 }
 
 TEST(RecoveryBehaviour, AnAlignedRobotThatStandsIsPlannedForAtOnce) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 3; ++i)
-    (void)recovery.update(5.0, true, true, false, kDt, kPatience);
-  EXPECT_EQ(recovery.update(5.0, true, true, false, kDt, kPatience), RecoveryAction::Plan);
+    (void)recovery.update(5.0, true, true, false, kCycleTime, kPatience);
+  EXPECT_EQ(recovery.update(5.0, true, true, false, kCycleTime, kPatience), RecoveryAction::Plan);
 }
 
 TEST(RecoveryBehaviour, SwingingOnTheSpotIsNoProgress) {
   RecoveryBehaviour recovery;
   int plans = 0;
   for (int i = 0; i < 100; ++i) {
-    plans += recovery.update(5.0 + 0.01 * (i % 2), false, false, false, kDt, kPatience) ==
+    plans += recovery.update(5.0 + 0.01 * (i % 2), false, false, false, kCycleTime, kPatience) ==
              RecoveryAction::Plan;
   }
   EXPECT_GE(plans, 3);
@@ -92,10 +94,10 @@ TEST(RecoveryBehaviour, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
         remaining += longer;
       }
       remaining -= step;
-      actions +=
-          recovery.update(remaining, false, false, false, kDt, kPatience) != RecoveryAction::None
-              ? 1
-              : 0;
+      actions += recovery.update(remaining, false, false, false, kCycleTime, kPatience) !=
+                         RecoveryAction::None
+                     ? 1
+                     : 0;
     }
     EXPECT_EQ(actions > 0, step == 0.0);
   }
@@ -104,8 +106,8 @@ TEST(RecoveryBehaviour, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
 TEST(RecoveryBehaviour, ProgressEndsIt) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 6; ++i)
-    (void)recovery.update(5.0, true, false, false, kDt, kPatience);
-  EXPECT_EQ(recovery.update(4.8, false, false, false, kDt, kPatience), RecoveryAction::None);
+    (void)recovery.update(5.0, true, false, false, kCycleTime, kPatience);
+  EXPECT_EQ(recovery.update(4.8, false, false, false, kCycleTime, kPatience), RecoveryAction::None);
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ TEST(MovingObjectTracker, GoesOnWhereADiscIsHidden) {
 TEST(MovingObjectTracker, WhatStopsBecomesPartOfTheMap) {
   Hall hall(9);
   const Vector2d start(3.0, -2.0);
-  Vector2d stopped;
+  Vector2d stopped = Vector2d::Zero();
   while (hall.time() < 5.0) {
     const bool stands = hall.time() > 1.5;
     const MovingObstacle truth = disc_at(std::min(hall.time(), 1.5), start, {0.0, 1.0});

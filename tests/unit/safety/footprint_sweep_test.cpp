@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPeriod = 0.1;  // [s]
+constexpr double kSweepPeriod = 0.1;  // [s]
 
-RobotSettings limits() {
+RobotSettings sweep_limits() {
   RobotSettings s;
   s.linear_acceleration_max = 1.0;
   s.angular_acceleration_max = 4.0;
@@ -51,7 +51,7 @@ TEST(FootprintSweep, AProvenStopStaysFreeAndARefusedOneComesNear) {
     const Twist2 current{.linear = random.uniform(-0.5, 1), .angular = random.uniform(-3, 3)};
     const Twist2 command{.linear = current.linear + random.uniform(-0.1, 0.1),
                          .angular = current.angular + random.uniform(-0.4, 0.4)};
-    const StopSequence stop = brake_from(command, limits(), kPeriod);
+    const StopSequence stop = brake_from(command, sweep_limits(), kSweepPeriod);
     const CollisionEnvironment around{.obstacles = &obstacles,
                                       .body = body,
                                       .static_margin = random.chance(0.5) ? 0.0 : 0.03,
@@ -93,11 +93,11 @@ TEST(FootprintSweep, ARectanglePassesWhereItsDiscDoesNot) {
     obstacles.set({x, 34}, true);  // up to y = -0.25
     obstacles.set({x, 45}, true);  // from y = 0.25
   }
-  const RobotSettings robot = limits();
+  const RobotSettings robot = sweep_limits();
   const Pose2 pose{.position = {-0.8, 0.0}, .heading = 0.0};
   const Twist2 twist{.linear = 1.0, .angular = 0.0};
   const auto verdict = [&](const Footprint& body) {
-    return check_stop(pose, twist, twist, brake_from(twist, robot, kPeriod), kPeriod,
+    return check_stop(pose, twist, twist, brake_from(twist, robot, kSweepPeriod), kSweepPeriod,
                       {.obstacles = &obstacles, .body = body, .moving = {}});
   };
   EXPECT_EQ(verdict(Footprint::rectangle(0.458, 0.416)), StopVerdict::Free);
@@ -106,12 +106,12 @@ TEST(FootprintSweep, ARectanglePassesWhereItsDiscDoesNot) {
 
 TEST(FootprintSweep, ARectangleTurnsOnlyWhereItsCornersFit) {
   const BitGrid obstacles = wall_at_quarter_metre();
-  const RobotSettings robot = limits();
+  const RobotSettings robot = sweep_limits();
   const Twist2 turning{.linear = 0.0, .angular = 1.0};
   const auto verdict = [&](double heading) {
     return check_stop(
         {.position = {0, 0}, .heading = heading}, turning, turning,
-        brake_from(turning, robot, kPeriod), kPeriod,
+        brake_from(turning, robot, kSweepPeriod), kSweepPeriod,
         {.obstacles = &obstacles, .body = Footprint::rectangle(0.458, 0.416), .moving = {}});
   };
   EXPECT_EQ(verdict(0.4), StopVerdict::HitsStatic);
@@ -120,12 +120,12 @@ TEST(FootprintSweep, ARectangleTurnsOnlyWhereItsCornersFit) {
 
 TEST(FootprintSweep, ABodyWithNoMoreRoomThanItsMarginMayTurnToWhereItHasMore) {
   const BitGrid obstacles = wall_at_quarter_metre();
-  const RobotSettings robot = limits();
+  const RobotSettings robot = sweep_limits();
   const Footprint body = Footprint::rectangle(0.458, 0.416);
   const Pose2 pose{.position = {0, -0.025}, .heading = 0.3};  // its corner 9 mm from the wall
   const auto verdict = [&](double angular, bool margin_where_it_stands) {
     const Twist2 turning{.linear = 0.0, .angular = angular};
-    return check_stop(pose, {}, turning, brake_from(turning, robot, kPeriod), kPeriod,
+    return check_stop(pose, {}, turning, brake_from(turning, robot, kSweepPeriod), kSweepPeriod,
                       {.obstacles = &obstacles,
                        .body = body,
                        .static_margin = footprint_clearance(obstacles, body, pose, 1.0),
@@ -140,12 +140,12 @@ TEST(FootprintSweep, ABodyWithNoMoreRoomThanItsMarginMayTurnToWhereItHasMore) {
 TEST(FootprintSweep, AMovingDiscMayPassBesideANarrowBody) {
   const BitGrid empty(
       GridFrame{.width = 400, .height = 400, .resolution = 0.05, .origin = {{-10, -10}, 0}}, false);
-  const RobotSettings robot = limits();
+  const RobotSettings robot = sweep_limits();
   const Footprint narrow = Footprint::rectangle(1.0, 0.2);
   const auto verdict = [&](double y) {
     const MovingObstacle passing{.position = {1.2, y}, .velocity = {-1.5, 0.0}, .radius = 0.2};
-    return check_stop({}, {0.5, 0.0}, {0.5, 0.0}, brake_from({0.5, 0.0}, robot, kPeriod), kPeriod,
-                      {.obstacles = &empty, .body = narrow, .moving = {&passing, 1}});
+    return check_stop({}, {0.5, 0.0}, {0.5, 0.0}, brake_from({0.5, 0.0}, robot, kSweepPeriod),
+                      kSweepPeriod, {.obstacles = &empty, .body = narrow, .moving = {&passing, 1}});
   };
   EXPECT_EQ(verdict(0.36), StopVerdict::Free);
   EXPECT_EQ(verdict(0.28), StopVerdict::HitsMoving);

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPeriod = 0.1;  // [s]
+constexpr double kCheckPeriod = 0.1;  // [s]
 
 RobotSettings limits() {
   RobotSettings s;
@@ -28,7 +28,7 @@ TEST(Stopping, BrakingEndsAtRestWithinTheLimits) {
   test::Random random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Twist2 from{.linear = random.uniform(-1, 1.5), .angular = random.uniform(-1.5, 1.5)};
-    const StopSequence stop = brake_from(from, limits(), kPeriod);
+    const StopSequence stop = brake_from(from, limits(), kCheckPeriod);
     Twist2 before = from;
     for (int i = 0; i < stop.count; ++i) {
       const Twist2& now = stop.commands[static_cast<std::size_t>(i)];
@@ -41,7 +41,7 @@ TEST(Stopping, BrakingEndsAtRestWithinTheLimits) {
     EXPECT_EQ(before.linear, 0.0);
     EXPECT_EQ(before.angular, 0.0);
   }
-  EXPECT_EQ(brake_from({}, limits(), kPeriod).count, 0);
+  EXPECT_EQ(brake_from({}, limits(), kCheckPeriod).count, 0);
 }
 
 TEST(Stopping, AProvenStopReallyStaysFree) {
@@ -58,7 +58,7 @@ TEST(Stopping, AProvenStopReallyStaysFree) {
     const Twist2 command{.linear = current.linear + random.uniform(-0.1, 0.1),
                          .angular = current.angular + random.uniform(-0.2, 0.2)};
     const double radius = 0.2;
-    const StopSequence stop = brake_from(command, limits(), kPeriod);
+    const StopSequence stop = brake_from(command, limits(), kCheckPeriod);
     const CollisionEnvironment around{
         .obstacles = &obstacles, .body = Footprint::disc(radius), .moving = {}};
     const bool free = check_stop(pose, current, command, stop, 0.1, around) == StopVerdict::Free;
@@ -95,7 +95,7 @@ TEST(Stopping, AnObstacleThatComesOnIsSeenBetweenSamples) {
                                     .body = Footprint::disc(0.3),
                                     .moving = {&fast, 1},
                                     .moving_margin = 0.0};
-  const StopSequence stop = brake_from({0.3, 0}, limits(), kPeriod);
+  const StopSequence stop = brake_from({0.3, 0}, limits(), kCheckPeriod);
   EXPECT_EQ(check_stop({}, {0.3, 0}, {0.3, 0}, stop, 0.1, around), StopVerdict::HitsMoving);
 }
 
@@ -107,10 +107,11 @@ TEST(Stopping, LeavingAnObstacleThatIsTooNearIsAllowed) {
                                     .body = Footprint::disc(0.3),
                                     .moving = {&near, 1},
                                     .moving_margin = 0.0};
-  EXPECT_EQ(check_stop({}, {}, {0.1, 0}, brake_from({0.1, 0}, limits(), kPeriod), 0.1, around),
+  EXPECT_EQ(check_stop({}, {}, {0.1, 0}, brake_from({0.1, 0}, limits(), kCheckPeriod), 0.1, around),
             StopVerdict::Free);
-  EXPECT_EQ(check_stop({}, {}, {-0.1, 0}, brake_from({-0.1, 0}, limits(), kPeriod), 0.1, around),
-            StopVerdict::HitsMoving);
+  EXPECT_EQ(
+      check_stop({}, {}, {-0.1, 0}, brake_from({-0.1, 0}, limits(), kCheckPeriod), 0.1, around),
+      StopVerdict::HitsMoving);
 }
 
 TEST(Stopping, ABodyThatFitsIsStoppedWhereItCouldNotTurn) {
@@ -127,7 +128,7 @@ TEST(Stopping, ABodyThatFitsIsStoppedWhereItCouldNotTurn) {
   CollisionEnvironment around{
       .obstacles = &obstacles, .body = Footprint::rectangle(0.458, 0.416), .moving = {}};
   const auto verdict = [&] {
-    return check_stop(pose, slow, slow, brake_from(slow, limits(), kPeriod), 0.1, around);
+    return check_stop(pose, slow, slow, brake_from(slow, limits(), kCheckPeriod), 0.1, around);
   };
   EXPECT_EQ(verdict(), StopVerdict::Free);
   around.turning_radius = 0.25;

@@ -12,13 +12,13 @@ namespace {
 using Eigen::Vector2d;
 using Kind = LegendEntry::Kind;
 
-constexpr double kPageWidth = 516.0;  // both columns of a journal [pt]
-constexpr double kLeft = 52.0;        // [pt]
-constexpr double kRight = 10.0;       // [pt]
-constexpr double kTop = 6.0;          // [pt]
+constexpr double kSpeedsWidth = 516.0;  // both columns of a journal [pt]
+constexpr double kSpeedsLeft = 52.0;    // [pt]
+constexpr double kSpeedsRight = 10.0;   // [pt]
+constexpr double kSpeedsTop = 6.0;      // [pt]
 constexpr double kPanelHeight = 130.0;
 constexpr double kPanelGap = 14.0;
-constexpr double kBottom = 34.0;
+constexpr double kSpeedsBottom = 34.0;
 
 const Stroke kLimitStroke{.color = palette::kBlack, .width = 1.2, .dash = {6.0, 3.0}};
 
@@ -64,8 +64,9 @@ void draw_panel(Canvas& canvas,
   const double low = std::min(0.0, drawing.min.*speed);
   const double high = drawing.max.*speed;
   const double room = 0.12 * (high - low);
-  const PlotAxes axes({.min = {kLeft, top}, .max = {kPageWidth - kRight, top + kPanelHeight}},
-                      {.min = {0.0, low - room}, .max = {end_of(drawing), high + room}});
+  const PlotAxes axes(
+      {.min = {kSpeedsLeft, top}, .max = {kSpeedsWidth - kSpeedsRight, top + kPanelHeight}},
+      {.min = {0.0, low - room}, .max = {end_of(drawing), high + room}});
   axes.draw(canvas, x_name, y_name, true);
   canvas.begin_clip(axes.area());
   const std::size_t count = drawing.robots.size();
@@ -106,15 +107,15 @@ std::vector<LegendEntry> legend(const SpeedDrawing& drawing) {
 
 Expected<std::string> draw_speeds(const SpeedDrawing& drawing, PictureFormat format) {
   const std::vector<LegendEntry> entries = legend(drawing);
-  const double width = kPageWidth - kLeft - kRight;
+  const double width = kSpeedsWidth - kSpeedsLeft - kSpeedsRight;
   const double legend_room =
-      legend_height(Canvas(PictureFormat::Svg, {kPageWidth, 100.0}), entries, width) + 4.0;
-  const double first = kTop + legend_room;
+      legend_height(Canvas(PictureFormat::Svg, {kSpeedsWidth, 100.0}), entries, width) + 4.0;
+  const double first = kSpeedsTop + legend_room;
   const double second = first + kPanelHeight + kPanelGap;
-  Canvas canvas(format, {kPageWidth, second + kPanelHeight + kBottom});
+  Canvas canvas(format, {kSpeedsWidth, second + kPanelHeight + kSpeedsBottom});
   draw_panel(canvas, drawing, &Twist2::linear, first, "", "linear speed [m/s]");
   draw_panel(canvas, drawing, &Twist2::angular, second, "time [s]", "angular speed [rad/s]");
-  draw_legend(canvas, entries, {kLeft, kTop}, width);
+  draw_legend(canvas, entries, {kSpeedsLeft, kSpeedsTop}, width);
   return canvas.finish();
 }
 

@@ -17,9 +17,9 @@ namespace fairway::io {
 
 namespace {
 
-constexpr std::size_t kLongestFile = 16U << 20;  // [bytes]; key frames can be many
-constexpr double kFurthest = 1e7;                // [m]
-constexpr double kLongestTime = 1e5;             // [s]
+constexpr std::size_t kLongestScenario = 16U << 20;  // [bytes]; key frames can be many
+constexpr double kFurthest = 1e7;                    // [m]
+constexpr double kLongestTime = 1e5;                 // [s]
 
 void require_on_map(YamlMapping& mapping,
                     const char* key,
@@ -152,7 +152,7 @@ void read_models(YamlMapping& root, Scenario& scenario) {
 }  // namespace
 
 Expected<Scenario> read_scenario(const std::string& path, std::vector<std::string>* warnings) {
-  const Expected<std::string> text = read_whole_file(path, kLongestFile);
+  const Expected<std::string> text = read_whole_file(path, kLongestScenario);
   if (!text) return tl::unexpected(text.error());
   YamlFile file{.name = path, .error = {}, .warnings = {}};
   YamlMapping root = parse_yaml_mapping(file, *text);

@@ -17,7 +17,7 @@ namespace fairway::io {
 namespace {
 
 constexpr std::size_t kLargestFile = 64U << 20U;  // [bytes]
-constexpr double kFurthest = 1e7;                 // [m]
+constexpr double kFurthestPlace = 1e7;            // [m]
 constexpr double kMostFrames = 1e9;
 constexpr std::array<const char*, 8> kColumns{"frame", "id", "x", "z", "y", "vx", "vz", "vy"};
 
@@ -59,9 +59,9 @@ Expected<std::optional<Row>> read_row(std::string_view line) {
     return fail(
         fmt::format("id: expected a whole number from 0 to {:g}, found {}", kMostFrames, row[1]));
   }
-  if (std::abs(row[2]) > kFurthest || std::abs(row[4]) > kFurthest) {
+  if (std::abs(row[2]) > kFurthestPlace || std::abs(row[4]) > kFurthestPlace) {
     return fail(
-        fmt::format("expected places to {:g} m, found [{}, {}]", kFurthest, row[2], row[4]));
+        fmt::format("expected places to {:g} m, found [{}, {}]", kFurthestPlace, row[2], row[4]));
   }
   return row;
 }

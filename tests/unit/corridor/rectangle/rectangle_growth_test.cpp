@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-Vector2d random_point(test::Random& random, const GridFrame& frame) {
+Vector2d random_seed_point(test::Random& random, const GridFrame& frame) {
   return frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
 }
 
@@ -30,7 +30,7 @@ TEST(RectangleGrowth, IsFreeHoldsTheSeedAndCannotGrowByACell) {
                                   .growth_step = cell * random.uniform(0.2, 5.0),
                                   .max_growth = cell * random.uniform(10.0, 80.0),
                                   .start_size = cell * random.uniform(0.0, 1.0)};
-    const Vector2d seed = random_point(random, obstacles.frame());
+    const Vector2d seed = random_seed_point(random, obstacles.frame());
     const auto r = grow_rectangle(obstacles, clearance, seed, settings);
     if (!r) continue;
     ++found;
@@ -63,7 +63,7 @@ TEST(RectangleGrowth, IsWhatGrowingStepByStepOnTheMapGives) {
                             .growth_step = cell * random.uniform(1.1, 4.0),
                             .max_growth = cell * random.uniform(10.0, 80.0),
                             .start_size = cell * random.uniform(0.0, 3.0)};
-    const Vector2d seed = random_point(random, obstacles.frame());
+    const Vector2d seed = random_seed_point(random, obstacles.frame());
     const auto slow = test::grow_step_by_step(obstacles, clearance, seed, 0.0, settings);
     const auto quick = grow_rectangle(obstacles, clearance, seed, settings);
     ASSERT_EQ(quick.has_value(), slow.has_value()) << trial;
@@ -88,7 +88,7 @@ TEST(RectangleGrowth, TheBestOrientationIsNeverSmallerThanTheFirst) {
   test::Random random(42);
   for (int trial = 0; trial < 100; ++trial) {
     const BitGrid obstacles(test::random_world(random, 100));
-    const Vector2d seed = random_point(random, obstacles.frame());
+    const Vector2d seed = random_seed_point(random, obstacles.frame());
     const auto one = grow_rectangle(obstacles, 0.0, seed, {.num_orientations = 1});
     const auto ten = grow_rectangle(obstacles, 0.0, seed, {});
     if (!one) continue;

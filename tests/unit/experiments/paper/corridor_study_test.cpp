@@ -9,14 +9,14 @@
 namespace fairway::reproduction {
 namespace {
 
-StudyOptions quick_options() {
+StudyOptions corridor_options() {
   StudyOptions options{.threads = 2};
   options.clock = [] { return 0.0; };
   return options;
 }
 
 TEST(CorridorStudy, SoundCorridorsAreFreeAndConnected) {
-  const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 4, quick_options());
+  const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 4, corridor_options());
   ASSERT_EQ(maps.size(), 4U);
   for (const CorridorComparison& map : maps) {
     const BitGrid obstacles(generate_map(MapKind::UnstructuredSmall, map.seed));
@@ -35,24 +35,24 @@ TEST(CorridorStudy, SoundCorridorsAreFreeAndConnected) {
 }
 
 TEST(CorridorStudy, TheFirstMapHasTheSeedAskedFor) {
-  StudyOptions options = quick_options();
+  StudyOptions options = corridor_options();
   options.seed = 3;
   const auto maps = compare_corridors_on_maps(MapKind::Structured, 1, options);
   EXPECT_EQ(maps.front().seed, 3U);
 }
 
 TEST(CorridorStudy, DoesNotDependOnThreads) {
-  StudyOptions one = quick_options();
+  StudyOptions one = corridor_options();
   one.threads = 1;
   const auto a = compare_corridors_on_maps(MapKind::UnstructuredSmall, 3, one);
-  const auto b = compare_corridors_on_maps(MapKind::UnstructuredSmall, 3, quick_options());
+  const auto b = compare_corridors_on_maps(MapKind::UnstructuredSmall, 3, corridor_options());
   const CorridorEnvironment first{MapKind::UnstructuredSmall, "e", a};
   const CorridorEnvironment second{MapKind::UnstructuredSmall, "e", b};
   EXPECT_EQ(corridor_numbers({first}).dump(), corridor_numbers({second}).dump());
 }
 
 TEST(CorridorTables, StateThePaperBesideOurs) {
-  const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 2, quick_options());
+  const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 2, corridor_options());
   const Table table = table_two({{MapKind::UnstructuredSmall, "Environment 2", maps}});
   ASSERT_EQ(table.rows.size(), kCorridorKinds);
   EXPECT_EQ(table.rows[2][1], "12");
@@ -62,7 +62,7 @@ TEST(CorridorTables, StateThePaperBesideOurs) {
 }
 
 TEST(CorridorTables, BasesOfThePercentagesDiffer) {
-  const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 3, quick_options());
+  const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 3, corridor_options());
   const CorridorGain gain = gain_over(maps, CorridorKind::MdsrcSound, CorridorKind::SrcSound);
   // (m - s) / s exceeds (m - s) / m where m exceeds s.
   EXPECT_GT(gain.larger.mean, gain.larger_of_own.mean);

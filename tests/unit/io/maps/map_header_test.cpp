@@ -20,7 +20,7 @@ std::string header_with(const std::string& key = "", const std::string& line = "
   return text;
 }
 
-std::string complaint(const std::string& text) {
+std::string header_complaint(const std::string& text) {
   const auto header = parse_map_header(text, "m.yaml");
   return header ? "none" : header.error().message;
 }
@@ -49,28 +49,28 @@ TEST(MapHeader, TakesNegateAsNumberOrWord) {
 }
 
 TEST(MapHeader, NamesFileLineKeyExpectedAndFound) {
-  EXPECT_EQ(complaint(header_with("resolution", "resolution: 0")),
+  EXPECT_EQ(header_complaint(header_with("resolution", "resolution: 0")),
             "m.yaml:2: resolution: expected a number above 0 and at most 1000, found '0'");
-  EXPECT_EQ(complaint(header_with("resolution", "resolution: -0.05")),
+  EXPECT_EQ(header_complaint(header_with("resolution", "resolution: -0.05")),
             "m.yaml:2: resolution: expected a number above 0 and at most 1000, found '-0.05'");
-  EXPECT_EQ(complaint(header_with("resolution", "resolution: .nan")),
+  EXPECT_EQ(header_complaint(header_with("resolution", "resolution: .nan")),
             "m.yaml:2: resolution: expected a number above 0 and at most 1000, found '.nan'");
-  EXPECT_EQ(complaint(header_with("resolution")),
+  EXPECT_EQ(header_complaint(header_with("resolution")),
             "m.yaml:1: resolution: expected a number above 0 and at most 1000, found no such key");
-  EXPECT_EQ(complaint(header_with("negate", "negate: maybe")),
+  EXPECT_EQ(header_complaint(header_with("negate", "negate: maybe")),
             "m.yaml:4: negate: expected true or false, found 'maybe'");
-  EXPECT_EQ(complaint(header_with("mode", "mode: color")),
+  EXPECT_EQ(header_complaint(header_with("mode", "mode: color")),
             "m.yaml:7: mode: expected trinary, scale or raw, found 'color'");
-  EXPECT_EQ(complaint(header_with("mode", "mood: raw")),
+  EXPECT_EQ(header_complaint(header_with("mode", "mood: raw")),
             "m.yaml:7: 'mood': expected one of free_thresh, image, mode, negate, occupied_thresh, "
             "origin, resolution, found an unknown key");
-  EXPECT_EQ(complaint(header_with("free_thresh", "free_thresh: 0.7")),
+  EXPECT_EQ(header_complaint(header_with("free_thresh", "free_thresh: 0.7")),
             "m.yaml:6: free_thresh: expected less than occupied_thresh 0.65, found 0.7");
-  EXPECT_EQ(complaint(header_with("origin", "origin: [0, nan, 0]")),
+  EXPECT_EQ(header_complaint(header_with("origin", "origin: [0, nan, 0]")),
             "m.yaml:3: origin: expected a list of 3 numbers, found 'nan'");
-  EXPECT_EQ(complaint(header_with("origin", "origin: [0, 0]")),
+  EXPECT_EQ(header_complaint(header_with("origin", "origin: [0, 0]")),
             "m.yaml:3: origin: expected a list of 3 numbers, found 2 of them");
-  EXPECT_EQ(complaint("image: a\n" + header_with()),
+  EXPECT_EQ(header_complaint("image: a\n" + header_with()),
             "m.yaml:2: 'image': expected a key once, found it twice");
 }
 
@@ -78,20 +78,20 @@ TEST(MapHeader, RefusesEveryOtherWrongValue) {
   for (const char* line :
        {"resolution: inf", "resolution: 1e400", "resolution: 1e-9", "resolution: 1e9",
         "resolution: [0.05]", "resolution: abc", "resolution: ''", "resolution:"}) {
-    EXPECT_NE(complaint(header_with("resolution", line)), "none") << line;
+    EXPECT_NE(header_complaint(header_with("resolution", line)), "none") << line;
   }
   for (const char* line : {"origin: 0", "origin: [0, 0, .inf]", "origin: [1e300, 0, 0]",
                            "origin: {x: 0}", "origin: [[0], 0, 0]", "origin:"}) {
-    EXPECT_NE(complaint(header_with("origin", line)), "none") << line;
+    EXPECT_NE(header_complaint(header_with("origin", line)), "none") << line;
   }
   for (const char* line : {"image:", "image: []", "image: ''"}) {
-    EXPECT_NE(complaint(header_with("image", line)), "none") << line;
+    EXPECT_NE(header_complaint(header_with("image", line)), "none") << line;
   }
   for (const char* key : {"image", "origin", "negate", "occupied_thresh", "free_thresh"}) {
-    EXPECT_NE(complaint(header_with(key)), "none") << key;
+    EXPECT_NE(header_complaint(header_with(key)), "none") << key;
   }
-  EXPECT_NE(complaint(header_with("occupied_thresh", "occupied_thresh: 1.5")), "none");
-  EXPECT_NE(complaint(header_with("free_thresh", "free_thresh: -0.1")), "none");
+  EXPECT_NE(header_complaint(header_with("occupied_thresh", "occupied_thresh: 1.5")), "none");
+  EXPECT_NE(header_complaint(header_with("free_thresh", "free_thresh: -0.1")), "none");
 }
 
 TEST(MapHeader, RefusesWhatIsNotOneMapping) {
@@ -101,7 +101,7 @@ TEST(MapHeader, RefusesWhatIsNotOneMapping) {
         std::string("\x89PNG\r\n\x1a\n"), std::string("\xff\xfe\xff"), std::string("{? [1]: 2}"),
         std::string("---\na: 1\n---\nb: 2"), std::string("&a [*a]"), std::string("a: &x [*x]"),
         std::string(5000, '['), std::string(5000, '{')}) {
-    const std::string message = complaint(text);
+    const std::string message = header_complaint(text);
     EXPECT_TRUE(message.starts_with("m.yaml:")) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }

@@ -22,7 +22,7 @@ std::string png(int width, int height, const std::string& format, const std::str
   return {static_cast<const char*>(blob.data()), blob.length()};
 }
 
-std::string complaint(const std::string& bytes) {
+std::string image_complaint(const std::string& bytes) {
   const auto image = decode_map_image(bytes, "m.pgm");
   return image ? "none" : image.error().message;
 }
@@ -75,46 +75,46 @@ TEST(MapImage, KnowsWhichPixelsAreOpaque) {
 TEST(MapImage, NoticesATruncatedFileAtEveryLength) {
   const std::string pgm = p5(4, 4, std::string(16, 'x'));
   for (std::size_t length = 0; length < pgm.size(); ++length) {
-    EXPECT_NE(complaint(pgm.substr(0, length)), "none") << length;
+    EXPECT_NE(image_complaint(pgm.substr(0, length)), "none") << length;
   }
   const std::string picture = png(4, 4, "I", std::string(16, 'x'));
   for (std::size_t length = 0; length < picture.size(); ++length) {
-    EXPECT_NE(complaint(picture.substr(0, length)), "none") << length;
+    EXPECT_NE(image_complaint(picture.substr(0, length)), "none") << length;
   }
-  EXPECT_EQ(complaint(pgm.substr(0, pgm.size() - 1)),
+  EXPECT_EQ(image_complaint(pgm.substr(0, pgm.size() - 1)),
             "m.pgm: expected 16 bytes of pixels, found 15: the file is truncated");
-  EXPECT_NE(complaint("P2 2 2 255 1 2 3"), "none");
+  EXPECT_NE(image_complaint("P2 2 2 255 1 2 3"), "none");
 }
 
 TEST(MapImage, NoticesAChangedPng) {
   const std::string good = png(4, 4, "I", std::string(16, 'x'));
-  ASSERT_EQ(complaint(good), "none");
+  ASSERT_EQ(image_complaint(good), "none");
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ 0x10);
-    EXPECT_NE(complaint(bad), "none") << i;
+    EXPECT_NE(image_complaint(bad), "none") << i;
   }
 }
 
 TEST(MapImage, RefusesAbsurdSizesBeforeReading) {
   for (const char* size : {"1000000 1000000", "0 5", "5 0", "32769 1", "20000 20000",
                            "99999999999999999999 1", "-1 1", "4294967297 1"}) {
-    EXPECT_NE(complaint("P5 " + std::string(size) + " 255\nabc"), "none") << size;
-    EXPECT_NE(complaint("P2 " + std::string(size) + " 255\n1 2"), "none") << size;
+    EXPECT_NE(image_complaint("P5 " + std::string(size) + " 255\nabc"), "none") << size;
+    EXPECT_NE(image_complaint("P2 " + std::string(size) + " 255\n1 2"), "none") << size;
   }
 }
 
 TEST(MapImage, RefusesSamplesAboveTheMaximum) {
-  EXPECT_NE(complaint("P2 1 1 15 16"), "none");
-  EXPECT_NE(complaint("P5 1 1 15\n\x10"), "none");
-  EXPECT_NE(complaint("P5 1 1 0\n\x10"), "none");
-  EXPECT_NE(complaint("P5 1 1 70000\n\x10\x10"), "none");
+  EXPECT_NE(image_complaint("P2 1 1 15 16"), "none");
+  EXPECT_NE(image_complaint("P5 1 1 15\n\x10"), "none");
+  EXPECT_NE(image_complaint("P5 1 1 0\n\x10"), "none");
+  EXPECT_NE(image_complaint("P5 1 1 70000\n\x10\x10"), "none");
 }
 
 TEST(MapImage, TakesOnlyPgmAndPng) {
   for (const char* bytes : {"", "P6 1 1 255\nabc", "GIF89a", "BM", "<svg/>", "P5", "P", "%PDF",
                             "push graphic-context", "P5x"}) {
-    EXPECT_NE(complaint(bytes), "none") << bytes;
+    EXPECT_NE(image_complaint(bytes), "none") << bytes;
   }
 }
 

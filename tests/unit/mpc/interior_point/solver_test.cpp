@@ -21,10 +21,10 @@ using test::RandomProblemOptions;
 
 /// Calls check(problem, solver) for many random problems.
 template <typename Check>
-void for_random_problems(std::uint64_t seed,
-                         int count,
-                         const RandomProblemOptions& options,
-                         Check&& check) {
+void for_each_problem(std::uint64_t seed,
+                      int count,
+                      const RandomProblemOptions& options,
+                      Check&& check) {
   const auto solver = std::make_unique<InteriorPointSolver>();
   Random random(seed);
   for (int trial = 0; trial < count; ++trial) {
@@ -39,7 +39,7 @@ constexpr RandomProblemOptions kLong{.max_horizon = kMaxHorizon, .max_obstacles 
 
 TEST(InteriorPointSolver, ReportsWhatAnIndependentRolloutFinds) {
   for (const RandomProblemOptions& options : {kPaper, RandomProblemOptions{}, kLong}) {
-    for_random_problems(71, 300, options, [](const ControlProblem& problem, auto& solver) {
+    for_each_problem(71, 300, options, [](const ControlProblem& problem, auto& solver) {
       const MpcSolution& solution = solver.solve(problem);
       EXPECT_LE(bound_violation(problem, solution.commands).max, 0.0);
       MpcSolution assessed = solution;
@@ -61,7 +61,7 @@ TEST(InteriorPointSolver, SatisfiesTheOptimalityConditions) {
   int solved = 0;
   int total = 0;
   for (const RandomProblemOptions& options : {kPaper, RandomProblemOptions{}}) {
-    for_random_problems(72, 60, options, [&](const ControlProblem& problem, auto& solver) {
+    for_each_problem(72, 60, options, [&](const ControlProblem& problem, auto& solver) {
       const MpcSolution& solution = solver.solve(problem);
       ++total;
       if (solution.status != SolveStatus::Solved && solution.status != SolveStatus::LeastViolation)
@@ -75,7 +75,7 @@ TEST(InteriorPointSolver, SatisfiesTheOptimalityConditions) {
 }
 
 TEST(InteriorPointSolver, GivesTheSameBitsForTheSameInput) {
-  for_random_problems(73, 50, {}, [](const ControlProblem& problem, auto& solver) {
+  for_each_problem(73, 50, {}, [](const ControlProblem& problem, auto& solver) {
     const MpcSolution first = solver.solve(problem);
     solver.solve(ControlProblem{});
     const MpcSolution& second = solver.solve(problem);
@@ -93,7 +93,7 @@ TEST(InteriorPointSolver, GivesTheSameBitsInRegistersOfAnyWidth) {
   if (wide == nullptr) GTEST_SKIP() << "this processor or this build has none of 256 bits";
   const auto other = std::make_unique<InteriorPointSolver>(interior_point::kernels_128());
   for (const RandomProblemOptions& options : {kPaper, RandomProblemOptions{}, kLong}) {
-    for_random_problems(75, 100, options, [&](const ControlProblem& problem, auto& solver) {
+    for_each_problem(75, 100, options, [&](const ControlProblem& problem, auto& solver) {
       const MpcSolution& a = solver.solve(problem);
       const MpcSolution& b = other->solve(problem);
       EXPECT_EQ(a.iterations, b.iterations);
@@ -143,7 +143,7 @@ TEST(InteriorPointSolver, GoesRoundAnObstacleThatIsExactlyAhead) {
 }
 
 TEST(InteriorPointSolver, KeepsTheBestOfSeveralStarts) {
-  for_random_problems(74, 200, {}, [](const ControlProblem& problem, auto& solver) {
+  for_each_problem(74, 200, {}, [](const ControlProblem& problem, auto& solver) {
     std::array<InitialGuess, 3> starts;
     spread_guesses(problem, {}, starts);
     const auto merit = [&](const MpcSolution& s) {

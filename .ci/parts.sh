@@ -1,0 +1,36 @@
+# Parts of a check, each with its time; sourced by .ci/run and .ci/nightly.
+#   part NAME COMMAND...   runs the command, and goes on where it fails
+#   finish                 prints what failed and "N passed, N failed"; gives 1 where anything failed
+passed=0
+failed=0
+failures=()
+mkdir -p build
+
+part() {
+  local name=$1 began=$SECONDS log=build/part.log status=0 counts wrong=0
+  shift
+  echo "== $name: $*"
+  "$@" 2>&1 | tee "$log" || status=1
+  # The tests of ctest count one by one, other parts as one.
+  counts=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
+  if [ -n "$counts" ]; then
+    wrong=${counts% *}
+    passed=$((passed + ${counts#* } - wrong))
+    failed=$((failed + wrong))
+  elif [ "$status" -eq 0 ]; then
+    passed=$((passed + 1))
+  fi
+  if [ "$status" -eq 0 ]; then
+    echo "== $name passed in $((SECONDS - began)) s"
+  else
+    echo "== $name FAILED after $((SECONDS - began)) s"
+    failures+=("$name")
+    [ "$wrong" -gt 0 ] || failed=$((failed + 1))
+  fi
+}
+
+finish() {
+  [ ${#failures[@]} -eq 0 ] || printf 'Failed: %s\n' "${failures[@]}"
+  echo "$passed passed, $failed failed"
+  [ "$failed" -eq 0 ]
+}

@@ -1,0 +1,17 @@
+# Unity builds compile several sources as one: what their headers cost is paid once per batch, and a change
+# of one source compiles its whole batch. So they are for those who build once: ./demo and ./test turn
+# them on. The library itself (fairway, fairway_simulation) is compiled source by source all the same.
+option(FAIRWAY_UNITY_BUILD "Compile the sources of tool, files, experiments and tests in batches" OFF)
+
+# fairway_unity(<target> <number of sources in a batch>)
+function(fairway_unity target batch)
+  if(FAIRWAY_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+  endif()
+endfunction()
+
+# fairway_runs_once(<target>): code that runs once, as commands, tables and tests do, compiles in half the
+# time without the optimisations that loops need.
+function(fairway_runs_once target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
