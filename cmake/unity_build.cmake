@@ -10,8 +10,8 @@ function(fairway_unity target batch)
   endif()
 endfunction()
 
-# fairway_runs_once(<target>): code that runs once, as commands, tables and tests do, compiles in half the
-# time without the optimisations that loops need.
+# fairway_runs_once(<target>): tests compile in half the time without the optimisations that loops need. Not
+# for the tool: inline functions of the library that it compiles too may be those that are linked.
 function(fairway_runs_once target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

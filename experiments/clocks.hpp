@@ -12,7 +12,8 @@ namespace fairway {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// CPU time that this thread has used [s]: unlike time on the wall it does not count other programs.
+/// CPU time that this thread has used [s]: unlike time on the wall it does not count other
+/// programs.
 [[nodiscard]] inline double thread_cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -21,11 +21,13 @@ std::int8_t level_of(NavigationStatus status) noexcept {
     case NavigationStatus::Ok:
     case NavigationStatus::Degraded:
     case NavigationStatus::GoalReached:
+    case NavigationStatus::Planning:
       return DiagnosticStatus::OK;
     case NavigationStatus::Stopping:
     case NavigationStatus::Blocked:
     case NavigationStatus::Recovering:
     case NavigationStatus::NoPlan:
+    case NavigationStatus::GaveUp:
       return DiagnosticStatus::WARN;
     case NavigationStatus::Stale:
     case NavigationStatus::BadInput:

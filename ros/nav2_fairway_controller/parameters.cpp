@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "fairway/navigation/renamed_settings.hpp"
+
 namespace fairway::nav2 {
 
 namespace {
@@ -70,12 +72,35 @@ std::string assign(const rclcpp::Parameter& parameter, const SettingInfo& info, 
   return {};
 }
 
+// Takes over what a parameter file gives under the old name of a setting: it is the default of the
+// new name. Old names work until 1.0.
+template <typename Node>
+void read_renamed(Node& node, const std::string& prefix, Settings& settings) {
+  visit_settings(settings, [&](const char* group, auto&& visit_fields) {
+    visit_fields([&](auto& value, const SettingInfo& info) {
+      using Value = std::remove_cv_t<std::remove_reference_t<decltype(value)>>;
+      const std::string name = std::string(group) + "." + info.name;
+      for (const RenamedSetting& renamed : kRenamedSettings) {
+        if (renamed.name != name) continue;
+        const std::string old_name = prefix + std::string(renamed.old_name);
+        if (!node.has_parameter(old_name)) {
+          node.declare_parameter(old_name, stored(value), describe<Value>(info));
+        }
+        const std::string fault = assign(node.get_parameter(old_name), info, value);
+        if (!fault.empty()) throw ControllerSetupError(old_name + ": " + fault);
+      }
+    });
+  });
+}
+
 }  // namespace
 
 Parameters::Parameters(std::shared_ptr<LifecycleNode> node, std::string plugin)
     : prefix_(std::move(plugin) + ".") {
   std::vector<rclcpp::Parameter> given;
-  visit_settings(settings_, [&](const char* group, auto&& visit_fields) {
+  Settings defaults = settings_;
+  read_renamed(*node, prefix_, defaults);
+  visit_settings(defaults, [&](const char* group, auto&& visit_fields) {
     visit_fields([&](const auto& value, const SettingInfo& info) {
       using Value = std::remove_cv_t<std::remove_reference_t<decltype(value)>>;
       const std::string name = prefix_ + group + "." + info.name;

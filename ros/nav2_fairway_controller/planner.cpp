@@ -24,6 +24,7 @@ namespace {
       throw GoalOccupied(plan.reason());
     case PathStatus::Found:
     case PathStatus::NoConnection:
+    case PathStatus::InvalidInput:
       break;
   }
   throw NoValidPath(plan.reason());

@@ -8,6 +8,7 @@
 
 #include "fairway/io/base64.hpp"
 #include "fairway/io/maps/map_file.hpp"
+#include "fairway/io/maps/map_image.hpp"
 
 namespace fairway::app {
 

@@ -5,8 +5,7 @@
 
 namespace fairway {
 
-Perception::Perception(const PerceptionSettings& settings,
-                       const Eigen::Vector2d& position)
+Perception::Perception(const PerceptionSettings& settings, const Eigen::Vector2d& position)
     : settings_(settings),
       max_beams_(static_cast<std::size_t>(settings.max_beams)),
       grid_(settings, position),

@@ -252,7 +252,7 @@ class DriveTest(unittest.TestCase):
     def test_9b_bad_parameters_are_named_and_end_the_node(self):
         for parameter, message in (
                 ("_mpc/horizn:=3", "'mpc.horizn': expected one of"),
-                ("_mpc/dt:=-1", "mpc.step_length: expected a number from"),
+                ("_mpc/step_length:=-1", "mpc.step_length: expected a number from"),
                 ("_use_mapp:=true", "use_mapp: expected a group of settings, or one of"),
                 ("_use_map:=5", "use_map: expected true or false, found 5")):
             node = self.ros.node("fairway_ros_node", parameter, "__name:=bad", name="bad")

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fairway/io/maps/map_image.hpp"
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml/yaml_document.hpp"
 

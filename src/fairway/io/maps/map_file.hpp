@@ -5,10 +5,11 @@
 #include <string>
 
 #include "fairway/base/error.hpp"
-#include "fairway/io/maps/map_image.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 
 namespace fairway::io {
+
+struct MapImage;
 
 /// How map_server turns brightness into occupancy.
 enum class MapMode : std::uint8_t { Trinary, Scale, Raw };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/io/maps/map_file.hpp"
+#include "fairway/io/maps/map_image.hpp"
 
 namespace fairway::io {
 namespace {

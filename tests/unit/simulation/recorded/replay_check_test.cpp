@@ -83,7 +83,8 @@ TEST(ReplayCheck, GetsEveryCommandOfARobotWithALidarAgainFromItsScansAndPoses) {
   EXPECT_EQ(check.different(), 0);
 }
 
-// Plans that a thread has made arrive in cycles that depend on the machine; the recording says which.
+// Plans that a thread has made arrive in cycles that depend on the machine; the recording says
+// which.
 TEST(ReplayCheck, GetsEveryCommandAgainWherePlansWereMadeInAThread) {
   for (const Sensing sensing : {Sensing::Map, Sensing::Lidar}) {
     Scenario scenario = meeting();

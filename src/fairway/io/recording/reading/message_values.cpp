@@ -115,9 +115,7 @@ std::vector<MovingObstacle> to_obstacles(const Json& list) {
   return result;
 }
 
-NavigationStatus to_status(const Json& number) {
-  return checked(number, NavigationStatus::GaveUp);
-}
+NavigationStatus to_status(const Json& number) { return checked(number, NavigationStatus::GaveUp); }
 
 LimitingFactor to_limit(const Json& number) { return checked(number, LimitingFactor::SmallerPlan); }
 
