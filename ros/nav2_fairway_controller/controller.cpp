@@ -16,8 +16,6 @@ namespace fairway::nav2 {
 
 namespace {
 
-constexpr std::size_t kMaxBeams = 8192;
-
 template <typename Stamp>
 double seconds_of(const Stamp& stamp) {
   return static_cast<double>(stamp.sec) + 1e-9 * static_cast<double>(stamp.nanosec);
@@ -58,7 +56,7 @@ void FairwayController::configure(const LifecycleNode::WeakPtr& parent,
 void FairwayController::cleanup() {
   scans_.reset();
   obstacles_.reset();
-  perception_.reset();
+  tracker_.reset();
   follower_.reset();
   parameters_.reset();
   costmap_.reset();
@@ -153,11 +151,11 @@ void FairwayController::take_scan(const sensor_msgs::msg::LaserScan& message) {
   }
   const std::lock_guard<std::mutex> lock(obstacles_mutex_);
   const Settings settings = parameters_->settings();
-  if (!perception_) {
-    perception_ = std::make_unique<Perception>(settings.perception, kMaxBeams, base.position);
+  if (!tracker_) {
+    tracker_ = std::make_unique<MaplessNavigator>(settings, base.position);
   }
-  perception_->observe(scan, base.position, settings.robot.radius);
-  const MovingObstacles tracked = perception_->tracker().obstacles();
+  tracker_->observe(scan, base.position);
+  const MovingObstacles tracked = tracker_->tracked();
   board_.set_detections("scan", {.obstacles = {tracked.begin(), tracked.end()}, .time = scan.time});
 }
 

@@ -9,7 +9,7 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <sensor_msgs/msg/point_cloud2.hpp>
 
-#include "fairway/perception/perception.hpp"
+#include "fairway/navigation/facade/mapless_navigator.hpp"
 #include "nav2_fairway_controller/parameters.hpp"
 #include "nav2_fairway_controller/path_follower.hpp"
 
@@ -77,7 +77,7 @@ class FairwayController : public nav2_core::Controller {
   // What the subscriptions fill; their callbacks run in the executor's threads.
   std::mutex obstacles_mutex_;
   bridge::ObstacleBoard board_;
-  std::unique_ptr<Perception> perception_;
+  std::unique_ptr<MaplessNavigator> tracker_;
   std::shared_ptr<void> scans_;      // the subscriptions, whose types differ between
   std::shared_ptr<void> obstacles_;  // distributions
 };

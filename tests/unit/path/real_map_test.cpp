@@ -17,7 +17,9 @@ namespace {
 using Eigen::Vector2d;
 
 std::optional<BitGrid> shared_map(const std::string& name) {
-  const auto map = io::read_map(std::string(FAIRWAY_SHARED_DATA) + "/maps/" + name + ".yaml");
+  std::string file = FAIRWAY_SHARED_DATA;
+  file.append("/maps/").append(name).append(".yaml");
+  const auto map = io::read_map(file);
   if (!map) return std::nullopt;
   return BitGrid(*map);
 }

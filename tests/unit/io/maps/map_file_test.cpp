@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/io/maps/map_image.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fairway::io {
