@@ -25,7 +25,7 @@ class Hall {
                              .origin = {.position = {-12, -12}, .heading = 0.0}},
                    false),
         noise_(seed),
-        perception_(settings(), 720, {0, 0}) {
+        perception_(settings(), {0, 0}) {
     lidar_.range_sigma = 0.01;
     lidar_.dropout = 0.01;
   }
