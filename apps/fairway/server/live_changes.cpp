@@ -186,7 +186,6 @@ void LiveWorld::apply(EpisodeControl& /*control*/, const ChooseMapCommand& comma
     scenario_.settings = settings;
     scenario_.sensing = sensing;
   }
-  scenario_.settings.planning.background = true;
   state_.map = command.index;
   again_ = true;
 }

@@ -34,7 +34,6 @@ LiveWorld::LiveWorld(std::vector<MapChoice> choices, LiveListener listener)
   for (const MapChoice& choice : choices_)
     state_.maps.push_back(choice.name);
   scenario_ = choices_.front().make();
-  scenario_.settings.planning.background = true;  // nobody waits for a plan
   thread_ = std::jthread([this] { run(); });
 }
 
