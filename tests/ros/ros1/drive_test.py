@@ -198,7 +198,7 @@ class DriveTest(unittest.TestCase):
         settings = dynamic_reconfigure.client.Client("/fairway", timeout=10)
         self.drive_off(GOALS[1] if self.robot.distance(GOALS[1]) > 2.0 else FAR)
         settings.update_configuration({"robot.linear_max": 0.3})
-        self.assertAlmostEqual(rospy.get_param("/fairway/mpc/linear_max"), 0.3)
+        self.assertAlmostEqual(rospy.get_param("/fairway/robot/linear_max"), 0.3)
         begin = time.monotonic() + 1.0
         time.sleep(2.0)
         speeds = [c[1] for c in self.robot.commands_since(begin)]
