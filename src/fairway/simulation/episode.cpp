@@ -78,8 +78,9 @@ class Episode final : public EpisodeControl {
     }
     if (changed.last.x < 0) return;
     map_.distances.update(map_.obstacles, changed);
-    for (const auto& driver : drivers_)
-      driver->note_map_change();
+    for (std::size_t i = 0; i < drivers_.size(); ++i) {
+      if (!done_[i] && drivers_[i]->note_map_change(world_)) show_plan(i);
+    }
   }
 
   void set_body(std::size_t index, const MovingBody& body) override {
@@ -124,7 +125,7 @@ class Episode final : public EpisodeControl {
 
   void head_for_goal(std::size_t i) {
     if (hooks_.observer != nullptr) hooks_.observer->on_goal(world_.time(), i, goals_[i]);
-    drivers_[i]->head_for(goals_[i]);
+    if (drivers_[i]->head_for(goals_[i], world_)) show_plan(i);
   }
 
   void measure() {

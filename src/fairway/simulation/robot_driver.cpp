@@ -61,7 +61,7 @@ class MapDriver final : public RobotDriver {
                             .step = step,
                             .seconds = now(context_) - before - planning,
                             .new_plan = navigator_.follows_new_plan()};
-    if (context_.clock && navigator_.planned()) result_.plan_seconds.push_back(planning);
+    note_planning();
     tell(world);
     return cycle;
   }
@@ -71,16 +71,33 @@ class MapDriver final : public RobotDriver {
     tell(world);
   }
 
-  void head_for(const Goal& goal) override { navigator_.set_goal(goal); }
-  void note_map_change() override {
+  bool head_for(const Goal& goal, const World& world) override {
+    navigator_.set_goal(goal);
+    return plan_now(world);
+  }
+
+  bool note_map_change(const World& world) override {
     if (context_.settings.planning.background) {
       navigator_.set_map(context_.map.obstacles);
     } else {
       navigator_.map_changed();
     }
+    return plan_now(world);
   }
 
  private:
+  bool plan_now(const World& world) {
+    const bool new_plan =
+        navigator_.plan_now({.time = world.time(), .pose = world.robots()[robot_].pose});
+    note_planning();
+    return new_plan;
+  }
+
+  void note_planning() {
+    if (context_.clock && navigator_.planned())
+      result_.plan_seconds.push_back(navigator_.planning_seconds());
+  }
+
   void tell(const World& world) {
     if (!context_.radio.model().on) return;
     context_.radio.tell(robot_, navigator_.share(static_cast<std::uint32_t>(robot_), world.time(),
@@ -112,8 +129,11 @@ class LidarDriver final : public RobotDriver {
   [[nodiscard]] double next_measurement() const override { return senses_.next_scan(); }
   void measure(const World& world) override { senses_.measure(world); }
   [[nodiscard]] const Navigator& navigator() const override { return navigator_.navigator(); }
-  void head_for(const Goal& goal) override { navigator_.set_goal(goal); }
-  void note_map_change() override {}
+  bool head_for(const Goal& goal, const World& /*world*/) override {
+    navigator_.set_goal(goal);
+    return false;
+  }
+  bool note_map_change(const World& /*world*/) override { return false; }
   void tell_standing(const World& world) override { look_around(world.time()); }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {

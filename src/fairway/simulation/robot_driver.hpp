@@ -40,11 +40,13 @@ class RobotDriver {
   /// One control cycle at the world's time.
   [[nodiscard]] virtual DrivenCycle drive(const World& world) = 0;
 
-  /// Sends the robot to `goal`; the next cycle makes a plan.
-  virtual void head_for(const Goal& goal) = 0;
+  /// Sends the robot to `goal`. A robot that knows the map plans at once, also in a paused world.
+  /// @return whether it follows another plan now.
+  virtual bool head_for(const Goal& goal, const World& world) = 0;
 
-  /// The map that the robot knows has changed. A robot that drives by its lidar sees it itself.
-  virtual void note_map_change() = 0;
+  /// The map has changed. A robot that knows the map looks at its plan at once; one that drives by
+  /// its lidar will see the change. @return whether it follows another plan now.
+  virtual bool note_map_change(const World& world) = 0;
 
   /// Instead of `drive`, where it has arrived or cannot move any more: tells the other robots that
   /// it stands where it is, and need not be waited for.

@@ -151,8 +151,8 @@ Json to_json(const Plan& plan) {
 
 Plan to_plan(const Json& json) {
   Plan plan;
-  plan.path_status = to_enumerated(json.at("path_status"), PathStatus::NoConnection);
-  plan.corridor_status = to_enumerated(json.at("corridor_status"), CorridorStatus::NoOverlap);
+  plan.path_status = to_enumerated(json.at("path_status"), PathStatus::InvalidInput);
+  plan.corridor_status = to_enumerated(json.at("corridor_status"), CorridorStatus::InvalidInput);
   for (const Json& point : json.at("path"))
     plan.path.waypoints.push_back(to_point(point));
   plan.corridor.space = to_enumerated(json.at("space"), CorridorSpace::Configuration);

@@ -76,8 +76,7 @@ void MapNavigator::follow(Path path, const std::optional<double>& goal_heading) 
 }
 
 void MapNavigator::cancel() {
-  state_->task.reset();
-  state_->gave_up = false;
+  state_->task.end();
   state_->navigator->cancel();
 }
 
@@ -87,6 +86,11 @@ void MapNavigator::set_settings(const Settings& settings) { state_->set_settings
 
 NavigationStep MapNavigator::update(const Measurements& measurements) {
   return state_->update(measurements);
+}
+
+bool MapNavigator::plan_now(const Measurements& measurements) {
+  state_->plan_if_needed(measurements, true);
+  return state_->follows_new_plan;
 }
 
 SharedMotion MapNavigator::share(std::uint32_t robot,

@@ -101,6 +101,11 @@ class MapNavigator {
   /// was checked; status and limit say what holds the robot back.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
 
+  /// Makes the plan that the robot needs now, as `update` would, but does not drive: for a robot
+  /// that is paused and shows its plan. With `planning.background` it is begun, or taken over.
+  /// @return whether another plan is followed from now on.
+  bool plan_now(const Measurements& measurements);
+
   /// The message to the other robots after an update at `time` and `pose`.
   [[nodiscard]] SharedMotion share(std::uint32_t robot,
                                    double time,

@@ -52,22 +52,19 @@ void MapNavigator::State::make_parts() {
 }
 
 void MapNavigator::State::set_settings(const Settings& given) {
-  Navigator checked = solver_ != nullptr ? Navigator(given, *solver_) : Navigator(given);
-  settings = given;
+  settings = checked(given);
   make_parts();
   navigator->reset(sent_);
   if (perception) perception.emplace(settings.perception, input.pose.position);
-  if (task) set_task(*std::exchange(task, std::nullopt));
+  if (task.task()) set_task(NavigationTask(*task.task()));
 }
 
 void MapNavigator::State::set_task(NavigationTask given) {
-  task = std::move(given);
+  task.begin(std::move(given));
   ++task_number_;
-  task_is_new_ = task->valid;
+  task_is_new_ = task.can_be_done();
   plan_is_current = false;
-  gave_up = false;
-  progress_.reset();
-  if (!task->valid) navigator->cancel();
+  if (!task.can_be_done()) navigator->cancel();
 }
 
 void MapNavigator::State::change(const CellWindow& window, bool moved) {
@@ -127,12 +124,13 @@ void MapNavigator::State::look_at_changes() {
 
 // The policy: at once for a new goal or a map that blocks the plan; everything else not more often
 // than `retry_period`.
-bool MapNavigator::State::needs_plan(double time) {
-  if (!task || !task->valid || planning->busy() || obstacles() == nullptr) return false;
+bool MapNavigator::State::needs_plan(double time, bool at_once) {
+  if (!task.can_be_done() || planning->busy() || obstacles() == nullptr) return false;
   if (task_is_new_) return true;
   look_at_changes();
   if (blocked_by_map_ && navigator->plan().usable()) return true;
-  if (time - plan_time_ < settings.planning.retry_period && time >= plan_time_) return false;
+  const bool just_tried = time - plan_time_ < settings.planning.retry_period && time >= plan_time_;
+  if (just_tried && !at_once) return false;
   return !navigator->plan().usable() || asked_ || blocked_ || may_be_better_;
 }
 
@@ -141,8 +139,9 @@ void MapNavigator::State::start_plan(const Measurements& m) {
   plan_time_ = m.time;
   task_is_new_ = false;
   planned = true;
-  planning->start(*obstacles(),
-                  {.start = m.pose.position, .goal = task->goal, .along = task->along});
+  planning->start(
+      *obstacles(),
+      {.start = m.pose.position, .goal = task.task()->goal, .along = task.task()->along});
 }
 
 // A plan that is not clearly shorter is not worth a change.
@@ -156,9 +155,9 @@ bool MapNavigator::State::is_clearly_shorter(const Path& path) const noexcept {
 
 void MapNavigator::State::take_plan() {
   std::optional<Plan> plan = planning->take();
-  if (!plan || !task || asked_number_ != task_number_) return;
+  if (!plan || !task.task() || asked_number_ != task_number_) return;
   const bool has_old = plan_is_current && navigator->plan().usable();
-  const bool only_better = has_old && !asked_ && !blocked_ && !task->along;
+  const bool only_better = has_old && !asked_ && !blocked_ && !task.task()->along;
   may_be_better_ = false;
   if (only_better && !(plan->usable() && is_clearly_shorter(plan->path))) return;
   asked_ = false;
@@ -179,7 +178,7 @@ void MapNavigator::State::follow(Plan plan) {
 void MapNavigator::State::set_input(const Measurements& m) {
   input = input_of(m);
   input.map = obstacles();
-  input.planning = task && !plan_is_current && planning->busy();
+  input.planning = task.task() && !plan_is_current && planning->busy();
   if (!perception) return;
   input.map_time = std::min(input.map_time, std::max(kNeverMeasured, perception->time()));
   merge_tracked(*perception, moving_, input);
@@ -187,44 +186,32 @@ void MapNavigator::State::set_input(const Measurements& m) {
 }
 
 // The navigator's answer, seen from the task.
-NavigationStep MapNavigator::State::judged(NavigationStep step) {
-  if (!task) {
-    if (gave_up && step.status == NavigationStatus::NoPlan) step.status = NavigationStatus::GaveUp;
-    return step;
-  }
-  if (!task->valid) {
-    step.status = NavigationStatus::BadInput;
-    step.limit = LimitingFactor::InvalidGoal;
-    return step;
-  }
-  if (step.status == NavigationStatus::GoalReached) {
-    if (plan_is_current && navigator->plan().whole) return step;
-    // At the end of a plan that leads no further, or to the goal before this one.
-    step.status = plan_is_current ? NavigationStatus::Blocked : NavigationStatus::Planning;
-    step.limit = LimitingFactor::NoPath;
-    step.wants_plan = true;
-  }
-  std::optional<double> remaining;
-  if (plan_is_current && navigator->corridor().reference_path().count > 0)
-    remaining = navigator->corridor().remaining();
-  const double stalled = progress_.update(input.time, remaining, follows_new_plan);
-  if (settings.navigation.patience > 0.0 && stalled >= settings.navigation.patience) {
-    task.reset();
-    gave_up = true;
-    if (navigator->plan().usable()) navigator->cancel();  // else the plan tells why there is none
-    step.status = NavigationStatus::GaveUp;
-  }
-  return step;
+NavigationStep MapNavigator::State::judged(const NavigationStep& step) {
+  const CorridorFollower& corridor = navigator->corridor();
+  const bool driven_on = plan_is_current && corridor.reference_path().count > 0;
+  const NavigationStep answer =
+      task.judge(step, {.time = input.time,
+                        .plan_is_current = plan_is_current,
+                        .leads_to_goal = navigator->plan().whole,
+                        .new_way = follows_new_plan,
+                        .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
+                        .patience = settings.navigation.patience});
+  // An unusable plan stays: it tells why there is none.
+  if (answer.status == NavigationStatus::GaveUp && navigator->plan().usable()) navigator->cancel();
+  return answer;
 }
 
-NavigationStep MapNavigator::State::update(const Measurements& m) {
+void MapNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   follows_new_plan = false;
   planned = false;
   take_plan();
-  if (pose_is_known(m) && needs_plan(m.time)) {
-    start_plan(m);
-    if (!settings.planning.background) take_plan();
-  }
+  if (!pose_is_known(m) || !needs_plan(m.time, at_once)) return;
+  start_plan(m);
+  if (!settings.planning.background) take_plan();
+}
+
+NavigationStep MapNavigator::State::update(const Measurements& m) {
+  plan_if_needed(m, false);
   set_input(m);
   const NavigationStep step = judged(navigator->update(input));
   asked_ = asked_ || step.wants_plan;

@@ -6,8 +6,7 @@
 
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "fairway/navigation/facade/map_planning.hpp"
-#include "fairway/navigation/facade/navigation_task.hpp"
-#include "fairway/navigation/facade/progress_watch.hpp"
+#include "fairway/navigation/facade/task_status.hpp"
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/perception/perception.hpp"
 
@@ -28,6 +27,10 @@ struct MapNavigator::State {
   void change(const CellWindow& window, bool moved = false);
 
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
+
+  /// Takes over a plan that is ready, and makes one if one is needed.
+  /// @param at_once  Do not wait for the retry period.
+  void plan_if_needed(const Measurements& measurements, bool at_once);
   [[nodiscard]] const BitGrid* obstacles() const noexcept;
 
   Settings settings;
@@ -35,26 +38,25 @@ struct MapNavigator::State {
   std::unique_ptr<MapPlanning> planning;
   std::optional<BitGrid> map;
   std::optional<Perception> perception;  // once a scan was given
-  std::optional<NavigationTask> task;
+  TaskStatus task;
   NavigationInput input;  // of the last cycle
   bool plan_is_current = false;
   bool follows_new_plan = false;
   bool planned = false;  // in the last cycle
-  bool gave_up = false;
   std::function<double()> clock;
 
  private:
   void make_parts();
   void overlay_scans();
   [[nodiscard]] bool pose_is_known(const Measurements& measurements) const noexcept;
-  [[nodiscard]] bool needs_plan(double time);
+  [[nodiscard]] bool needs_plan(double time, bool at_once);
   void look_at_changes();
   void start_plan(const Measurements& measurements);
   void take_plan();
   [[nodiscard]] bool is_clearly_shorter(const Path& path) const noexcept;
   void follow(Plan plan);
   void set_input(const Measurements& measurements);
-  [[nodiscard]] NavigationStep judged(NavigationStep step);
+  [[nodiscard]] NavigationStep judged(const NavigationStep& step);
 
   ControlSolver* solver_;  // null: its own
   const PreparedMap* shared_map_;
@@ -62,7 +64,6 @@ struct MapNavigator::State {
   BitGrid seen_;                   // the map and what scans have shown
   CellWindow scanned_ = kNoCells;  // cells of the map under the window of the scans
   std::vector<MovingObstacle> moving_;
-  ProgressWatch progress_;
   Twist2 sent_;
   double plan_time_ = -std::numeric_limits<double>::infinity();
   int task_number_ = 0;
@@ -70,7 +71,7 @@ struct MapNavigator::State {
   bool task_is_new_ = false;     // no plan was asked for since
   bool map_moved_ = false;       // since the plan was looked at
   bool map_changed_ = false;     // since the plan was looked at
-  bool scans_changed_ = false;   // likewise
+  bool scans_changed_ = false;   // since the plan was looked at
   bool blocked_ = false;         // the plan, somewhere
   bool blocked_by_map_ = false;  // not only by what scans have shown, which may be wrong
   bool may_be_better_ = false;   // the map has changed elsewhere since the last plan

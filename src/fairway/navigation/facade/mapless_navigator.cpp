@@ -34,8 +34,7 @@ void MaplessNavigator::follow(Path path, const std::optional<double>& goal_headi
 }
 
 void MaplessNavigator::cancel() {
-  state_->task.reset();
-  state_->gave_up = false;
+  state_->task.end();
   state_->navigator.cancel();
 }
 
@@ -44,7 +43,7 @@ void MaplessNavigator::reset(const Twist2& actual) noexcept { state_->navigator.
 void MaplessNavigator::set_settings(const Settings& settings) {
   auto next = std::make_unique<State>(settings, state_->solver, state_->input.pose.position);
   next->navigator.reset(state_->sent);
-  if (state_->task) next->set_task(*state_->task);
+  if (state_->task.task()) next->set_task(*state_->task.task());
   state_ = std::move(next);
 }
 

@@ -44,16 +44,14 @@ MaplessNavigator::State::State(const Settings& given,
       planning(std::make_unique<LocalPlanning>(wider, perception.grid().occupied())) {}
 
 void MaplessNavigator::State::set_task(NavigationTask given) {
-  task = std::move(given);
+  task.begin(std::move(given));
   ++task_number_;
-  gave_up = false;
   plan_is_current = false;
   asked_for_plan_ = true;
   look_for_narrow_ = false;
   way_length_ = kInfinity;
   plan_time_ = -kInfinity;
-  progress_.reset();
-  if (!task->valid) navigator.cancel();
+  if (!task.can_be_done()) navigator.cancel();
 }
 
 void MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& position) {
@@ -66,7 +64,7 @@ void MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& pos
 bool MaplessNavigator::State::needs_plan(double time) const noexcept {
   constexpr double kRetryAfter = 0.25;  // [s]; without a way, or when a longer corridor is wanted
   constexpr double kSoon = 1.0;         // [m], beyond the braking distance
-  if (!task || !task->valid || planning->busy()) return false;
+  if (!task.can_be_done() || planning->busy()) return false;
   const CorridorFollower& corridor = navigator.corridor();
   const bool driven_on = navigator.plan().usable() && corridor.reference_path().count > 0;
   // A cell that flickers in and out at the side is no reason for another plan.
@@ -107,8 +105,8 @@ void MaplessNavigator::State::start_plan(double time, const Pose2& pose) {
   const bool narrow = std::exchange(look_for_narrow_, false);
   planning->start(perception.grid().occupied(),
                   {.position = pose.position,
-                   .goal = task->goal,
-                   .along = task->along,
+                   .goal = task.task()->goal,
+                   .along = task.task()->along,
                    .margin = narrow ? kNarrow * wished : std::min(wished, 2.0 * last_margin_),
                    .narrow = narrow});
 }
@@ -117,7 +115,7 @@ void MaplessNavigator::State::take_plan() {
   constexpr double kDetour = 1.0;       // [m]; a way that is so much longer than the last one was
   constexpr double kWorthNarrow = 0.7;  // of the wide way's length
   std::optional<LocalPlan> made = planning->take();
-  if (!made || !task || asked_number_ != task_number_) return;
+  if (!made || !task.task() || asked_number_ != task_number_) return;
   Plan& found = made->plan;
   if (made->request.narrow) {
     if (!found.usable() || found.path.length() >= kWorthNarrow * way_length_) return;
@@ -127,43 +125,31 @@ void MaplessNavigator::State::take_plan() {
     look_for_narrow_ = found.usable() && found.path.length() > way_length_ + kDetour;
   }
   last_margin_ = found.usable() ? found.margin : wider.path.margin;
+  // An old plan to the same goal is better than none while the map may be wrong about a narrow
+  // place: every command is checked before it is sent.
+  const bool has_old = plan_is_current && navigator.plan().usable();
   plan_is_current = true;
-  // An old plan is better than none while the map may be wrong about a narrow place: every command
-  // is checked before it is sent.
-  if (!found.usable() && navigator.plan().usable()) return;
+  if (!found.usable() && has_old) return;
   way_length_ = found.path.length();
-  leads_to_goal_ = found.whole && made->goal.position == task->goal.position;
+  leads_to_goal_ = found.whole && made->goal.position == task.task()->goal.position;
   follows_new_plan = true;
   navigator.follow(std::move(found));
 }
 
-NavigationStep MaplessNavigator::State::judged(NavigationStep step) {
-  if (!task) {
-    if (gave_up && step.status == NavigationStatus::NoPlan) step.status = NavigationStatus::GaveUp;
-    return step;
-  }
-  if (!task->valid) {
-    step.status = NavigationStatus::BadInput;
-    step.limit = LimitingFactor::InvalidGoal;
-    return step;
-  }
-  if (step.status == NavigationStatus::GoalReached && !leads_to_goal_) {
-    // As near as it gets for now, but not there.
-    step.status = NavigationStatus::Blocked;
-    step.limit = LimitingFactor::NoPath;
-    step.wants_plan = true;
-  }
-  if (step.status == NavigationStatus::GoalReached) return step;
-  std::optional<double> remaining;
-  if (navigator.corridor().reference_path().count > 0) remaining = navigator.corridor().remaining();
-  const double stalled = progress_.update(input.time, remaining, follows_new_plan);
-  if (settings.navigation.patience > 0.0 && stalled >= settings.navigation.patience) {
-    task.reset();
-    gave_up = true;
-    if (navigator.plan().usable()) navigator.cancel();  // else the plan tells why there is none
-    step.status = NavigationStatus::GaveUp;
-  }
-  return step;
+// The navigator's answer, seen from the task.
+NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
+  const CorridorFollower& corridor = navigator.corridor();
+  const bool driven_on = plan_is_current && corridor.reference_path().count > 0;
+  const NavigationStep answer =
+      task.judge(step, {.time = input.time,
+                        .plan_is_current = plan_is_current,
+                        .leads_to_goal = leads_to_goal_,
+                        .new_way = follows_new_plan,
+                        .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
+                        .patience = settings.navigation.patience});
+  // An unusable plan stays: it tells why there is none.
+  if (answer.status == NavigationStatus::GaveUp && navigator.plan().usable()) navigator.cancel();
+  return answer;
 }
 
 NavigationStep MaplessNavigator::State::update(const Measurements& m) {
@@ -179,7 +165,7 @@ NavigationStep MaplessNavigator::State::update(const Measurements& m) {
     start_plan(m.time, m.pose);
     if (!settings.planning.background) take_plan();
   }
-  return drive(m, task && !plan_is_current && planning->busy());
+  return drive(m, task.task() && !plan_is_current && planning->busy());
 }
 
 NavigationStep MaplessNavigator::State::replay(const NavigationInput& recorded,
@@ -188,8 +174,8 @@ NavigationStep MaplessNavigator::State::replay(const NavigationInput& recorded,
   rolled_ = false;
   if (plan) {
     plan_is_current = true;
-    leads_to_goal_ =
-        task && plan->usable() && plan->whole && plan->goal.position == task->goal.position;
+    leads_to_goal_ = task.task() && plan->usable() && plan->whole &&
+                     plan->goal.position == task.task()->goal.position;
     navigator.follow(*std::move(plan));
   }
   return drive({.time = recorded.time, .pose = recorded.pose, .pose_time = recorded.pose_time},

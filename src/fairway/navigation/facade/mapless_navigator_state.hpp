@@ -6,8 +6,7 @@
 
 #include "fairway/navigation/facade/local_planning.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
-#include "fairway/navigation/facade/navigation_task.hpp"
-#include "fairway/navigation/facade/progress_watch.hpp"
+#include "fairway/navigation/facade/task_status.hpp"
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/perception/perception.hpp"
 
@@ -28,11 +27,10 @@ struct MaplessNavigator::State {
   Perception perception;
   Navigator navigator;
   std::unique_ptr<LocalPlanning> planning;
-  std::optional<NavigationTask> task;
+  TaskStatus task;
   NavigationInput input;
   bool planned = false;           // in the last cycle
-  bool follows_new_plan = false;  // likewise
-  bool gave_up = false;
+  bool follows_new_plan = false;  // since the last cycle
   bool plan_is_current = false;
   Twist2 sent;
 
@@ -42,10 +40,9 @@ struct MaplessNavigator::State {
   void start_plan(double time, const Pose2& pose);
   void take_plan();
   [[nodiscard]] NavigationStep drive(const Measurements& measurements, bool planning_now);
-  [[nodiscard]] NavigationStep judged(NavigationStep step);
+  [[nodiscard]] NavigationStep judged(const NavigationStep& step);
 
   std::vector<MovingObstacle> moving_;
-  ProgressWatch progress_;
   int task_number_ = 0;
   int asked_number_ = 0;  // the task of the plan that was asked for last
   bool rolled_ = true;    // the window has moved since the map was refreshed
@@ -54,7 +51,7 @@ struct MaplessNavigator::State {
   bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
   double plan_time_ = 0.0;
   double last_margin_ = std::numeric_limits<double>::infinity();  // of the last usable plan [m]
-  double way_length_ = std::numeric_limits<double>::infinity();   // likewise, of its path [m]
+  double way_length_ = std::numeric_limits<double>::infinity();   // of its path [m]
 };
 
 }  // namespace fairway

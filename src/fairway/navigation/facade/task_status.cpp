@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/facade/task_status.hpp"
+
+#include <utility>
+
+namespace fairway {
+
+void TaskStatus::begin(NavigationTask task) {
+  task_ = std::move(task);
+  progress_.reset();
+  gave_up_ = false;
+}
+
+void TaskStatus::end() noexcept {
+  task_.reset();
+  gave_up_ = false;
+}
+
+NavigationStep TaskStatus::judge(NavigationStep step, const TaskView& view) {
+  if (!task_) {
+    if (gave_up_ && step.status == NavigationStatus::NoPlan) step.status = NavigationStatus::GaveUp;
+    return step;
+  }
+  if (!task_->valid) {
+    step.status = NavigationStatus::BadInput;
+    step.limit = LimitingFactor::InvalidGoal;
+    return step;
+  }
+  if (step.status == NavigationStatus::GoalReached) {
+    if (view.plan_is_current && view.leads_to_goal) return step;
+    // At the end of a plan that leads no further, or at the goal before this one.
+    step.status = view.plan_is_current ? NavigationStatus::Blocked : NavigationStatus::Planning;
+    step.limit = LimitingFactor::NoPath;
+    step.wants_plan = true;
+  }
+  const double stalled = progress_.update(view.time, view.remaining, view.new_way);
+  if (view.patience > 0.0 && stalled >= view.patience) {
+    task_.reset();
+    gave_up_ = true;
+    step.status = NavigationStatus::GaveUp;
+  }
+  return step;
+}
+
+}  // namespace fairway
