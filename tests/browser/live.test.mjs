@@ -229,12 +229,13 @@ test('the past can be looked at while the world goes on', () => withLive(async (
 }));
 
 test('settings have their units, take effect at once, and are refused where they make no sense', () => withLive(async (page) => {
+  await page.click('[data-group="robot"] summary');
   await page.click('[data-group="mpc"] summary');
   const row = page.locator('[data-setting="robot.linear_max"]');
   assert.match(await row.textContent(), /m\/s/);
   await row.locator('input[type="number"]').fill('0.3');
   await row.locator('input[type="number"]').press('Enter');
-  await until(page, () => window.fairway.run.setting('mpc', 'linear_max') === 0.3);
+  await until(page, () => window.fairway.run.setting('robot', 'linear_max') === 0.3);
   await page.selectOption('#speed', '4');
   await until(page, () => {
     const { frames } = window.fairway.run;
@@ -245,7 +246,7 @@ test('settings have their units, take effect at once, and are refused where they
   await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
   await slider.click({ position: { x: box.width * 0.9, y: box.height / 2 } });
-  await until(page, () => window.fairway.run.setting('mpc', 'linear_max') > 0.5);
+  await until(page, () => window.fairway.run.setting('robot', 'linear_max') > 0.5);
   // A decay rate above 1 / dt contradicts Eq. (14).
   const decay = page.locator('[data-setting="mpc.decay_rate"] input[type="number"]');
   await decay.fill('50');
@@ -253,9 +254,9 @@ test('settings have their units, take effect at once, and are refused where they
   await until(page, () => !document.getElementById('notice').hidden);
   assert.match(await page.textContent('#notice'), /mpc\.decay_rate/);
   assert.notEqual(await page.evaluate(() => window.fairway.run.setting('mpc', 'decay_rate')), 50);
-  await page.click('[data-group="navigation"] summary');
+  await page.click('[data-group="tracking"] summary');
   await page.locator('[data-setting="tracking.target_mode"] select').selectOption({ index: 1 });
-  await until(page, () => window.fairway.run.settings.find((s) => s.name === 'target_mode').value !== 'timed_string');
+  await until(page, () => window.fairway.run.settings.find((s) => s.name === 'target_mode').value !== 'reference_path');
   await page.locator('[data-setting="tracking.step_regions"] input').uncheck();
   await until(page, () => window.fairway.run.settings.find((s) => s.name === 'step_regions').value === false);
 }));
@@ -301,7 +302,7 @@ test('what is saved can be used: scenario, recording, report', () => withLive(as
   await click(page, 4, 8);
   await page.click('#tool-goal');
   await click(page, 14, 4);
-  await page.click('[data-group="mpc"] summary');
+  await page.click('[data-group="robot"] summary');
   const box = page.locator('[data-setting="robot.linear_max"] input[type="number"]');
   await box.fill('0.8');
   await box.press('Enter');

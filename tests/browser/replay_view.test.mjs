@@ -82,7 +82,7 @@ test('panel, theme, and settings', () => withPage(async (page) => {
   assert.notEqual(await picture(page), light);
   await page.click('#theme');
   assert.equal(await picture(page), light);
-  await page.click('[data-group="mpc"] summary');
+  await page.click('[data-group="robot"] summary');
   assert.match(await page.textContent('[data-setting="robot.linear_max"]'), /linear_max\s*1 m\/s/);
   assert.match(await page.textContent('#summary'), /Way driven/);
 }));

@@ -96,8 +96,8 @@ export class Plots {
     this.ribbon(context, run, robot, theme);
     this.times(context, height - AXIS, theme);
     if (each < LEAST_ROW) return; // on a small screen the status is what there is room for
-    const most = run.setting('mpc', 'linear_max') || 1;
-    const least = Math.min(0, run.setting('mpc', 'linear_min') || 0);
+    const most = run.setting('robot', 'linear_max') || 1;
+    const least = Math.min(0, run.setting('robot', 'linear_min') || 0);
     const speed: Row = { top: RIBBON + GAP, height: each, min: least * 1.1, max: most * 1.15 };
     const room: Row = { top: RIBBON + 2 * GAP + each, height: each, min: 0, max: FAR };
     const name = (text: string, row: Row): void => this.frame(context, row, text, theme);
@@ -105,7 +105,7 @@ export class Plots {
     name('room [m]', room);
     const color = robotColor(robot, theme);
     this.level(context, speed, most, theme.limit);
-    this.level(context, room, run.setting('navigation', 'obstacle_margin'), theme.body);
+    this.level(context, room, run.setting('prediction', 'obstacle_margin'), theme.body);
     const { body } = run;
     const cycle = (i: number) => run.frames[i]!.robots[robot]?.cycle;
     this.curve(context, run, speed, theme.faint, 1, (i) => cycle(i)?.commandLinear ?? null);

@@ -75,7 +75,7 @@ export class RobotPanel {
     card.status.textContent = robot.collided ? 'contact' : status === null ? 'waiting' : run.begin.statuses[status]!;
     card.status.className = `pill ${robot.collided ? 'bad' : status === null ? 'idle' : statusTone(status)}`;
     this.reason(card, run, index, moment);
-    const most = run.setting('mpc', 'linear_max') || 1;
+    const most = run.setting('robot', 'linear_max') || 1;
     const speed = cycle?.linear ?? 0;
     card.bar.style.width = `${Math.min(100, 100 * Math.abs(speed) / most)}%`;
     card.values.speed.textContent = `${shown(speed)} of ${shown(most)} m/s`;
