@@ -20,8 +20,9 @@ struct RobotSettings {
   double linear_min = 0.0;   ///< least linear speed [m/s], -10 to 10; negative allows reversing
   double linear_max = 1.0;   ///< greatest linear speed [m/s], 0.01 to 10
   double angular_max = 1.5;  ///< greatest angular speed to both sides [rad/s], 0.01 to 20
-  double linear_acceleration_max = 2.0;   ///< greatest change of linear speed [m/s^2], 0.01 to 1000
-  double angular_acceleration_max = 4.0;  ///< likewise of angular speed [rad/s^2], 0.01 to 1000
+  double linear_acceleration_max = 2.0;  ///< greatest change of linear speed [m/s^2], 0.01 to 1000
+  double angular_acceleration_max =
+      4.0;  ///< greatest change of angular speed [rad/s^2], 0.01 to 1000
 };
 
 /// The outline that must never touch anything.

@@ -21,7 +21,7 @@ struct Measurements {
   std::optional<double> pose_time{};       ///< when the pose was true
   MovingObstacles obstacles{};             ///< moving obstacles that others track
   std::optional<double> obstacles_time{};  ///< when they were seen
-  bool obstacles_due = false;  ///< somebody tracks all the time: an empty list must be new, too
+  bool obstacles_due = false;  ///< a tracker runs all the time: an empty list must be new, too
   std::optional<double> map_time{};  ///< when a changing map was up to date; a fixed one always is
   Fleet fleet{};                     ///< other robots, which are not among the obstacles
   std::uint32_t robot = 0;           ///< the robot's own number in the fleet
@@ -34,7 +34,7 @@ struct NavigationInput {
   double pose_time = 0.0;        ///< when the pose was true
   MovingObstacles obstacles;     ///< moving obstacles
   double obstacles_time = 0.0;   ///< when they were seen; irrelevant when there are none, unless
-  bool obstacles_due = false;    ///< somebody tracks all the time: then "none" ages, too
+  bool obstacles_due = false;    ///< a tracker runs all the time: an empty list ages, too
   const BitGrid* map = nullptr;  ///< the newest static obstacles; must live through the call
   double map_time = 0.0;         ///< when they were seen; a fixed map is always as new as `time`
   Fleet fleet{};                 ///< other robots, which are not among the obstacles

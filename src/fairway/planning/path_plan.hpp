@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-/// A path that somebody else made, and the heading at its end, if one is wanted.
+/// A path from another planner, and the heading at its end, if one is wanted.
 struct GivenPath {
   Path path;
   std::optional<double> goal_heading{};
@@ -27,7 +27,7 @@ struct PathAhead {
                                    const GridFrame& map,
                                    double margin);
 
-/// A plan along a path that somebody else made: a corridor over what of it lies ahead and inside
+/// A plan along a path from another planner: a corridor over what of it lies ahead and inside
 /// the map. Where the robot's disc does not fit along it, a way of its own to the same end.
 ///
 /// `Plan::whole` tells whether the plan reaches the end of the given path.

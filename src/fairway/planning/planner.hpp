@@ -52,7 +52,7 @@ struct PlannerHooks {
       build{};
   bool fixed_margin = false;  ///< keep settings.path.margin or find nothing
   /// A corridor along no more than this much of the path [m]: where the map changes before the
-  /// robot is there, more is made in vain. The plan's goal is then where its corridor ends.
+  /// robot is there, more would be discarded. The plan's goal is then where its corridor ends.
   double corridor_length = std::numeric_limits<double>::infinity();
 };
 
@@ -67,8 +67,8 @@ class Planner {
 
   /// Finds a path, then its corridor: Algorithm 2's input and output.
   ///
-  /// Tries the path's margin from `settings.path.margin` down and the overlap of the corridor
-  /// likewise, and takes the first that gives a whole chain: a single fixed margin fails somewhere.
+  /// Tries the path's margin and the overlap of the corridor from the settings' values down, and
+  /// takes the first that gives a whole chain: a single fixed margin fails somewhere.
   ///
   /// Always answers: a start or goal that is not finite is outside the map, a radius or setting
   /// that is negative or not finite gives an InvalidInput.

@@ -80,7 +80,7 @@ class MapNavigator {
   /// beyond 2 pi, is answered by the next cycles (LimitingFactor::InvalidGoal).
   void set_goal(const Goal& goal);
 
-  /// Follows a path that somebody else made, in the frame of the map: what of it lies inside the
+  /// Follows a path from another planner, in the frame of the map: what of it lies inside the
   /// map is covered by a corridor; where the robot does not fit along it, it finds its own way.
   /// An empty path is as `cancel`.
   void follow(Path path, const std::optional<double>& goal_heading = {});

@@ -25,8 +25,8 @@ class MapPlanning {
  public:
   explicit MapPlanning(const Settings& settings);
 
-  /// Plans on a map and with a planner that somebody else keeps, for many robots on one map; never
-  /// in a thread. Both must outlive this.
+  /// Plans on a map and with a planner of the caller, for many robots on one map; never in a
+  /// thread. Both must outlive this.
   MapPlanning(const Settings& settings, const PreparedMap& map, Planner& planner);
 
   /// Notes that the obstacles differ from those of the last plan inside `changed`, too.
@@ -57,7 +57,7 @@ class MapPlanning {
   std::unique_ptr<Planner> own_planner_;
   CellWindow changed_ = kNoCells;
   PlanRequest request_;       // the worker's while it runs, like everything above but changed_
-  std::optional<Plan> made_;  // likewise
+  std::optional<Plan> made_;  // the worker's while it runs
   std::function<double()> clock_;
   double seconds_ = 0.0;
   BackgroundWorker worker_;  // last: its end is waited for before the others go

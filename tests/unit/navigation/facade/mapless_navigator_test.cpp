@@ -92,7 +92,7 @@ TEST(MaplessNavigator, AnswersAGoalThatCannotBe) {
   EXPECT_EQ(step.limit, LimitingFactor::InvalidGoal);
 }
 
-TEST(MaplessNavigator, FollowsAPathThatAnotherPlannerMade) {
+TEST(MaplessNavigator, FollowsAPathFromAnotherPlanner) {
   BlindDrive drive;
   for (int i = 0; i < 5; ++i)
     static_cast<void>(drive.cycle());
