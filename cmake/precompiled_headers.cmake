@@ -6,7 +6,9 @@ set(FAIRWAY_STANDARD_HEADERS <algorithm> <array> <cmath> <functional> <memory> <
 
 # fairway_precompile(<target> <header>...): these and the standard library's.
 function(fairway_precompile target)
-  if(FAIRWAY_PRECOMPILED_HEADERS)
+  # A batch of a unity build reads its headers once anyway: faster than loading 100 MB.
+  get_target_property(in_batches ${target} UNITY_BUILD)
+  if(FAIRWAY_PRECOMPILED_HEADERS AND NOT in_batches)
     target_precompile_headers(${target} PRIVATE ${FAIRWAY_STANDARD_HEADERS} ${ARGN})
   endif()
 endfunction()

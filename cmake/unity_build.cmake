@@ -1,6 +1,6 @@
 # Unity builds compile several sources as one: what their headers cost is paid once per batch, and a change
 # of one source compiles its whole batch. So they are for those who build once: ./demo and ./test turn
-# them on. The library itself (fairway, fairway_simulation) is compiled source by source all the same.
+# them on.
 option(FAIRWAY_UNITY_BUILD "Compile the sources of tool, files, experiments and tests in batches" OFF)
 
 # fairway_unity(<target> <number of sources in a batch>)
@@ -14,4 +14,10 @@ endfunction()
 # for the tool: inline functions of the library that it compiles too may be those that are linked.
 function(fairway_runs_once target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# fairway_seldom_loops(<target>): files, pictures and commands spend their time elsewhere; -O2 compiles them
+# faster. Not -O1: inline functions of the library that they compile too may be those that are linked.
+function(fairway_seldom_loops target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
 endfunction()

@@ -17,19 +17,19 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFurthestTime = 8.0;  // [s] ahead that meetings are looked for
-constexpr double kRoom = 0.3;          // [m] between bodies that do not meet
-constexpr double kLane = 0.15;         // [m] between bodies on a roundabout
-constexpr double kNoticeable = 0.02;   // of a radius
-constexpr double kPatience = 1.0;      // [s] of standing, before a roundabout is made wider
-constexpr double kGrowth = 1.25;       // then
-constexpr double kWidest = 8.0;        // [m]
-constexpr std::size_t kMostMet = 8;    // robots in narrow places that are minded
-constexpr double kLongestWait = 20.0;  // [s]
-constexpr double kTrying = 4.0;        // [s] of going on after that
-constexpr double kComing = 0.1;        // [m/s] of somebody who need not be waited for in vain
-constexpr double kSearchPeriod = 0.5;  // [s] between searches for a way back in vain
-constexpr double kHeadOn = -0.5;       // cosine between two ways; below it they are head-on
+constexpr double kFurthestTime = 8.0;      // [s] ahead that meetings are looked for
+constexpr double kMeetingClearance = 0.3;  // [m] between bodies that do not meet
+constexpr double kLane = 0.15;             // [m] between bodies on a roundabout
+constexpr double kNoticeable = 0.02;       // of a radius
+constexpr double kPatience = 1.0;          // [s] of standing, before a roundabout is made wider
+constexpr double kGrowth = 1.25;           // then
+constexpr double kWidest = 8.0;            // [m]
+constexpr std::size_t kMostMet = 8;        // robots in narrow places that are minded
+constexpr double kLongestWait = 20.0;      // [s]
+constexpr double kTrying = 4.0;            // [s] of going on after that
+constexpr double kComing = 0.1;            // [m/s] of somebody who need not be waited for in vain
+constexpr double kSearchPeriod = 0.5;      // [s] between searches for a way back in vain
+constexpr double kHeadOn = -0.5;           // cosine between two ways; below it they are head-on
 
 // An even motion along a straight way, to its end.
 struct StraightWay {
@@ -78,7 +78,7 @@ Roundabout FleetCoordinator::meet(const ReferencePath& path,
     const double time = nearest_time(own, way);
     const Vector2d a = own.start + time * own.velocity;
     const Vector2d b = way.start + time * way.velocity;
-    if (time <= 0.0 || (b - a).norm() > radius + motion.radius + kRoom) continue;
+    if (time <= 0.0 || (b - a).norm() > radius + motion.radius + kMeetingClearance) continue;
     sum += 0.5 * (a + b);
     ++others;
     widest = std::max(widest, motion.radius);

@@ -14,12 +14,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFurthest = 6.0;  // [m] along the way
-constexpr double kStep = 0.25;     // [m] between the points that are looked at
-constexpr double kRoom = 0.05;     // [m] between bodies that pass
-constexpr double kAside = 0.15;    // [m] between a body that waits and one that passes
-constexpr double kWall = 0.02;     // [m] between a body that waits and what stands
-constexpr double kReach = 4.0;     // [m] to the furthest place
+constexpr double kFurthest = 6.0;           // [m] along the way
+constexpr double kPlaceSpacing = 0.25;      // [m] between the points that are looked at
+constexpr double kPassingClearance = 0.05;  // [m] between bodies that pass
+constexpr double kAside = 0.15;             // [m] between a body that waits and one that passes
+constexpr double kWall = 0.02;              // [m] between a body that waits and what stands
+constexpr double kReach = 4.0;              // [m] to the furthest place
 constexpr int kRings = 10;
 constexpr int kDirections = 16;
 
@@ -59,11 +59,11 @@ Vector2d goal_of(const SharedMotion& other) noexcept {
 NarrowPlaces::NarrowPlaces(const ReferencePath& path,
                            double radius,
                            const BitGrid& obstacles) noexcept {
-  const double both = 2.0 * radius + kRoom;
+  const double both = 2.0 * radius + kPassingClearance;
   const double end = std::min(kFurthest, path.length());
-  for (double s = 0.0; s < end && count < kMaxPlaces; s += kStep) {
+  for (double s = 0.0; s < end && count < kMaxPlaces; s += kPlaceSpacing) {
     const Vector2d here = path.at(s);
-    const Vector2d along = path.at(std::min(s + kStep, path.length())) - here;
+    const Vector2d along = path.at(std::min(s + kPlaceSpacing, path.length())) - here;
     const double length = along.norm();
     if (length < 1e-3 || is_free(obstacles, here, here, both + radius)) continue;
     const Vector2d over = both / length * Vector2d(-along.y(), along.x());
@@ -78,7 +78,8 @@ NarrowPlaces::NarrowPlaces(const ReferencePath& path,
 double NarrowPlaces::length_to_meeting(const SharedMotion& other, double radius) const noexcept {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const NearWay way = nearest_on_way(other, places[i].position);
-    if (way.distance <= radius + other.radius + kRoom && places[i].along.dot(way.direction) < 0.0) {
+    if (way.distance <= radius + other.radius + kPassingClearance &&
+        places[i].along.dot(way.direction) < 0.0) {
       return places[i].length;
     }
   }
@@ -87,7 +88,7 @@ double NarrowPlaces::length_to_meeting(const SharedMotion& other, double radius)
 
 bool NarrowPlaces::hold_goal_of(const SharedMotion& other, double radius) const noexcept {
   return std::any_of(places.begin(), places.begin() + count, [&](const Place& place) {
-    return (place.position - goal_of(other)).norm() <= radius + other.radius + kRoom;
+    return (place.position - goal_of(other)).norm() <= radius + other.radius + kPassingClearance;
   });
 }
 
@@ -98,8 +99,9 @@ double NarrowPlaces::length_to_merging(const SharedMotion& other, double radius)
   const double gap = radius + other.radius + kAside;
   if (count == 0 || places[0].length < kInside || places[0].length > kNear) return none;
   const NearWay way = nearest_on_way(other, places[0].position);
-  const bool enters = way.distance <= radius + other.radius + kRoom && way.length > kInside &&
-                      way.length < kNear && places[0].along.dot(way.direction) > 0.0;
+  const bool enters = way.distance <= radius + other.radius + kPassingClearance &&
+                      way.length > kInside && way.length < kNear &&
+                      places[0].along.dot(way.direction) > 0.0;
   return enters && std::abs(way.length - places[0].length) < gap ? places[0].length : none;
 }
 
@@ -110,7 +112,7 @@ bool passes_goal_of(const SharedMotion& other,
   const Vector2d goal = goal_of(other);
   if (!goal.allFinite()) return false;
   const double least = (segment_rectangle(from, to).nearest(goal) - goal).norm();
-  const double keep = radius + other.radius + kRoom;
+  const double keep = radius + other.radius + kPassingClearance;
   return least < std::min(keep, (from - goal).norm() - 1e-6);
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kStep = 0.2;  // [m] between neighbours of the lattice
-constexpr int kHalf = 60;      // steps to each side
+constexpr double kLatticeSpacing = 0.2;  // [m] between neighbours of the lattice
+constexpr int kHalf = 60;                // steps to each side
 constexpr int kSide = 2 * kHalf + 1;
 constexpr double kLeast = 0.01;  // [m] between the body and what stands
 constexpr double kBody = 0.05;   // [m] between bodies
@@ -79,7 +79,7 @@ class Search {
   }
 
   [[nodiscard]] Vector2d at(int node) const noexcept {
-    return start_ + kStep * Vector2d(node % kSide - kHalf, node / kSide - kHalf);
+    return start_ + kLatticeSpacing * Vector2d(node % kSide - kHalf, node / kSide - kHalf);
   }
 
   [[nodiscard]] bool is_clear(const Vector2d& a, const Vector2d& b) const noexcept {

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using std::numbers::pi;
 
-constexpr double kStep = 0.35;     // [rad] between the points of the arc
+constexpr double kArcStep = 0.35;  // [rad] between the points of the arc
 constexpr double kSpiral = 1.0;    // [rad] on which a start inside comes out to the circle
 constexpr double kMostTurn = 1.4;  // [half turns]
 
@@ -69,7 +69,7 @@ bool lead_round(const ReferencePath& path,
   for (std::size_t i = 0; i < piece; ++i)
     append(bent, path.points[i]);
   const bool inside = from.norm() < radius;
-  const int steps = 1 + static_cast<int>(arc / kStep);
+  const int steps = 1 + static_cast<int>(arc / kArcStep);
   for (int i = inside ? 1 : 0; i <= steps; ++i) {
     const double along = arc * i / steps;
     const double out = inside ? std::min(1.0, along / kSpiral) : 1.0;

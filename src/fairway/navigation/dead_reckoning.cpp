@@ -11,10 +11,10 @@ namespace fairway {
 
 namespace {
 
-constexpr double kStep = 0.025;         // [s] of integration
-constexpr double kLongest = 2.0;        // [s] that are looked back
-constexpr double kTrusted = 0.5;        // [s] of agreement, until other poses are taken
-constexpr double kTurnTolerance = 0.4;  // [rad], and half of the turn made since
+constexpr double kIntegrationStep = 0.025;  // [s] of integration
+constexpr double kLongest = 2.0;            // [s] that are looked back
+constexpr double kTrusted = 0.5;            // [s] of agreement, until other poses are taken
+constexpr double kTurnTolerance = 0.4;      // [rad], and half of the turn made since
 
 }  // namespace
 
@@ -49,7 +49,7 @@ Twist2 DeadReckoning::twist_at(double time) const noexcept {
 Pose2 DeadReckoning::advanced(const Pose2& pose, double from, double to) const noexcept {
   const double duration = std::min(to - from, kLongest);
   if (!(duration > 1e-9)) return pose;
-  const int steps = 1 + static_cast<int>(duration / kStep);
+  const int steps = 1 + static_cast<int>(duration / kIntegrationStep);
   const double h = duration / steps;
   Pose2 at = pose;
   for (int i = 0; i < steps; ++i)

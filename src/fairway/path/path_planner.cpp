@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/base/contract.hpp"
+#include "fairway/geometry/pose2.hpp"
 #include "fairway/map/free_space.hpp"
 
 namespace fairway {

@@ -5,7 +5,7 @@ namespace fairway {
 
 namespace {
 
-bool is_finite(const SampledMotion& motion) noexcept {
+bool all_finite(const SampledMotion& motion) noexcept {
   if (!std::isfinite(motion.start) || !(motion.interval > 0.0) || motion.count < 1 ||
       motion.count > SampledMotion::kMaxSamples) {
     return false;
@@ -16,7 +16,7 @@ bool is_finite(const SampledMotion& motion) noexcept {
   return std::isfinite(motion.interval);
 }
 
-bool is_finite(const UpcomingWaypoints& way) noexcept {
+bool all_finite(const UpcomingWaypoints& way) noexcept {
   if (way.count < 0 || way.count > UpcomingWaypoints::kMaxPoints) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(way.count); ++i) {
     if (!way.points[i].allFinite()) return false;
@@ -51,8 +51,8 @@ bool is_finite(const SharedMotion& motion) noexcept {
   return std::isfinite(motion.time) && motion.position.allFinite() && std::isfinite(motion.speed) &&
          std::isfinite(motion.radius) && std::isfinite(motion.speed_max) &&
          std::isfinite(motion.turn_max) && motion.acceleration > 0.0 &&
-         std::isfinite(motion.acceleration) && is_finite(motion.plan) && is_finite(motion.stop) &&
-         is_finite(motion.way) && !std::isnan(motion.distance_to_bottleneck) &&
+         std::isfinite(motion.acceleration) && all_finite(motion.plan) && all_finite(motion.stop) &&
+         all_finite(motion.way) && !std::isnan(motion.distance_to_bottleneck) &&
          !std::isnan(motion.retreat_length) && motion.roundabout.center.allFinite() &&
          std::isfinite(motion.roundabout.radius);
 }

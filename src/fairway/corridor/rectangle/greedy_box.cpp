@@ -13,7 +13,6 @@ namespace fairway {
 
 namespace {
 
-constexpr std::size_t kCapacity = ObstaclePoints::kCapacity;
 // Turns are counted from the start: in round n = 1, 2, ... the side that is the j-th of the four
 // has turn 4 n + j.
 constexpr float kNever = 4e6F;  // more than all sides make
@@ -29,8 +28,9 @@ Pack4f rounded_up(Pack4f turns) noexcept {
 // The points seen along one axis, and the turn at which each comes to lie behind the side that
 // moves towards it.
 struct Axis {
-  alignas(16) std::array<float, kCapacity> at;    // NOLINT(*-member-init): filled as far as needed
-  alignas(16) std::array<float, kCapacity> turn;  // NOLINT(*-member-init)
+  alignas(16) std::array<float, ObstaclePoints::kCapacity> at;  // NOLINT(*-member-init): filled as
+                                                                // far as needed
+  alignas(16) std::array<float, ObstaclePoints::kCapacity> turn;  // NOLINT(*-member-init)
 
   // All sides set out: the upper one on the turns `upper` of each round, the lower one on `lower`.
   void start(std::size_t count, const GreedySteps& steps, float upper, float lower) noexcept {
