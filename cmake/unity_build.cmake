@@ -7,6 +7,8 @@ option(FAIRWAY_UNITY_BUILD "Compile the sources of tool, files, experiments and 
 function(fairway_unity target batch)
   if(FAIRWAY_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+    # GCC takes the sources of a batch for headers, in which an unnamed namespace would be a mistake.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 
