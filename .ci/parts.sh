@@ -1,5 +1,7 @@
 # Parts of a check, each with its time; sourced by .ci/run and .ci/nightly.
 #   part NAME COMMAND...   runs the command, and goes on where it fails
+#   part_within MINUTES NAME COMMAND...
+#                          the same, where MINUTES more keep the whole run below 45; says so where they do not
 #   finish                 prints what failed and "N passed, N failed"; gives 1 where anything failed
 passed=0
 failed=0
@@ -26,6 +28,16 @@ part() {
     echo "== $name FAILED after $((SECONDS - began)) s"
     failures+=("$name")
     [ "$wrong" -gt 0 ] || failed=$((failed + 1))
+  fi
+}
+
+part_within() {
+  local minutes=$1
+  shift
+  if [ $((SECONDS + 60 * minutes)) -le $((45 * 60)) ]; then
+    part "$@"
+  else
+    echo "== $1: left out, it may take $minutes minutes; run by hand: ${*:2}"
   fi
 }
 

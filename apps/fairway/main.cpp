@@ -21,6 +21,10 @@ int run(int argc, char** argv) {
   add_settings_command(tool);
   add_barn_command(tool);
   add_dynabarn_command(tool);
+  add_compare_command(tool);
+  add_statuses_command(tool);
+  add_reference_commands(tool);
+  add_merge_command(tool);
   return tool.run(argc, argv);
 }
 

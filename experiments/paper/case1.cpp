@@ -26,9 +26,9 @@ Finding change_finding(const DriveRuns& runs, const char* claim, DriveMeasure me
 }
 
 // Whether every command and speed of a run lay within the limits of its settings.
-bool within_bounds(DriveCourse course, DriverKind kind, const Drive& drive) {
+bool within_bounds(const Drive& drive) {
   constexpr double kRounding = 1e-9;
-  const RobotSettings limits = driver_settings(course, kind).robot;
+  const RobotSettings& limits = drive.robot;
   // A robot that stands is below the paper's least speed before it starts and at the goal.
   return drive.greatest.linear <= limits.linear_max + kRounding &&
          drive.least.linear >= std::min(0.0, limits.linear_min) - kRounding &&
@@ -45,7 +45,7 @@ void find_faults(const DriveRuns& runs, std::vector<std::string>& faults) {
                                      to_text(kind), what));
       };
       if (map.of(kind).collided) report("contact");
-      if (!within_bounds(runs.course, kind, map.of(kind))) report("a speed beyond its bound");
+      if (!within_bounds(map.of(kind))) report("a speed beyond its bound");
     }
   }
 }

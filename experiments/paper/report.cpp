@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "cli/output.hpp"
+#include "cli/provenance.hpp"
 #include "experiments/paper/page.hpp"
 #include "fairway/io/whole_file.hpp"
 
@@ -64,6 +65,8 @@ Json results_json(const std::vector<Chapter>& chapters, const ReportInfo& info) 
     timing[chapter.id] = chapter.timing;
   }
   all["timing"] = std::move(timing);
+  app::add_provenance(
+      all, {.schema = "reproduce.v1", .files = {}, .seed = info.seed, .settings = &info.settings});
   return all;
 }
 

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "experiments/paper/chapter.hpp"
+#include "fairway/navigation/settings.hpp"
 
 namespace fairway::reproduction {
 
 /// What a report says about itself.
 struct ReportInfo {
+  Settings settings;    ///< of the runs called "ours"
   std::string command;  ///< that makes it again
   std::string version;  ///< of Fairway
   std::string solver;

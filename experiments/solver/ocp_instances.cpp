@@ -167,7 +167,13 @@ Expected<std::vector<Item>> parse_lines(std::string_view text,
 }  // namespace
 
 ControlProblem control_problem(const OcpInstance& instance) noexcept {
-  return paper_problem(paper_mpc_settings(), paper_robot_settings(),
+  return control_problem(instance, paper_mpc_settings(), paper_robot_settings());
+}
+
+ControlProblem control_problem(const OcpInstance& instance,
+                               const MpcSettings& mpc,
+                               const RobotSettings& robot) noexcept {
+  return paper_problem(mpc, robot,
                        {.start = instance.start,
                         .previous_command = {},
                         .current_target = instance.current_target,

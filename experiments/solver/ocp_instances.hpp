@@ -9,7 +9,9 @@
 #include "fairway/base/error.hpp"
 #include "fairway/geometry/oriented_rectangle.hpp"
 #include "fairway/geometry/pose2.hpp"
+#include "fairway/geometry/robot_settings.hpp"
 #include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway::io {
@@ -44,6 +46,11 @@ inline constexpr int kOcpHorizon = 10;  ///< commands of a result
 
 /// The problem of an instance: the paper's preset, Ro = 0.8 m, Delta_s = 0.3 m.
 [[nodiscard]] ControlProblem control_problem(const OcpInstance& instance) noexcept;
+
+/// The same with other weights and limits. @pre mpc.horizon is kOcpHorizon.
+[[nodiscard]] ControlProblem control_problem(const OcpInstance& instance,
+                                             const MpcSettings& mpc,
+                                             const RobotSettings& robot) noexcept;
 
 /// Instances from text; `name` stands for the file in error messages. No instance is an error.
 [[nodiscard]] Expected<std::vector<OcpInstance>> parse_ocp_instances(std::string_view text,

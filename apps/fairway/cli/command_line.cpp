@@ -2,6 +2,7 @@
 #include "cli/command_line.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -20,6 +21,12 @@ bool names_no_command(const CLI::App& tool, const std::string& word) {
   const auto commands = tool.get_subcommands([](const CLI::App* /*command*/) { return true; });
   return std::none_of(commands.begin(), commands.end(),
                       [&](const CLI::App* command) { return command->check_name(word); });
+}
+
+// Of the one command that a process carries out.
+std::vector<std::string>& command_line_words() {
+  static std::vector<std::string> words;
+  return words;
 }
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
@@ -116,12 +123,16 @@ void Options::footer(const std::string& text) const { command_->footer(text); }
 
 const char* tool_version() noexcept { return FAIRWAY_VERSION; }
 
+const std::vector<std::string>& given_command_line() noexcept { return command_line_words(); }
+
 CommandLine::CommandLine()
     : tool_(std::make_unique<CLI::App>(
           "Safe corridors and model predictive control for wheeled robots.", "fairway")) {
   tool_->set_version_flag("--version", std::string("fairway ") + tool_version());
   tool_->require_subcommand(1);
-  tool_->footer("Exit codes: 0 done, 1 the task failed, 2 bad usage or bad input.");
+  tool_->footer(
+      "Exit codes: 0 done, 1 the task failed, 2 bad usage or bad input.\n"
+      "Documents: docs/README.md in the sources, share/doc/fairway where it is installed.");
 }
 
 CommandLine::~CommandLine() = default;
@@ -132,7 +143,45 @@ Options CommandLine::add_command(const char* name, const std::string& help, Work
   return Options(*command);
 }
 
+std::vector<CommandHelp> CommandLine::help() const {
+  std::vector<CommandHelp> commands;
+  for (const CLI::App* app :
+       tool_->get_subcommands([](const CLI::App* /*command*/) { return true; })) {
+    CommandHelp command{.name = app->get_name(),
+                        .help = app->get_description(),
+                        .footer = app->get_footer(),
+                        .options = {}};
+    for (const CLI::Option* option : app->get_options()) {
+      OptionHelp one{.name = option->get_name(),
+                     .type = option->get_type_name(),
+                     .help = option->get_description(),
+                     .values = {},
+                     .takes_value = option->get_items_expected_max() > 0};
+      if (one.name == "--help" || one.name == "-h,--help") continue;
+      // "TEXT:{map,lidar}": Argument::one_of has added the values.
+      const std::size_t open = one.type.find('{');
+      if (open != std::string::npos && one.type.ends_with('}')) {
+        std::istringstream list(one.type.substr(open + 1, one.type.size() - open - 2));
+        for (std::string value; std::getline(list, value, ',');)
+          one.values.push_back(value);
+      }
+      // Without what a check has added: "INT:INT in [1 - 5]".
+      one.type =
+          one.values.empty() ? one.type.substr(0, one.type.find(':')) : one.type.substr(open);
+      command.options.push_back(std::move(one));
+    }
+    std::stable_partition(command.options.begin(), command.options.end(),
+                          [](const OptionHelp& one) { return !one.name.starts_with('-'); });
+    commands.push_back(std::move(command));
+  }
+  std::sort(commands.begin(), commands.end(),
+            [](const CommandHelp& a, const CommandHelp& b) { return a.name < b.name; });
+  return commands;
+}
+
 int CommandLine::run(int argc, char** argv) {
+  command_line_words() = {"fairway"};
+  command_line_words().insert(command_line_words().end(), argv + std::min(argc, 1), argv + argc);
   if (argc > 1 && names_no_command(*tool_, argv[1])) {
     print_error(std::string("expected a command, see fairway --help; found ") + argv[1]);
     return kBadInput;

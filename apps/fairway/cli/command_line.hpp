@@ -77,6 +77,27 @@ using Work = std::function<Expected<int>()>;
 
 [[nodiscard]] const char* tool_version() noexcept;
 
+/// The words of the command line that this process was started with, the tool's name first; for
+/// results that say how they were made.
+[[nodiscard]] const std::vector<std::string>& given_command_line() noexcept;
+
+/// What help says about an argument or option of a command.
+struct OptionHelp {
+  std::string name;  ///< "--json" or, for an argument, "MAP"
+  std::string type;  ///< of its value: "FILE"
+  std::string help;
+  std::vector<std::string> values{};  ///< if only these are allowed
+  bool takes_value = true;
+};
+
+/// What help says about a command.
+struct CommandHelp {
+  std::string name;
+  std::string help;
+  std::string footer;
+  std::vector<OptionHelp> options;  ///< arguments first
+};
+
 /// The tool with its commands, one of which is chosen on the command line.
 class CommandLine {
  public:
@@ -86,6 +107,9 @@ class CommandLine {
   ~CommandLine();
 
   Options add_command(const char* name, const std::string& help, Work work);
+
+  /// All commands as help has them, sorted by name; for manual pages and completion.
+  [[nodiscard]] std::vector<CommandHelp> help() const;
 
   /// Runs the command that was chosen, or prints help or what is wrong. @return the exit code.
   [[nodiscard]] int run(int argc, char** argv);

@@ -11,7 +11,9 @@
 #include "cli/physics_choice.hpp"
 #include "cli/point_argument.hpp"
 #include "cli/progress.hpp"
+#include "cli/provenance.hpp"
 #include "cli/settings_options.hpp"
+#include "cli/shard_option.hpp"
 #include "commands/commands.hpp"
 #include "experiments/barn/barn_file.hpp"
 #include "experiments/barn/barn_summary.hpp"
@@ -46,6 +48,7 @@ struct BarnCommand {
   int trials = 1;
   std::string trace_dir;
   std::string film_dir;
+  std::string shard;
   std::string json;
   SettingsOptions settings;
   RunOutputs outputs;
@@ -202,11 +205,14 @@ Expected<int> BarnCommand::run() {
   BarnSummary summary;
   Progress progress("barn");
   std::string failures;
+  const Shard part = parse_shard(shard);
+  std::size_t number = 0;
   for (const BarnWorld& world : *all) {
     for (int trial = 0; trial < trials; ++trial) {
+      if (!part.has(number++)) continue;
       progress.show(fmt::format("world {}, trial {}: {} of {} runs done", world.number, trial,
                                 summary.trials.size(),
-                                all->size() * static_cast<std::size_t>(trials)));
+                                all->size() * static_cast<std::size_t>(trials) / part.count));
       const Scenario scenario = barn_scenario(world, *shared, trial);
       const bool only_run = all->size() == 1 && trials == 1;
       const Expected<BarnScore> score = drive(world, trial, scenario, *engine, only_run, summary);
@@ -218,7 +224,13 @@ Expected<int> BarnCommand::run() {
     }
   }
   if (!json.empty()) {
-    if (const auto done = write_output(json, json_text(summary_json(summary))); !done) {
+    Json result = summary_json(summary);
+    if (!shard.empty()) result["shard"] = shard;
+    add_provenance(result, {.schema = "barn.v1",
+                            .files = {source, settings.file},
+                            .seed = shared->seed,
+                            .settings = &shared->settings});
+    if (const auto done = write_output(json, json_text(result)); !done) {
       return tl::unexpected(done.error());
     }
   }
@@ -250,6 +262,7 @@ void add_command(
       .one_of({"none", "standard"});
   options.add("--seed", command->seed, "Seed of everything random").not_negative();
   options.add("--trials", command->trials, "Runs per world").between(1, 1000);
+  add_shard_option(options, command->shard);
   options.add("--trace-dir", command->trace_dir,
               "Write the cycles of every run here, and a picture and a page of every failed one");
   options.add("--film-dir", command->film_dir,

@@ -8,13 +8,18 @@ namespace fairway::app {
 /// Each adds one command to the tool. Of those that a build may leave out, serve and reproduce, the
 /// command is then there all the same, and says how to get it.
 void add_barn_command(CommandLine& tool);
+void add_compare_command(CommandLine& tool);
 void add_dynabarn_command(CommandLine& tool);
+void add_merge_command(CommandLine& tool);
 void add_plan_command(CommandLine& tool);
+/// The commands completion and manual. @pre `tool` outlives its run.
+void add_reference_commands(CommandLine& tool);
 void add_replay_command(CommandLine& tool);
 void add_reproduce_command(CommandLine& tool);
 void add_serve_command(CommandLine& tool);
 void add_settings_command(CommandLine& tool);
 void add_simulate_command(CommandLine& tool);
 void add_solve_command(CommandLine& tool);
+void add_statuses_command(CommandLine& tool);
 
 }  // namespace fairway::app

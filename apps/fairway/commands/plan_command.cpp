@@ -96,7 +96,15 @@ PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats
       plan.corridor_seconds = std::min(plan.corridor_seconds, best.plan.corridor_seconds);
     }
     best = {.plan = std::move(plan),
+            .reason = {},
+            .obstruction = {},
             .prepare_seconds = i > 0 ? std::min(seconds, best.prepare_seconds) : seconds};
+  }
+  if (!best.plan.usable()) {
+    const PreparedMap map(grid, unknown_cells(query.settings.map));
+    const double radius = query.settings.robot.radius;
+    best.reason = explain(map, query.start.position, best.plan, radius);
+    best.obstruction = find_obstruction(map, query.start.position, best.plan, radius);
   }
   return best;
 }
@@ -141,12 +149,16 @@ Expected<int> PlanCommand::run() const {
   if (const auto drawn = write_plan_picture(picture, *grid, query, found.plan); !drawn) {
     return tl::unexpected(drawn.error());
   }
-  const std::string text = plan_json(found, query, choice->name);
+  const std::string text = plan_json(found, query, choice->name,
+                                     {.schema = "plan.v1",
+                                      .files = {map, settings.file},
+                                      .map = &*grid,
+                                      .settings = &query.settings});
   if (const auto written = write_output(json, text); !written) {
     return tl::unexpected(written.error());
   }
   if (!found.plan.usable()) {
-    print_error(found.plan.reason());
+    print_error(found.reason);
     return kFailed;
   }
   if (json != "-") {

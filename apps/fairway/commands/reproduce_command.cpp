@@ -7,6 +7,7 @@
 #include "cli/left_out.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/settings_options.hpp"
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
 #include "experiments/paper/case1.hpp"
@@ -31,6 +32,7 @@ struct ReproduceCommand {
   int seed = 0;
   int maps = 0;
   int threads = 2;
+  SettingsOptions settings;
 
   [[nodiscard]] Expected<int> run() const;
   [[nodiscard]] Expected<StudyOptions> options() const;
@@ -39,6 +41,10 @@ struct ReproduceCommand {
 Expected<StudyOptions> ReproduceCommand::options() const {
   StudyOptions options{.seed = static_cast<std::uint64_t>(seed), .maps = maps, .threads = threads};
   options.clock = thread_cpu_seconds;
+  const Expected<Settings> ours = load_settings(settings);
+  if (!ours) return tl::unexpected(ours.error());
+  if (const auto valid = validate(*ours); !valid) return tl::unexpected(valid.error());
+  options.ours = *ours;
   if (solver == "interior_point") return options;
 #ifdef FAIRWAY_HAS_IPOPT
   options.make_solver = [] { return std::make_unique<IpoptSolver>(); };
@@ -73,7 +79,12 @@ Expected<int> ReproduceCommand::run() const {
     std::string command = fmt::format("fairway reproduce {} --seed {}", which, seed);
     if (maps > 0) command += fmt::format(" --maps {}", maps);
     if (solver != "interior_point") command += " --solver " + solver;
-    const reproduction::ReportInfo info{.command = command + " --out DIR",
+    for (const std::string& assignment : settings.assignments)
+      command += " --set " + assignment;
+    if (!settings.file.empty()) command += " --settings " + settings.file;
+    if (!settings.preset.empty()) command += " --preset " + settings.preset;
+    const reproduction::ReportInfo info{.settings = options->ours,
+                                        .command = command + " --out DIR",
                                         .version = tool_version(),
                                         .solver = solver,
                                         .seed = options->seed};
@@ -119,7 +130,10 @@ void add_reproduce_command(CommandLine& tool) {
   options.add("--threads", command->threads, "Threads; the results do not depend on it")
       .between(1, 64)
       .shows_default();
-  options.footer("Exit code 1: something happened that never may, such as a contact.");
+  add_settings_options(options, command->settings);
+  options.footer(
+      "Settings apply to the runs called ours. Exit code 1: something happened that never may, "
+      "such as a contact.");
 }
 
 }  // namespace fairway::app

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/map_bounds.hpp"
 #include "cli/number_option.hpp"
@@ -9,6 +10,7 @@
 #include "cli/physics_choice.hpp"
 #include "cli/point_argument.hpp"
 #include "cli/progress.hpp"
+#include "cli/provenance.hpp"
 #include "cli/settings_options.hpp"
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
@@ -134,7 +136,13 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
     if (auto done = write_output(trace, io::trace_csv(result)); !done) return done;
   }
   if (!json.empty()) {
-    if (auto done = write_output(json, episode_json(result)); !done) return done;
+    Json object = episode_json(world, result);
+    add_provenance(object, {.schema = "simulate.v1",
+                            .files = {scenario, map, settings.file},
+                            .map = &world.map,
+                            .seed = world.seed,
+                            .settings = &world.settings});
+    if (auto done = write_output(json, json_text(object)); !done) return done;
   }
   // The table gives way to whatever was asked for on standard output.
   if (json == "-" || trace == "-") return {};
@@ -169,7 +177,7 @@ Expected<int> SimulateCommand::run() {
   if (const auto written = write(*world, result); !written) {
     return tl::unexpected(written.error());
   }
-  if (!result.success) print_error(failure_text(result));
+  if (!result.success) print_error(failure_text(*world, result));
   return result.success ? kDone : kFailed;
 }
 

@@ -7,12 +7,16 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/provenance.hpp"
+#include "cli/settings_options.hpp"
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
 #include "experiments/solver/ocp_instances.hpp"
+#include "experiments/solver/paper_problem.hpp"
 #include "fairway/mpc/evaluation.hpp"
 #include "results/instance_solver.hpp"
 #include "results/solve_report.hpp"
@@ -59,17 +63,20 @@ struct SolveCommand {
   int starts = 1;
   int repeat = 1;
   std::string json;
+  SettingsOptions settings;
 
   [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<Settings> load() const;
   [[nodiscard]] SolvedInstance solve_one(InstanceSolver& solve,
+                                         const ControlProblem& problem,
                                          const OcpInstance& instance,
                                          const InitialGuess& first) const;
 };
 
 SolvedInstance SolveCommand::solve_one(InstanceSolver& solve,
+                                       const ControlProblem& problem,
                                        const OcpInstance& instance,
                                        const InitialGuess& first) const {
-  const ControlProblem problem = io::control_problem(instance);
   std::vector<InitialGuess> guesses(static_cast<std::size_t>(starts));
   spread_guesses(problem, first, guesses);
   SolvedInstance solved{.id = instance.id, .kind = instance.kind};
@@ -95,10 +102,25 @@ OcpResult as_result(const SolvedInstance& solved) {
   return result;
 }
 
+// The instances' own weights and limits, and what the options change in them.
+Expected<Settings> SolveCommand::load() const {
+  Settings own = paper_settings();
+  own.mpc = paper_mpc_settings();
+  own.robot = paper_robot_settings();
+  Expected<Settings> loaded = load_settings(settings, own);
+  if (loaded && loaded->mpc.horizon != io::kOcpHorizon) {
+    return fail(fmt::format("mpc.horizon: expected {}, the horizon of the result file, found {}",
+                            io::kOcpHorizon, loaded->mpc.horizon));
+  }
+  return loaded;
+}
+
 Expected<int> SolveCommand::run() const {
   if (out.empty()) return fail("--out: expected a file name, found an empty one");
   if (out == "-" && json == "-")
     return fail("--json: expected another place than --out, found standard output for both");
+  const Expected<Settings> chosen = load();
+  if (!chosen) return tl::unexpected(chosen.error());
   const auto instances = io::read_ocp_instances(instances_file);
   if (!instances) return tl::unexpected(instances.error());
   std::vector<OcpResult> warm;
@@ -120,15 +142,19 @@ Expected<int> SolveCommand::run() const {
     Progress progress("solving");
     for (std::size_t i = 0; i < instances->size(); ++i) {
       const OcpInstance& instance = (*instances)[i];
-      solved.push_back(solve_one(**solve, instance, guess_for(i, instance.id, warm)));
+      const ControlProblem problem = io::control_problem(instance, chosen->mpc, chosen->robot);
+      solved.push_back(solve_one(**solve, problem, instance, guess_for(i, instance.id, warm)));
       results.push_back(as_result(solved.back()));
       progress.show(fmt::format("{} of {}", i + 1, instances->size()));
     }
   }
   if (const auto written = write_output(out, io::format_ocp_results(results)); !written)
     return tl::unexpected(written.error());
-  const std::string report = solve_report(solver, starts, repeat, solved);
-  if (const auto written = write_output(json, report); !written)
+  Json report = solve_report(solver, starts, repeat, solved);
+  add_provenance(report, {.schema = "solve.v1",
+                          .files = {instances_file, warm_file, settings.file},
+                          .settings = &*chosen});
+  if (const auto written = write_output(json, json_text(report)); !written)
     return tl::unexpected(written.error());
   if (out == "-" || json == "-") return kDone;
   if (const auto printed = print(solve_table(solved)); !printed)
@@ -159,7 +185,13 @@ void add_solve_command(CommandLine& tool) {
   options.add("--repeat", command->repeat, "Solve as often and write the fastest time")
       .shows_default()
       .between(1, 1000000);
-  options.add("--json", command->json, "Write a report as JSON; - is standard output");
+  options.add("--json", command->json, "Write a report as JSON; - is standard output")
+      .type_name("FILE");
+  add_settings_options(options, command->settings);
+  options.footer(
+      "Settings of the groups mpc and robot change the weights and limits of all instances; "
+      "without "
+      "any the problem is the paper's.");
 }
 
 }  // namespace fairway::app

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/episode_output.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/output.hpp"
 #include "fairway/io/drawing/speed_picture.hpp"
 #include "fairway/io/drawing/world_picture.hpp"
+#include "fairway/planning/path_obstruction.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
 
 namespace fairway::app {
@@ -42,14 +44,51 @@ const char* outcome(const RobotResult& robot) {
   return robot.reached ? "reached" : "not there";
 }
 
+// The last cycle of a robot; none if it had none.
+const TraceRow* last_row(const EpisodeResult& result, std::size_t robot) {
+  const auto& rows = result.trace.rows;
+  const auto found = std::find_if(rows.rbegin(), rows.rend(),
+                                  [&](const TraceRow& row) { return row.robot == robot; });
+  return found == rows.rend() ? nullptr : &*found;
+}
+
+// Why a robot is not at its goal.
+std::string failure_reason(const Scenario& scenario,
+                           const EpisodeResult& result,
+                           std::size_t index) {
+  const RobotResult& robot = result.robots[index];
+  const TraceRow* const last = last_row(result, index);
+  const Pose2 pose = last != nullptr ? last->pose : scenario.robots[index].start;
+  const Eigen::Vector2d& position = pose.position;
+  if (robot.collided) {
+    return fmt::format("touched something at {:.2f} s, near ({:.2f}, {:.2f})", robot.time,
+                       position.x(), position.y());
+  }
+  if (!robot.plan.usable() && scenario.sensing.sensing == Sensing::Map) {
+    const PreparedMap map(scenario.map, unknown_cells(scenario.settings.map));
+    return explain(map, position, robot.plan, scenario.settings.robot.radius);
+  }
+  if (!robot.plan.usable()) return robot.plan.reason();
+  const double distance = (scenario.robots[index].goal.position - position).norm();
+  std::string text = fmt::format(
+      "did not reach its goal within {:.1f} s: {:.2f} m from it, at "
+      "({:.2f}, {:.2f})",
+      robot.time, distance, position.x(), position.y());
+  if (last == nullptr) return text;
+  text += fmt::format("; last status: {}", to_text(last->status));
+  if (last->limit != LimitingFactor::None) text += fmt::format(" ({})", to_text(last->limit));
+  return text;
+}
+
 }  // namespace
 
-std::string episode_json(const EpisodeResult& result) {
+Json episode_json(const Scenario& scenario, const EpisodeResult& result) {
   Json json;
   json["success"] = result.success;
   json["time"] = result.time;
   Json robots = Json::array();
-  for (const RobotResult& robot : result.robots) {
+  for (std::size_t i = 0; i < result.robots.size(); ++i) {
+    const RobotResult& robot = result.robots[i];
     robots.push_back(Json{{"name", robot.name},
                           {"reached", robot.reached},
                           {"collided", robot.collided},
@@ -63,9 +102,11 @@ std::string episode_json(const EpisodeResult& result) {
                           {"cycle_us", microseconds_json(robot.cycle_seconds)},
                           {"solve_us", microseconds_json(robot.solve_seconds)},
                           {"plan_us", microseconds_json(robot.plan_seconds)}});
+    if (!robot.reached || robot.collided)
+      robots.back()["reason"] = failure_reason(scenario, result, i);
   }
   json["robots"] = std::move(robots);
-  return json_text(json);
+  return json;
 }
 
 std::string episode_table(const EpisodeResult& result) {
@@ -82,16 +123,18 @@ std::string episode_table(const EpisodeResult& result) {
   return text;
 }
 
-std::string failure_text(const EpisodeResult& result) {
-  for (const RobotResult& robot : result.robots) {
-    if (robot.collided)
-      return fmt::format("{} touched something at {:.2f} s", robot.name, robot.time);
-  }
-  for (const RobotResult& robot : result.robots) {
-    if (robot.reached) continue;
-    if (!robot.plan.usable()) return fmt::format("{}: {}", robot.name, robot.plan.reason());
-    return fmt::format("{} did not reach its goal within {:.1f} s", robot.name, robot.time);
-  }
+std::string failure_text(const Scenario& scenario, const EpisodeResult& result) {
+  const auto failed = [&](auto&& has_failed) -> std::optional<std::string> {
+    for (std::size_t i = 0; i < result.robots.size(); ++i) {
+      if (!has_failed(result.robots[i])) continue;
+      const std::string reason = failure_reason(scenario, result, i);
+      const bool clause = result.robots[i].collided || result.robots[i].plan.usable();
+      return result.robots[i].name + (clause ? " " : ": ") + reason;
+    }
+    return std::nullopt;
+  };
+  if (auto text = failed([](const RobotResult& robot) { return robot.collided; })) return *text;
+  if (auto text = failed([](const RobotResult& robot) { return !robot.reached; })) return *text;
   return "the run was ended";
 }
 

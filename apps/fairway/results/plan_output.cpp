@@ -18,11 +18,20 @@ Json point_json(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); 
 
 }  // namespace
 
-std::string plan_json(const PlanAnswer& answer, const PlanQuery& query, const char* method) {
+std::string plan_json(const PlanAnswer& answer,
+                      const PlanQuery& query,
+                      const char* method,
+                      const Provenance& provenance) {
   const Plan& plan = answer.plan;
   Json json;
   json["success"] = plan.usable();
-  if (!plan.usable()) json["reason"] = plan.reason();
+  if (!plan.usable()) json["reason"] = answer.reason;
+  if (answer.obstruction) {
+    json["obstruction"] = Json{{"kind", to_text(answer.obstruction->kind)},
+                               {"position", point_json(answer.obstruction->position)},
+                               {"found", answer.obstruction->found},
+                               {"needed", answer.obstruction->needed}};
+  }
   json["method"] = method;
   json["start"] = point_json(query.start.position);
   json["goal"] = point_json(query.goal.position);
@@ -51,6 +60,7 @@ std::string plan_json(const PlanAnswer& answer, const PlanQuery& query, const ch
   json["seconds"] = Json{{"prepare", answer.prepare_seconds},
                          {"path", plan.path_seconds},
                          {"corridor", plan.corridor_seconds}};
+  add_provenance(json, provenance);
   return json_text(json);
 }
 

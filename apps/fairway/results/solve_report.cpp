@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/output.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
 
 namespace fairway::app {
@@ -78,10 +77,10 @@ std::vector<ClassSummary> summarise(std::span<const SolvedInstance> instances) {
   return summaries;
 }
 
-std::string solve_report(const std::string& solver,
-                         int starts,
-                         int repeat,
-                         std::span<const SolvedInstance> instances) {
+Json solve_report(const std::string& solver,
+                  int starts,
+                  int repeat,
+                  std::span<const SolvedInstance> instances) {
   Json report{{"solver", solver}, {"starts", starts}, {"repeat", repeat}};
   report["classes"] = Json::array();
   for (const ClassSummary& summary : summarise(instances))
@@ -89,7 +88,7 @@ std::string solve_report(const std::string& solver,
   report["instances"] = Json::array();
   for (const SolvedInstance& instance : instances)
     report["instances"].push_back(as_json(instance));
-  return json_text(report);
+  return report;
 }
 
 std::string solve_table(std::span<const SolvedInstance> instances) {

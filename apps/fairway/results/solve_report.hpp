@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/output.hpp"
 #include "fairway/mpc/solution.hpp"
 
 namespace fairway::app {
@@ -30,11 +31,11 @@ struct ClassSummary {
 /// One summary per class in order of appearance, and one for `all` where there are several.
 [[nodiscard]] std::vector<ClassSummary> summarise(std::span<const SolvedInstance> instances);
 
-/// All of it as JSON, as text.
-[[nodiscard]] std::string solve_report(const std::string& solver,
-                                       int starts,
-                                       int repeat,
-                                       std::span<const SolvedInstance> instances);
+/// All of it as JSON.
+[[nodiscard]] Json solve_report(const std::string& solver,
+                                int starts,
+                                int repeat,
+                                std::span<const SolvedInstance> instances);
 
 /// The summaries as a table for people.
 [[nodiscard]] std::string solve_table(std::span<const SolvedInstance> instances);

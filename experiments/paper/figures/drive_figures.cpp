@@ -88,7 +88,7 @@ Panel speed_panel(const std::shared_ptr<const DriveRuns>& runs,
                   double Twist2::*speed,
                   double end) {
   const bool linear = speed == &Twist2::linear;
-  const RobotSettings limits = driver_settings(runs->course, kind).robot;
+  const RobotSettings limits = runs->maps.front().of(kind).robot;
   const double most = linear ? limits.linear_max : limits.angular_max;
   const double least = linear ? limits.linear_min : -limits.angular_max;
   const double room = linear ? 0.12 : 0.25;

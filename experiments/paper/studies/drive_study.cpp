@@ -48,9 +48,9 @@ MapKind map_kind(DriveCourse course) noexcept {
   return course == DriveCourse::Unstructured ? MapKind::UnstructuredSmall : MapKind::Structured;
 }
 
-Settings driver_settings(DriveCourse course, DriverKind kind) {
+Settings driver_settings(DriveCourse course, DriverKind kind, const Settings& ours) {
   constexpr double kNever = 1000.0;  // [s]
-  Settings settings = kind == DriverKind::Ours ? Settings{} : paper_settings();
+  Settings settings = kind == DriverKind::Ours ? ours : paper_settings();
   settings.robot.radius = kDriverRadius;
   if (kind == DriverKind::Ours) return settings;
   settings.navigation.stall_timeout = kNever;
@@ -63,12 +63,15 @@ bool DriveComparison::all_reached() const {
   return std::all_of(drives.begin(), drives.end(), [](const Drive& d) { return d.reached; });
 }
 
-Scenario drive_scenario(DriveCourse course, std::uint64_t seed, DriverKind kind) {
+Scenario drive_scenario(DriveCourse course,
+                        std::uint64_t seed,
+                        DriverKind kind,
+                        const Settings& ours) {
   const double far = side_length(map_kind(course)) - kDriveCorner;
   Scenario scenario;
   scenario.name = to_text(kind);
   scenario.map = generate_map(map_kind(course), seed);
-  scenario.settings = driver_settings(course, kind);
+  scenario.settings = driver_settings(course, kind, ours);
   scenario.robots = {
       {.name = "robot",
        .start = {.position = {kDriveCorner, kDriveCorner}, .heading = 0.25 * std::numbers::pi},
@@ -83,6 +86,7 @@ Drive drive(const Scenario& scenario, const StudyOptions& options) {
   EpisodeResult result = run_episode(scenario, {.clock = options.clock, .solver = solver.get()});
   const RobotResult& robot = result.robots.front();
   Drive drive{
+      .robot = scenario.settings.robot,
       .reached = robot.reached,
       .collided = robot.collided,
       .time = robot.time,
@@ -123,7 +127,8 @@ std::vector<DriveComparison> compare_drivers(DriveCourse course,
         run_all(batch, options, std::string("drives, ") + to_text(course), [&](std::size_t i) {
           DriveComparison one{.seed = map_seed(options, tried + i), .possible = true};
           for (std::size_t k = 0; k < kDriverKinds && one.possible; ++k) {
-            const Scenario scenario = drive_scenario(course, one.seed, static_cast<DriverKind>(k));
+            const Scenario scenario =
+                drive_scenario(course, one.seed, static_cast<DriverKind>(k), options.ours);
             one.drives.at(k) = drive(scenario, options);
             one.possible = one.drives.at(k).plan.usable();
           }

@@ -36,10 +36,15 @@ inline constexpr std::size_t kDriveCourses = 3;
 /// Settings of a driver. The body is a disc of 0.25 m, so that the paper's Delta_s = 0.3 m leaves
 /// room for the error of its Euler step. Our recovery is off for the paper's two, which have none;
 /// our check of the stop stays on: it can only brake.
-[[nodiscard]] Settings driver_settings(DriveCourse course, DriverKind kind);
+///
+/// @param ours  Settings of DriverKind::Ours, but for the body.
+[[nodiscard]] Settings driver_settings(DriveCourse course,
+                                       DriverKind kind,
+                                       const Settings& ours = {});
 
 /// One run from corner to corner.
 struct Drive {
+  RobotSettings robot;  ///< of its settings
   bool reached = false;
   bool collided = false;
   double time = 0.0;           ///< until it stood at the goal, or the limit [s]
@@ -69,7 +74,10 @@ struct DriveComparison {
 };
 
 /// The task of a driver on the map of a seed: from corner to corner.
-[[nodiscard]] Scenario drive_scenario(DriveCourse course, std::uint64_t seed, DriverKind kind);
+[[nodiscard]] Scenario drive_scenario(DriveCourse course,
+                                      std::uint64_t seed,
+                                      DriverKind kind,
+                                      const Settings& ours = {});
 
 /// Runs a scenario of one robot.
 [[nodiscard]] Drive drive(const Scenario& scenario, const StudyOptions& options);

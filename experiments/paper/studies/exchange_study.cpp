@@ -18,8 +18,8 @@ constexpr double kExchangeBody = 0.25;       // [m]
 constexpr double kPaperKeepOut = 0.8;        // R_o [m]
 constexpr double kExchangeTimeLimit = 90.0;  // some ten times what the straight way takes [s]
 
-Settings exchange_settings(ExchangeKind kind) {
-  Settings settings = kind == ExchangeKind::Ismpc ? paper_settings() : Settings{};
+Settings exchange_settings(ExchangeKind kind, const Settings& ours) {
+  Settings settings = kind == ExchangeKind::Ismpc ? paper_settings() : ours;
   settings.robot.radius = kExchangeBody;
   if (kind == ExchangeKind::Ismpc) {
     settings.prediction.obstacle_margin = kPaperKeepOut - 2.0 * kExchangeBody;
@@ -84,9 +84,9 @@ double Exchange::nearest(const ExchangeMoment& moment, std::size_t robot) {
   return least;
 }
 
-Scenario exchange_scenario(std::uint64_t seed, ExchangeKind kind) {
+Scenario exchange_scenario(std::uint64_t seed, ExchangeKind kind, const Settings& ours) {
   Scenario scenario = swap_scenario(static_cast<int>(kExchangeRobots), kExchangeRadius,
-                                    exchange_settings(kind), seed + 1);
+                                    exchange_settings(kind, ours), seed + 1);
   scenario.time_limit = kExchangeTimeLimit;
   // The paper's robots share positions and speeds, which everybody here sees anyhow.
   scenario.radio.on = kind == ExchangeKind::Ours;
@@ -124,8 +124,9 @@ std::vector<ExchangeComparison> compare_exchanges(int runs, const StudyOptions& 
       static_cast<std::size_t>(runs), options, "robots that exchange places", [&](std::size_t i) {
         ExchangeComparison one;
         for (std::size_t k = 0; k < kExchangeKinds; ++k) {
-          one.at(k) =
-              exchange(exchange_scenario(options.seed + i, static_cast<ExchangeKind>(k)), options);
+          one.at(k) = exchange(
+              exchange_scenario(options.seed + i, static_cast<ExchangeKind>(k), options.ours),
+              options);
         }
         return one;
       });

@@ -54,7 +54,9 @@ using ExchangeComparison = std::array<Exchange, kExchangeKinds>;
 
 /// Four robots on a circle in the open, each bound for the place opposite; the starts are off by up
 /// to 0.05 m in x and y and turned by up to 0.1 rad, so that nothing is quite symmetric.
-[[nodiscard]] Scenario exchange_scenario(std::uint64_t seed, ExchangeKind kind);
+[[nodiscard]] Scenario exchange_scenario(std::uint64_t seed,
+                                         ExchangeKind kind,
+                                         const Settings& ours = {});
 
 [[nodiscard]] Exchange exchange(const Scenario& scenario, const StudyOptions& options);
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fairway/mpc/control_solver.hpp"
+#include "fairway/navigation/settings.hpp"
 
 namespace fairway::reproduction {
 
@@ -15,6 +16,7 @@ struct StudyOptions {
   std::uint64_t seed = 0;  ///< of the map that the figures show; see map_seed for the others
   int maps = 0;     ///< how many maps the means are taken over; 0: as many as the study likes
   int threads = 1;  ///< results do not depend on it
+  Settings ours{};  ///< of the runs called "ours"; each case sets the body
   /// A new solver for each run; null makes the default.
   std::function<std::unique_ptr<ControlSolver>()> make_solver;
   /// Thread CPU time [s]; must work in every thread.

@@ -78,6 +78,10 @@ enum class LimitingFactor : std::uint8_t {
   SmallerPlan,  ///< the plan was made for a smaller robot
 };
 
+/// How many there are.
+inline constexpr std::size_t kLimitingFactors =
+    static_cast<std::size_t>(LimitingFactor::SmallerPlan) + 1;
+
 [[nodiscard]] constexpr const char* to_text(LimitingFactor limit) noexcept {
   switch (limit) {
     case LimitingFactor::None:

@@ -178,6 +178,26 @@ Expected<Settings> read_settings(const std::string& path,
   return parse_settings(*text, path, base, warnings);
 }
 
+std::vector<SettingDifference> setting_differences(const Settings& settings,
+                                                   const Settings& other) {
+  std::vector<SettingDifference> all;
+  visit_settings(settings, [&](const char* group, auto&& visit_fields) {
+    visit_fields([&](const auto& value, const SettingInfo& info) {
+      all.push_back({.name = fmt::format("{}.{}", group, info.name),
+                     .value = value_text(value),
+                     .other = {}});
+    });
+  });
+  std::size_t i = 0;
+  visit_settings(other, [&](const char* /*group*/, auto&& visit_fields) {
+    visit_fields([&](const auto& value, const SettingInfo& /*info*/) {
+      all[i++].other = value_text(value);
+    });
+  });
+  std::erase_if(all, [](const SettingDifference& d) { return d.value == d.other; });
+  return all;
+}
+
 Expected<void> assign_setting(Settings& settings,
                               std::string_view assignment,
                               std::vector<std::string>* warnings) {

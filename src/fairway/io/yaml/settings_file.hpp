@@ -37,6 +37,17 @@ namespace fairway::io {
                                             std::string_view assignment,
                                             std::vector<std::string>* warnings = nullptr);
 
+/// A setting whose value is not that of other settings, with both values as files have them.
+struct SettingDifference {
+  std::string name;  ///< group.name
+  std::string value;
+  std::string other;
+};
+
+/// The settings in which `settings` differs from `other`, in the order of their groups.
+[[nodiscard]] std::vector<SettingDifference> setting_differences(const Settings& settings,
+                                                                 const Settings& other = {});
+
 /// Which settings are printed: all, or those that every user has to check.
 enum class SettingsChoice : std::uint8_t { All, Essential };
 

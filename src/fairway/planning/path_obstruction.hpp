@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "fairway/planning/planner.hpp"
+
+namespace fairway {
+
+/// What keeps a robot from its goal, with the numbers that a person needs to change it.
+struct PathObstruction {
+  enum class Kind : std::uint8_t {
+    StartClearance,  ///< the start is too near to an obstacle
+    GoalClearance,   ///< the goal is too near to an obstacle
+    NarrowGap,       ///< the best route leads through a gap that is too narrow
+    ClosedRoute,     ///< every route crosses blocked cells: obstacles, or unknown cells
+  };
+  Kind kind = Kind::ClosedRoute;
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< where, in the world frame [m]
+  double found = 0.0;   ///< distance to the nearest obstacle, or width of the gap [m]
+  double needed = 0.0;  ///< the same as the robot needs it [m]
+};
+
+[[nodiscard]] constexpr const char* to_text(PathObstruction::Kind kind) noexcept {
+  switch (kind) {
+    case PathObstruction::Kind::StartClearance:
+      return "start clearance";
+    case PathObstruction::Kind::GoalClearance:
+      return "goal clearance";
+    case PathObstruction::Kind::NarrowGap:
+      return "narrow gap";
+    case PathObstruction::Kind::ClosedRoute:
+      return "closed route";
+  }
+  return "unknown";
+}
+
+/// Finds out why `plan` has no path from `start` to its goal.
+///
+/// The best route is the one whose narrowest gap is the widest (a maximum bottleneck path over the
+/// cells). Gaps are measured to about a tenth of a cell; in a gap that is not straight the result
+/// is a lower bound. A route that crosses blocked cells is taken only when there is no other; then
+/// `position` is the first blocked cell on the one that crosses the fewest.
+///
+/// Takes up to O(cells) time and memory: for people who wait for an answer, not for control cycles.
+/// @param radius  Of the disc that the plan was asked to keep free [m].
+/// @return none when the plan has a path, or an end outside the map, or an invalid input.
+[[nodiscard]] std::optional<PathObstruction> find_obstruction(const PreparedMap& map,
+                                                              const Eigen::Vector2d& start,
+                                                              const Plan& plan,
+                                                              double radius);
+
+/// Says why `plan` is not usable, in one sentence with numbers and what could be changed. Empty
+/// when the plan is usable. Parameters as in find_obstruction.
+[[nodiscard]] std::string explain(const PreparedMap& map,
+                                  const Eigen::Vector2d& start,
+                                  const Plan& plan,
+                                  double radius);
+
+}  // namespace fairway
