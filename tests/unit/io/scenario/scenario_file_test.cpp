@@ -177,7 +177,7 @@ TEST(ScenarioFile, RefusesTwoRobotsOfOneName) {
                    "map: m.yaml\nrobots:\n  - {name: a, start: [1, 1, 0], goal: [2, 2]}\n"
                    "  - {name: a, start: [3, 1, 0], goal: [2, 2]}\n");
   EXPECT_EQ(read_scenario(path).error().message,
-            path + ":4: robots[1].name: expected a name of its own, found 'a' again");
+            path + ":4: robots[1].name: expected a unique name, found 'a' again");
 }
 
 TEST(ScenarioFile, ReadsOurOwnScenarios) {
