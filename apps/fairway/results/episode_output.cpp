@@ -39,7 +39,7 @@ std::string distance_text(double value) {
 
 const char* outcome(const RobotResult& robot) {
   if (robot.collided) return "contact";
-  return robot.reached ? "reached" : "not there";
+  return robot.reached ? "reached" : "not reached";
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ std::string failure_text(const EpisodeResult& result) {
     if (!robot.plan.usable()) return fmt::format("{}: {}", robot.name, robot.plan.reason());
     return fmt::format("{} did not reach its goal within {:.1f} s", robot.name, robot.time);
   }
-  return "the run was ended";
+  return "the run was stopped early";
 }
 
 Expected<std::string> world_picture(const Scenario& scenario,
