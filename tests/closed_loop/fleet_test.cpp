@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots among robots: nobody touches, everybody arrives.
+// Several robots in one world: all arrive without contact.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 struct Outcome {
   bool arrived = true;
   bool touched = false;
-  double time = 0.0;  // of the last to arrive [s]
+  double time = 0.0;  // of the last arrival [s]
 };
 
 Outcome run(const Scenario& scenario) {
@@ -50,7 +50,7 @@ TEST(Fleet, DoesNotTouchWhereMessagesAreLateOrLost) {
   }
 }
 
-// Two rooms of 5 m x 6 m and a door of 0.9 m.
+// Two rooms of 5 m x 6 m, joined by a door of 0.9 m.
 TEST(Fleet, ChangesRoomsThroughADoorThatOnlyOneFitsThrough) {
   OccupancyGrid map({.width = 200, .height = 120, .resolution = 0.05, .origin = {}});
   for (int y = 0; y < 120; ++y) {
@@ -130,7 +130,7 @@ TEST(Fleet, LeavesAPassageWhereMessagesAreLateAndLost) {
   EXPECT_FALSE(outcome.touched);
 }
 
-// The passage is closed behind the robot that wants out.
+// The passage ends behind the robot that has to leave.
 TEST(Fleet, WhoWantsIntoADeadEndLetsOutWhoIsInIt) {
   Scenario scenario;
   scenario.map = passage(0.0);

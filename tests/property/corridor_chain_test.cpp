@@ -21,7 +21,7 @@ TEST(CorridorChain, FewestCoversEveryPathThatHasRoomForThePatch) {
     const auto path = test::random_path(random, obstacles, radius + margin);
     if (!path) continue;
     CorridorSettings settings;
-    // Every point of the path has a disc of radius margin / sqrt(2) in any rectangle about it.
+    // Around every point of the path, any rectangle has a free disc of radius margin / sqrt(2).
     settings.min_overlap_area = 1.57 * margin * margin;
     settings.longest_side = random.chance(0.5) ? 16.0 : 40.0 * cell;
     const CorridorResult result = build_corridor(obstacles, *path, radius, settings);

@@ -27,7 +27,7 @@ std::optional<Scene> random_scene(test::Random& random) {
   return scene;
 }
 
-// Blocks or frees some cells of a small block; blocked cells keep away from the path.
+// Blocks or frees some cells of a small block; blocked cells keep a distance from the path.
 CellBlock change_map(test::Random& random, Scene& scene) {
   const GridFrame& frame = scene.obstacles.frame();
   const int size = random.integer(1, 12);
@@ -81,7 +81,7 @@ TEST(CorridorUpdate, KeepsThePromisesThroughManyChanges) {
   }
   EXPECT_GT(updates, 400);
   EXPECT_LE(static_cast<double>(updated_count), 1.15 * static_cast<double>(fresh_count))
-      << "the chain stays nearly as short as one built anew";
+      << "the chain stays nearly as short as a new one";
 }
 
 TEST(CorridorUpdate, LeavesTheChainAloneWhereNothingChanged) {

@@ -9,7 +9,7 @@ namespace {
 constexpr const char* kEnds = " --start 1,2 --goal 7,2 ";
 constexpr const char* kOutputs = " --json out.json --picture out.svg";
 
-// Bad input: exit code 2, one line that starts with "fairway: ", and no file more than before.
+// Checks for exit code 2, one line that starts with "fairway: ", and no new file.
 void expect_refused(const TemporaryFolder& folder,
                     const std::string& arguments,
                     const std::string& part) {

@@ -39,7 +39,7 @@ TEST_F(Barn, RecordsEveryRunUnderItsOwnNameAndOneUnderTheNameThatWasGiven) {
   EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
 }
 
-// A robot that is too wide for the way does not get there: there is a page to see why.
+// A robot that is too wide for the passage fails, and a page shows why.
 TEST_F(Barn, KeepsAPictureAndAPageOfAFailedRunOnly) {
   const ToolRun failed =
       run_tool(folder_, barn() + "--worlds 0 --set robot.radius=0.6 --trace-dir failed");

@@ -17,7 +17,7 @@ struct Ride {
   int seed = 0;
 };
 
-// What `fairway WORDS` gives, and prints on standard error.
+// Runs `fairway WORDS`, and returns the exit code and the standard error.
 struct Answer {
   int code = -1;
   std::string error;

@@ -64,7 +64,7 @@ TEST(Settings, ThatAreEssentialArePrintedAlone) {
                                              "  control_period",
                                              "  goal_tolerance"};
   EXPECT_EQ(names, expected);
-  // Each line is one of `fairway settings`, and a file to start from.
+  // Each line is one of `fairway settings`, and the text is a file to start from.
   const ToolRun all = run_tool(folder, "settings --set robot.linear_max=0.7");
   EXPECT_NE(all.out.find(run.out.substr(run.out.find("  linear_max: 0.7 "), 90)),
             std::string::npos);

@@ -61,8 +61,8 @@ TEST(Simulate, ReachesTheGoalInEveryScenarioOfTheProject) {
   EXPECT_GT(count, 10);
 }
 
-// With this seed the wheels put walls where free space was: the robot evaded them as if they moved,
-// forgot where they stood, and touched one.
+// With this seed the odometry errors once put walls into free space. The robot evaded them as if
+// they moved, forgot where they were, and touched one.
 TEST(Simulate, TakesNoWallForAMovingThingByLidar) {
   const TemporaryFolder folder;
   const ToolRun run = run_tool(folder, "simulate '" FAIRWAY_SOURCE_DIR
@@ -74,7 +74,7 @@ TEST(Simulate, TakesNoWallForAMovingThingByLidar) {
   EXPECT_LT(result.at("time").get<double>(), 38.0);
 }
 
-// All that a robot with a lidar drives on is in its recording, and the page has something to show.
+// The recording contains all inputs of a robot with a lidar, and the page can show them.
 TEST(Simulate, RecordsWhatARobotWithALidarSees) {
   const TemporaryFolder folder;
   write_room(folder);

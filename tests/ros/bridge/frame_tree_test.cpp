@@ -27,7 +27,7 @@ TEST(FrameTree, ComposesDownwards) {
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->pose.position.isApprox(Eigen::Vector2d(10, 1.5)));
   EXPECT_NEAR(found->pose.heading, kQuarter, 1e-12);
-  EXPECT_EQ(found->time, 5.0) << "the oldest on the way";
+  EXPECT_EQ(found->time, 5.0) << "the oldest stamp of the chain";
 }
 
 TEST(FrameTree, InvertsUpwardsAndGoesAcross) {

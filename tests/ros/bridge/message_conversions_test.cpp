@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conversions are templates over messages of any middleware: here over plain structs with the
-// same fields.
+// The conversions are templates over the messages of any middleware; here they run on plain structs
+// with the same fields.
 #include "bridge/message_conversions.hpp"
 
 #include <numbers>

@@ -58,7 +58,8 @@ TEST(ObstacleCloud, NamesWhatItCannotRead) {
   EXPECT_NE(message_of(cloud), "");
   cloud = view_of(data);
   cloud.point_step = 22;
-  EXPECT_NE(message_of(cloud).find("radius: expected an offset inside a point of 22"), std::string::npos);
+  EXPECT_NE(message_of(cloud).find("radius: expected an offset inside a point of 22"),
+            std::string::npos);
   cloud = view_of(data);
   cloud.big_endian = true;
   EXPECT_NE(message_of(cloud), "");

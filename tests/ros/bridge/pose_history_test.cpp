@@ -15,7 +15,7 @@ TEST(PoseHistory, LiesStraightBetweenTwoPosesAcrossTheWrap) {
   const auto pose = history.at(1.5);
   ASSERT_TRUE(pose);
   EXPECT_TRUE(pose->position.isApprox(Eigen::Vector2d(1, 2)));
-  EXPECT_NEAR(std::cos(pose->heading), -1.0, 1e-12) << "the short way round";
+  EXPECT_NEAR(std::cos(pose->heading), -1.0, 1e-12) << "the shorter turn";
 }
 
 TEST(PoseHistory, FollowsTheTwistALittleBeyondTheNewestPose) {

@@ -11,7 +11,7 @@
 namespace fairway::nav2 {
 namespace {
 
-// What to_obstacles asks of a nav2_costmap_2d::Costmap2D.
+// The part of nav2_costmap_2d::Costmap2D that to_obstacles uses.
 struct Costmap {
   unsigned int width = 0;
   unsigned int height = 0;
@@ -78,7 +78,7 @@ TEST(CostmapConversion, FillsPathsDenselyAndEndsWithTheGoalsHeading) {
   EXPECT_EQ(message.poses.size(), 16U);
 }
 
-// A hall of 12 m x 6 m with two posts, and a path of other make that goes round them.
+// A hall of 12 m x 6 m with two posts, and a path of another planner around them.
 struct Rig {
   Rig() : world(hall()), follower(Settings{}) {}
 
@@ -101,7 +101,7 @@ struct Rig {
     return to_path(dense);
   }
 
-  // The window of 6 m around the robot that a rolling costmap shows.
+  // The window of 6 m around the robot, as in a rolling costmap.
   [[nodiscard]] BitGrid window() const {
     const Eigen::Vector2d center = world.robots()[0].pose.position;
     const Eigen::Vector2d corner =
