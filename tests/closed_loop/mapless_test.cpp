@@ -43,7 +43,7 @@ void expect_arrival(const EpisodeResult& result, const Scenario& scenario) {
   EXPECT_LT(off.norm(), 1.0);
 }
 
-TEST(Mapless, CrossesPostsItHasNeverSeen) {
+TEST(Mapless, CrossesAnUnknownFieldOfPosts) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Scenario scenario = hall(seed);
     test::Random random(seed);
@@ -57,7 +57,7 @@ TEST(Mapless, CrossesPostsItHasNeverSeen) {
   }
 }
 
-TEST(Mapless, LeavesADeadEndAgain) {
+TEST(Mapless, LeavesADeadEnd) {
   Scenario scenario = hall(1);
   // A pocket across the straight path, open towards the robot.
   put_box(scenario.map, 4.0, 3.0, 8.0, 3.1);
@@ -81,7 +81,7 @@ TEST(Mapless, PassesADoorAsNarrowAsBarns) {
   }
 }
 
-TEST(Mapless, StandsStillWithoutScans) {
+TEST(Mapless, DoesNotMoveWithoutScans) {
   Scenario scenario = hall(1);
   scenario.sensing.lidar.latency = 100.0;  // no scan ever becomes available
   scenario.time_limit = 3.0;

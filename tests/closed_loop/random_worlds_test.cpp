@@ -47,7 +47,7 @@ void expect_limits_kept(const Scenario& scenario, const Trace& trace) {
   }
 }
 
-TEST(RandomWorlds, ArrivesWhereThereIsAWayAndNeverTouchesAnything) {
+TEST(RandomWorlds, ArrivesWithoutContactWhereAPathExists) {
   int driven = 0;
   int without_plan = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

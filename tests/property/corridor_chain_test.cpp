@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-TEST(CorridorChain, FewestCoversEveryPathThatHasRoomForThePatch) {
+TEST(CorridorChain, FewestCoversEveryPathWithClearanceForThePatch) {
   test::Random random(11);
   int built = 0;
   for (int trial = 0; trial < 400; ++trial) {
@@ -33,7 +33,7 @@ TEST(CorridorChain, FewestCoversEveryPathThatHasRoomForThePatch) {
   EXPECT_GT(built, 200);
 }
 
-TEST(CorridorChain, FewestCoversEveryFreePathWhenNoPatchIsAsked) {
+TEST(CorridorChain, FewestCoversEveryFreePathWithoutAPatch) {
   test::Random random(12);
   for (int trial = 0; trial < 200; ++trial) {
     const BitGrid obstacles(test::random_world(random, 120));
@@ -48,7 +48,7 @@ TEST(CorridorChain, FewestCoversEveryFreePathWhenNoPatchIsAsked) {
   }
 }
 
-TEST(CorridorChain, WhateverIsBuiltIsSound) {
+TEST(CorridorChain, EveryBuiltCorridorIsSound) {
   test::Random random(13);
   int built = 0;
   int stuck = 0;

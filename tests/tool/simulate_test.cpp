@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(Simulate, DrivesThroughTheGapAndReports) {
+TEST(Simulate, DrivesThroughTheGapAndWritesTheResult) {
   const TemporaryFolder folder;
   write_room(folder);
   const ToolRun run = run_tool(folder,
@@ -63,7 +63,7 @@ TEST(Simulate, ReachesTheGoalInEveryScenarioOfTheProject) {
 
 // With this seed the odometry errors once put walls into free space. The robot evaded them as if
 // they moved, forgot where they were, and touched one.
-TEST(Simulate, TakesNoWallForAMovingThingByLidar) {
+TEST(Simulate, MistakesNoWallForAMovingObstacleByLidar) {
   const TemporaryFolder folder;
   const ToolRun run = run_tool(folder, "simulate '" FAIRWAY_SOURCE_DIR
                                        "/scenarios/workshop.yaml' --sensing lidar --noise standard "
@@ -75,7 +75,7 @@ TEST(Simulate, TakesNoWallForAMovingThingByLidar) {
 }
 
 // The recording contains all inputs of a robot with a lidar, and the page can show them.
-TEST(Simulate, RecordsWhatARobotWithALidarSees) {
+TEST(Simulate, RecordsTheInputsOfARobotWithALidar) {
   const TemporaryFolder folder;
   write_room(folder);
   const ToolRun run = run_tool(folder,
@@ -120,7 +120,7 @@ TEST(Simulate, ReadsAScenario) {
   EXPECT_GT(robot.at("min_separation").get<double>(), 0.0);
 }
 
-TEST(Simulate, FailsWithAReasonWhereThereIsNoWay) {
+TEST(Simulate, FailsWithAReasonWithoutAPath) {
   const TemporaryFolder folder;
   write_room(folder);
   const ToolRun run = run_tool(folder,

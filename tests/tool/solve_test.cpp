@@ -40,7 +40,7 @@ class Solve : public testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-TEST_P(Solve, WritesCommandsThatKeepTheRowsOrSaysThatTheyDoNot) {
+TEST_P(Solve, WritesCommandsThatKeepTheConstraintsOrReportsThatTheyDoNot) {
   const ToolRun run = solve("--out out.res --repeat 2");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
@@ -89,7 +89,7 @@ TEST_P(Solve, ReportsAsJson) {
   EXPECT_EQ(report["classes"].back()["solved"], 2);
 }
 
-TEST_P(Solve, StartsFromAnEarlierResult) {
+TEST_P(Solve, WarmStartsFromAnEarlierResult) {
   ASSERT_EQ(solve("--out first.res").code, 0);
   ASSERT_EQ(solve("--out second.res --warm first.res").code, 0);
   const auto first = rows_of(content_of(folder_.path("first.res")));

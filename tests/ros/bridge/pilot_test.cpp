@@ -89,7 +89,7 @@ TEST(Pilot, SendsNothingWithoutAGoal) {
     EXPECT_FALSE(rig.step().send);
 }
 
-TEST(Pilot, ReachesAGoalOnTheMapWithOdometryInAFrameOfItsOwn) {
+TEST(Pilot, ReachesAGoalOnTheMapWithASeparateOdometryFrame) {
   for (const PilotOptions& options : {kMapAndScan, kMapOnly}) {
     Rig rig(options);
     rig.pilot.set_goal(kBehindTheWall);
@@ -104,7 +104,7 @@ TEST(Pilot, ReachesAGoalOnTheMapWithOdometryInAFrameOfItsOwn) {
   }
 }
 
-TEST(Pilot, GoesRoundWhatTheMapDoesNotHave) {
+TEST(Pilot, AvoidsObstaclesThatAreNotOnTheMap) {
   Scenario changed = room();
   for (int y = 85; y < 105; ++y) {
     for (int x = 60; x < 90; ++x)
@@ -166,7 +166,7 @@ TEST(Pilot, StopsWithoutLocalisation) {
   expect_stop_without(&Rig::localisation_alive, kMapOnly, 2.0, LimitingFactor::StalePose);
 }
 
-TEST(Pilot, StopsWhenADetectorThatSawNothingFallsSilent) {
+TEST(Pilot, StopsWhenADetectorWithoutDetectionsFallsSilent) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal(kBehindTheWall);
   rig.pilot.board().set_detections("camera", {.obstacles = {}, .time = 0.0});
@@ -192,7 +192,7 @@ TEST(Pilot, BrakesWhenTheGoalIsCancelled) {
   EXPECT_FALSE(rig.step().send);
 }
 
-TEST(Pilot, GivesUpAGoalThatCannotBeReachedAndSaysWhy) {
+TEST(Pilot, GivesUpAnUnreachableGoalWithAReason) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal({.position = {5.02, 1.0}, .heading = {}});  // in the wall
   const PilotStep answer = rig.drive(60.0);
@@ -202,7 +202,7 @@ TEST(Pilot, GivesUpAGoalThatCannotBeReachedAndSaysWhy) {
   EXPECT_NEAR(rig.world.time(), rig.pilot.options().patience, 0.5);
 }
 
-TEST(Pilot, TakesANewGoalOnTheWay) {
+TEST(Pilot, AcceptsANewGoalDuringADrive) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal(kBehindTheWall);
   rig.drive(2.0);
@@ -211,7 +211,7 @@ TEST(Pilot, TakesANewGoalOnTheWay) {
   EXPECT_LT((rig.world.robots()[0].pose.position - Eigen::Vector2d(2.0, 4.5)).norm(), 0.15);
 }
 
-TEST(Pilot, DrivesOnWithOtherSettings) {
+TEST(Pilot, ContinuesWithOtherSettings) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal(kBehindTheWall);
   rig.drive(2.0);

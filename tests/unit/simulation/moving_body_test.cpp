@@ -13,23 +13,23 @@ MovingBody walker(bool loop) {
   return body;
 }
 
-TEST(MovingBody, MovesStraightBetweenKeyFrames) {
+TEST(MovingBody, MovesLinearlyBetweenKeyFrames) {
   const MovingObstacle at2 = walker(false).at(2.0);
   EXPECT_NEAR(at2.position.x(), 2.0, 1e-12);
   EXPECT_NEAR(at2.velocity.x(), 2.0, 1e-12);
 }
 
-TEST(MovingBody, StandsBeforeTheFirstAndAfterTheLast) {
+TEST(MovingBody, IsAtRestBeforeTheFirstKeyFrameAndAfterTheLast) {
   EXPECT_EQ(walker(false).at(0.0).velocity.norm(), 0.0);
   EXPECT_EQ(walker(false).at(9.0).position, Eigen::Vector2d(4, 1));
   EXPECT_EQ(walker(false).at(9.0).velocity.norm(), 0.0);
 }
 
-TEST(MovingBody, LoopsByItsOwnPeriod) {
+TEST(MovingBody, LoopsWithItsPeriod) {
   EXPECT_NEAR(walker(true).at(5.0).position.x(), walker(true).at(2.0).position.x(), 1e-12);
 }
 
-TEST(MovingBody, PassingOnesAreThereOnlyBetweenTheirEnds) {
+TEST(MovingBody, APassingBodyIsPresentOnlyBetweenItsEnds) {
   MovingBody passing = walker(false);
   EXPECT_TRUE(passing.is_there(0.0));
   passing.passing = true;
