@@ -20,8 +20,8 @@ namespace fairway::bridge {
 inline constexpr int kOccupiedPercent = 65;
 inline constexpr int kFreePercent = 25;
 
-/// The yaw of a quaternion message [rad]; NaN if the quaternion is not finite or its length is far
-/// from 1, so that the caller refuses it.
+/// The yaw of a quaternion message [rad]. It is NaN if the quaternion is not finite or its length
+/// is far from 1, so that the caller refuses it.
 template <typename Quaternion>
 [[nodiscard]] double heading_of(const Quaternion& q) noexcept {
   const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;

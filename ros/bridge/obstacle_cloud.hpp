@@ -31,7 +31,7 @@ struct CloudView {
   std::span<const std::uint8_t> data;
 };
 
-/// Reads moving obstacles from points with the fields x, y, vx, vy and radius, each FLOAT32 or
+/// Reads moving obstacles from points with the fields x, y, vx, vy and radius. Each is FLOAT32 or
 /// FLOAT64, in the cloud's frame, in metres and metres per second. Without vx and vy the obstacles
 /// are static. More fields are allowed. The navigator refuses numbers that are not finite.
 [[nodiscard]] Expected<std::vector<MovingObstacle>> read_obstacles(const CloudView& cloud);

@@ -20,9 +20,9 @@ struct NodeOptions {
   bool cancel_with_client = true;  ///< a goal ends when its client disconnects
 };
 
-/// Reads every private parameter of the node: its options, `preset`, and the groups of settings as
-/// in a settings file, so that `rosparam load` accepts such a file. A parameter that is unknown,
-/// has another type or lies out of range is an error that names it.
+/// Reads every private parameter of the node: its options, `preset`, and the groups of settings.
+/// They are spelled as in a settings file, so that `rosparam load` accepts such a file. A parameter
+/// that is unknown, has another type or lies out of range is an error that names it.
 [[nodiscard]] Expected<void> read_parameters(const ros::NodeHandle& node,
                                              NodeOptions& options,
                                              Settings& settings);

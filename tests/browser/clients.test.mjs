@@ -99,7 +99,7 @@ test('data that are too large are refused', async () => {
   await goesOn();
 });
 
-test('few downloads are served at a time, the others are told to retry', async () => {
+test('few downloads are served at a time, the others are asked to retry', async () => {
   const answers = await Promise.all(Array.from({ length: 20 }, () => request({ path: '/recording.mcap' })));
   const statuses = answers.map(({ status }) => status);
   assert.ok(statuses.includes(200) && statuses.every((status) => status === 200 || status === 503), `${statuses}`);

@@ -12,8 +12,8 @@
 namespace fairway::test {
 namespace {
 
-// Three instances: a target 2 m ahead in free space; the same behind a wall at x = 0.5; and a robot
-// outside its rectangle, driving away, which has no feasible point.
+// Three instances: a target 2 m ahead in free space, and the same behind a wall at x = 0.5. The
+// third robot is outside its rectangle and drives away, which has no feasible point.
 const std::string kInstances =
     "3 free 0  0 0 0  2 0.1 0  3 0 0  0 0 0  -2 -2 6 2\n"
     "4 tight 1  0 0 0  2 0.1 0  3 0 0  0 0 0  -2 -2 0.8 2  0 1.5 0.1 0\n"

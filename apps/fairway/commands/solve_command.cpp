@@ -24,8 +24,8 @@ namespace {
 using io::OcpInstance;
 using io::OcpResult;
 
-// The guess for instance `index`: the result at this index if it has the same id, else the first
-// result with this id; a cold start if there is none.
+// The guess for instance `index`: the result at this index if it has the same id. Otherwise it is
+// the first result with this id, or a cold start.
 InitialGuess guess_for(std::size_t index, int id, const std::vector<OcpResult>& results) {
   InitialGuess guess;
   auto found = results.end();

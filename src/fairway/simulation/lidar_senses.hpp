@@ -23,7 +23,7 @@ class LidarSenses {
   /// The robot's current pose by odometry.
   [[nodiscard]] const Pose2& pose() const noexcept { return odometry_.pose(); }
 
-  /// Passes on the scans that became available since the last call, oldest first: calls `take(scan,
+  /// Passes on the scans that became available since the last call, oldest first. Calls `take(scan,
   /// position)` for each, with the position at which it was taken.
   template <typename Take>
   void deliver(double time, Take&& take) {

@@ -20,7 +20,7 @@ struct DrivenCycle {
   NavigationStep step;
   double seconds = 0.0;               ///< 0 without a clock
   bool new_plan = false;              ///< it made a plan in this cycle and follows it
-  const BitGrid* occupied = nullptr;  ///< as NavigationCycle says
+  const BitGrid* occupied = nullptr;  ///< see NavigationCycle
 };
 
 /// Drives one robot of an episode: a navigator and the source of its measurements.

@@ -53,7 +53,7 @@ TEST(MovingBody, ARecordingIsReplayedFromAnyTime) {
   EXPECT_FALSE(all[0].is_there(2.5));
   EXPECT_TRUE(all[1].is_there(9.0));
   EXPECT_EQ(replayed({early, late}, 2.0, 8.0).size(), 1U) << "the second comes too late";
-  EXPECT_EQ(replayed({early, late}, 5.0, 20.0).size(), 1U) << "the first has gone";
+  EXPECT_EQ(replayed({early, late}, 5.0, 20.0).size(), 1U) << "the first has left";
 }
 
 }  // namespace

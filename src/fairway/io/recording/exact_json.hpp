@@ -9,7 +9,7 @@
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
-// The inputs of a run as exact JSON: a number has as many digits as its double needs, and a number
+// The inputs of a run as exact JSON. A number has as many digits as its double needs, and a number
 // that is not finite is "NaN", "Infinity" or "-Infinity". The readers throw
 // nlohmann::json::exception or std::invalid_argument where a value is missing or has the wrong
 // type; `read_recording` turns these into an Error.

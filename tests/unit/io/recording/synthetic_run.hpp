@@ -5,8 +5,8 @@
 
 namespace fairway::test {
 
-/// A synthetic run in which every field has content: robots drive on a circle, bodies cross it,
-/// plans change, cells appear, and one robot has a map of its own.
+/// A synthetic run in which every field has content. Robots drive on a circle, bodies cross it,
+/// plans change, cells appear, and one robot has a separate map.
 struct SyntheticRun {
   int robots = 2;
   int bodies = 2;
