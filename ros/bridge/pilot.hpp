@@ -80,8 +80,8 @@ class Pilot {
   /// frame, and they are ignored.
   [[nodiscard]] FleetBoard& fleet() noexcept { return fleet_; }
 
-  /// The message to the fleet after a cycle at `time`: this robot's motion, and the stop to which
-  /// it is committed until its next message. None before the pose is known, or without a map.
+  /// The message to the fleet after a cycle at `time`. It has this robot's motion, and the stop to
+  /// which it is committed until its next message. None before the pose is known, or without a map.
   [[nodiscard]] std::optional<SharedMotion> share(std::uint32_t robot, double time) const;
 
   /// Sets a goal. @pre the goal is finite, in the world's frame.

@@ -38,8 +38,8 @@ struct MapHeader {
 ///   Trinary  o > occupied_thresh is occupied, o < free_thresh is free, the rest is unknown.
 ///   Scale    the same; what map_server scales to 1..99 between the thresholds is unknown here, and
 ///            what it rounds to 0 or 100 is free or occupied.
-/// Raw      round(255 s) is the occupancy in percent, unknown above 100; free_thresh is then the
-///           highest free and occupied_thresh the lowest occupied percentage, as in map_saver.
+///   Raw      round(255 s) is the occupancy in percent, unknown above 100; free_thresh is then the
+///            highest free and occupied_thresh the lowest occupied percentage, as in map_saver.
 /// Pixels that are not opaque are unknown, except in Raw, which ignores alpha.
 /// `name` is the file in messages.
 [[nodiscard]] Expected<OccupancyGrid> make_grid(const MapHeader& header,
