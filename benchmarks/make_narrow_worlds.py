@@ -109,7 +109,7 @@ def shortest_way(field, radius):
 
 
 def write_map(folder, name, posts):
-    """Writes the map; a cell is occupied if a post overlaps it."""
+    """A cell is occupied when a post reaches into it."""
     image = bytearray(b"\xfe" * (WIDTH * HEIGHT))
     for x, y in map(post_center, posts):
         cx, cy = int((x - ORIGIN[0]) / CELL), int((y - ORIGIN[1]) / CELL)

@@ -161,7 +161,7 @@ TEST(PathLaws, StraighteningNeverCostsMoreThanTheSearch) {
     cells += static_cast<int>(chain.path.waypoints.size());
   }
   EXPECT_GT(cells, 1000);
-  EXPECT_LT(turns * 8, cells) << "the zigzag of the grid is gone";
+  EXPECT_LT(turns * 8, cells) << "the path does not follow the grid";
 }
 
 TEST(PathLaws, ShiftingTheWorldShiftsThePath) {
