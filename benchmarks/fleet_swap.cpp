@@ -55,7 +55,7 @@ Options read_options(int argc, char** argv) {
   return options;
 }
 
-// The time to drive straight on without other robots: from standstill to full speed and back.
+// Driving straight on with nobody there: from standing up to full speed and down again.
 double straight_time(double length, const MpcSettings& mpc) {
   return length / robot.linear_max + robot.linear_max / robot.linear_acceleration_max;
 }
