@@ -1,8 +1,8 @@
-# Parts of a check, each with its time; sourced by .ci/run and .ci/nightly.
-#   part NAME COMMAND...   runs the command, and goes on where it fails
+# Parts of a check with their times; sourced by .ci/run and .ci/nightly.
+#   part NAME COMMAND...   runs the command, and continues after a failure
 #   part_within MINUTES NAME COMMAND...
-#                          the same, where MINUTES more keep the whole run below 45; says so where they do not
-#   finish                 prints what failed and "N passed, N failed"; gives 1 where anything failed
+#                          the same if MINUTES more keep the whole run below 45; otherwise it says so
+#   finish                 prints the failures and "N passed, N failed"; returns 1 after a failure
 passed=0
 failed=0
 failures=()
@@ -13,7 +13,7 @@ part() {
   shift
   echo "== $name: $*"
   "$@" 2>&1 | tee "$log" || status=1
-  # The tests of ctest count one by one, other parts as one.
+  # CTest's tests count one by one, every other part as one.
   counts=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
   if [ -n "$counts" ]; then
     wrong=${counts% *}

@@ -64,9 +64,9 @@ double run_sound(const std::vector<Scene>& scenes,
   return tally.rectangles / tally.paths;
 }
 
-// The least number of free rectangles, over `num_angles` orientations, that cover the path piece by
-// piece, whether they overlap in a patch or not: greedy by the furthest reach, each found by
-// halving. Slow and plain.
+// The least number of free rectangles that cover the path piece by piece, over `num_angles`
+// orientations and without the overlap condition. Greedy: bisection finds the furthest reach of
+// each rectangle. Slow and simple.
 int lower_bound(const Scene& scene, double clearance, double margin, int num_angles) {
   const GridFrame& grid = scene.obstacles.frame();
   PathTrack track;
@@ -95,7 +95,7 @@ int lower_bound(const Scene& scene, double clearance, double margin, int num_ang
       }
       best = std::min(good, track.length());
     }
-    if (best <= from) return count;  // blocked: nothing to compare with
+    if (best <= from) return count;  // blocked: no bound to compare with
     from = best;
     if (from >= track.length() - 0.02) return count + 1;
   }
@@ -152,7 +152,7 @@ void compare_corridors(MapKind kind, int maps) {
       bound, bound_work, few / bound, few_work / bound_work, few / mdsrc, few / src);
 }
 
-// Single rectangles in the workspace around points of the paths.
+// Builds single workspace rectangles around points of the paths.
 void compare_rectangles(MapKind kind, int maps) {
   const std::vector<Scene> scenes = make_scenes(kind, maps);
   constexpr double kSide = 16.0;
@@ -202,8 +202,8 @@ void compare_rectangles(MapKind kind, int maps) {
               greedy_share / n, largest_share / n);
 }
 
-// The paper's Figures 9 and 10: random points on a 20 m map with ever more obstacles; points that
-// an earlier rectangle holds need none.
+// The paper's Figures 9 and 10: random points on a 20 m map with an increasing number of obstacles;
+// points inside an earlier rectangle get none.
 void compare_fields(int maps) {
   std::puts("\n### Fields of 20 m x 20 m, 24 random points\n");
   std::puts(
@@ -238,7 +238,7 @@ void compare_fields(int maps) {
   }
 }
 
-// Small changes on the map, one per control cycle, each followed by an update.
+// Makes small changes on the map, one per control cycle, each followed by an update.
 void time_updates(int maps) {
   std::vector<double> times;
   double builds = 0.0;

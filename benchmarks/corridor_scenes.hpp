@@ -13,14 +13,14 @@
 
 namespace fairway::benchmarks {
 
-inline constexpr double kRadius = 0.3;          // of the robot, and Delta_s [m]
+inline constexpr double kRadius = 0.3;          // robot radius, and Delta_s [m]
 inline constexpr double kPathClearance = 0.45;  // [m]
 
 /// A generated map with a path through it.
 struct Scene {
   BitGrid obstacles;
   Path path;       // the library's own
-  Path waypoints;  // the same, a point every 0.1 m, for the methods that take path points as seeds
+  Path waypoints;  // the same with a point every 0.1 m, for methods that use path points as seeds
 };
 
 inline Path resampled(const Path& path, double spacing) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds corridors by every sound method on many random small maps with posts and one-cell
-// diagonals, and counts rectangles that come too near an obstacle and chains that break.
+// diagonals. Counts rectangles that are too close to an obstacle and broken chains.
 // Usage: corridor_soundness [MAPS]; exit code 1 when there is any.
 #include <cstdio>
 #include <cstdlib>

@@ -9,7 +9,7 @@
 
 namespace fairway::benchmarks {
 
-/// What one method did on all scenes of a kind.
+/// The results of one method on all scenes of a kind.
 struct Tally {
   double count = 0, area = 0, seconds = 0, rectangles = 0, overlapping = 0;
   int paths = 0, broken = 0, failed = 0;

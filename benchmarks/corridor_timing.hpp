@@ -20,7 +20,7 @@ inline double thread_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// The least time of several runs [s]: what the work takes when nothing else disturbs it.
+/// The least time of several runs [s], which other programs disturb least.
 template <typename Work>
 double best_time(int repeats, Work&& work) {
   double best = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ inline double largest_area_of(const BitGrid& map,
   return test::largest_area_oracle(map, seed, longest_side, angles);
 }
 
-/// Random points with 0.3 m of room.
+/// Random points with a clearance of 0.3 m.
 inline std::vector<Eigen::Vector2d> free_points(const BitGrid& map, int count, unsigned seed) {
   std::mt19937 engine(seed);
   const GridFrame& frame = map.frame();
@@ -56,7 +56,7 @@ inline std::vector<Eigen::Vector2d> free_points(const BitGrid& map, int count, u
   return points;
 }
 
-/// The cells whose centre is less than `radius` [m] from the centre of a blocked cell, blocked.
+/// Blocks the cells whose centre is less than `radius` [m] from the centre of a blocked cell.
 inline BitGrid inflated(const BitGrid& obstacles, double radius) {
   BitGrid result = obstacles;
   const GridFrame& frame = obstacles.frame();
@@ -77,7 +77,7 @@ inline BitGrid inflated(const BitGrid& obstacles, double radius) {
   return result;
 }
 
-/// A grid of which only the cells on the path are blocked.
+/// A grid in which only the cells on the path are blocked.
 inline BitGrid path_cells(const GridFrame& frame, const Path& path) {
   BitGrid cells(frame, false);
   for (const Eigen::Vector2d& p : path.waypoints)
@@ -85,7 +85,7 @@ inline BitGrid path_cells(const GridFrame& frame, const Path& path) {
   return cells;
 }
 
-/// Blocks or frees the cells of a block that may change.
+/// Blocks or frees a block of cells, except those that must not change.
 inline void set_cells(BitGrid& map, const CellBlock& block, const BitGrid& fixed, bool blocked) {
   for (int y = block.min.y; y <= block.max.y; ++y) {
     for (int x = block.min.x; x <= block.max.x; ++x) {

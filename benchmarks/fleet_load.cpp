@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many robots one core steers: robots on open ground with random goals, all cycles of a round
-// added up (hearing the others, navigating, telling), and the memory of one robot.
+// How many robots one core controls: robots in open space with random goals. Measures all cycles of
+// a round (receiving, navigating, publishing), and the memory of one robot.
 //
 //   fleet_load [SECONDS] N...
 #include <malloc.h>
@@ -74,13 +74,13 @@ void run(int robots, double seconds) {
   }
   const Quantiles round = quantiles(rounds);
   std::printf(
-      "%5d robots: a round takes %.1f ms (median), %.1f ms (p99), %.1f ms (most); arrived %d, "
+      "%5d robots: a round takes %.1f ms (median), %.1f ms (p99), %.1f ms (max); arrived %d, "
       "contact %d after %.0f s\n",
       robots, 1e3 * round.median, 1e3 * round.p99, 1e3 * round.max, arrived, contacts, result.time);
   std::fflush(stdout);
 }
 
-// What one more navigator takes, with a plan to follow.
+// The memory of one more navigator that follows a plan.
 void memory() {
   const Scenario scenario = random_tasks(200);
   const PreparedMap map(scenario.map);
@@ -102,7 +102,7 @@ void memory() {
     navigators.back()->follow(plan);
   }
   const std::size_t after = mallinfo2().uordblks;
-  std::printf("memory of a robot: %.1f kB, and %.1f kB for what it tells\n",
+  std::printf("memory of a robot: %.1f kB, and %.1f kB for its shared motion\n",
               1e-3 * static_cast<double>(after - before) / static_cast<double>(plans.size()),
               1e-3 * sizeof(SharedMotion));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenarios with several robots, with and without what makes them easy: what robots tell each
-// other, and the prediction of what moves.
+// Runs scenarios with several robots, with and without the messages between robots and the
+// prediction of moving obstacles.
 //
 //   fleet_scenarios SCENARIO.yaml...
 #include <algorithm>
@@ -28,7 +28,7 @@ void run(Scenario scenario, bool messages, bool prediction) {
     separation = std::min(separation, robot.min_separation);
   }
   std::printf(
-      "%s, messages %s, prediction %s: %d of %zu there, %d touched, last after %.1f s, least "
+      "%s, messages %s, prediction %s: %d of %zu arrived, %d touched, last after %.1f s, least "
       "separation %.3f m\n",
       scenario.name.c_str(), messages ? "on" : "off", prediction ? "on" : "off", arrived,
       result.robots.size(), touched, last, separation);

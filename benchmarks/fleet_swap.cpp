@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots on a circle exchange places, for many perturbed starts: who arrives, how near they come,
-// and how long it takes against the straight line.
+// Robots on a circle exchange places, for many perturbed starts. Prints arrivals, least
+// separations, and times relative to the straight path.
 //
 //   fleet_swap [--seeds FIRST,LAST] [--delay S] [--loss SHARE] [--radio on|off] [--predict on|off]
 //   N...
@@ -89,14 +89,14 @@ void run(int robots, const Options& options) {
     if (all) ratios.push_back(ratio);
     if (options.verbose) {
       std::printf("  seed %lu: %s%s, last after %.1f s (x %.2f)\n", seed,
-                  all ? "all there" : "stuck", touched ? ", contact" : "", last, ratio);
+                  all ? "all arrived" : "stuck", touched ? ", contact" : "", last, ratio);
     }
   }
   const unsigned long runs = options.last_seed - options.first_seed + 1;
   std::sort(ratios.begin(), ratios.end());
   const Quantiles cycle = quantiles(cycles);
   std::printf(
-      "%4d robots: %lu runs, all there %d, contact %d, least separation %.3f m, time x %.2f "
+      "%4d robots: %lu runs, all arrived %d, contact %d, least separation %.3f m, time x %.2f "
       "median, x %.2f worst, cycle %.0f/%.0f us\n",
       robots, runs, arrived, contacts, separation, ratios.empty() ? 0.0 : ratios[ratios.size() / 2],
       ratios.empty() ? 0.0 : ratios.back(), 1e6 * cycle.median, 1e6 * cycle.p99);

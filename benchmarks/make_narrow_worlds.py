@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws worlds in the manner of BARN, all of them narrow, for `fairway barn`.
+"""Generates narrow worlds in the manner of BARN, for `fairway barn`.
 
-Posts of radius 0.075 m on a lattice of 0.15 m, as a cellular automaton leaves them, between two
-walls 4.5 m apart. Kept are worlds whose widest way has a clearance within the given bounds. The
-reference length is that of the shortest way for a disc of 0.31 m on cells of 0.05 m, 8-connected.
+A cellular automaton places posts of radius 0.075 m on a lattice of 0.15 m, between two walls that
+are 4.5 m apart. Worlds are kept if their widest path has a clearance within the given bounds. The
+reference length is that of the shortest path for a disc of 0.31 m on cells of 0.05 m, 8-connected.
 
     benchmarks/make_narrow_worlds.py build/narrow --count 60 --seed 1
     build/release/bin/fairway barn build/narrow
@@ -23,7 +23,7 @@ START, GOAL = (-2.25, 3.0), (-2.25, 13.0)
 
 
 def draw_posts(rng):
-    """Filled lattice points: walls left, right and behind, and a smoothed random field."""
+    """The filled lattice points: walls left, right and behind, and a smoothed random field."""
     fill, rounds = rng.uniform(0.15, 0.35), rng.randint(2, 4)
     span = range(FIRST_ROW, ROWS)
     field = {(c, r) for r in span for c in range(COLUMNS) if rng.random() < fill}
@@ -72,13 +72,13 @@ def neighbours(cell):
 
 
 def inside(cell):
-    """Ways around the field do not count: between the walls up to their end."""
+    """Whether a cell is between the walls, or beyond their end; paths around the field do not count."""
     x, y = ORIGIN[0] + (cell % WIDTH + 0.5) * CELL, ORIGIN[1] + (cell // WIDTH + 0.5) * CELL
     return -4.425 < x < -0.075 and y > 0.075 or y > 9.6
 
 
 def widest_clearance(field):
-    """The greatest clearance that some way from start to goal keeps."""
+    """The largest clearance of any path from start to goal."""
     best, queue, goal = {}, [(-field[cell_of(START)], cell_of(START))], cell_of(GOAL)
     while queue:
         width, cell = heapq.heappop(queue)
@@ -132,8 +132,8 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--least", type=float, default=0.365, help="clearance of the widest way [m]")
-    parser.add_argument("--most", type=float, default=0.45, help="the same, at most [m]")
+    parser.add_argument("--least", type=float, default=0.365, help="least clearance of the widest path [m]")
+    parser.add_argument("--most", type=float, default=0.45, help="largest clearance of the widest path [m]")
     options = parser.parse_args()
     (options.folder / "maps").mkdir(parents=True, exist_ok=True)
     rng, worlds = random.Random(options.seed), []

@@ -14,9 +14,9 @@
 
 namespace fairway::benchmark {
 
-/// Seeded problems of the paper's preset with any horizon and number of obstacles: a rectangle that
-/// holds the robot, both targets ahead, obstacles that start outside their keep-out distance and
-/// move at up to 0.6 m/s. Not all of them are feasible.
+/// Seeded problems of the paper's preset with any horizon and number of obstacles. The rectangle
+/// contains the robot, both targets are ahead, and the obstacles start outside their keep-out
+/// distance and move at up to 0.6 m/s. Not all problems are feasible.
 class OcpGenerator {
  public:
   explicit OcpGenerator(std::uint64_t seed) : engine_(seed) {}
@@ -45,9 +45,9 @@ class OcpGenerator {
     return paper_problem(settings, paper_robot_settings(), scene);
   }
 
-  /// The problem of the next control cycle after a solution of `problem`: the robot is where the
-  /// first command leads, within 5 mm and 0.01 rad, the obstacles have moved on and turn out to be
-  /// up to 5 mm away and 0.05 m/s faster; targets and regions move up one step.
+  /// The next control cycle's problem after a solution of `problem`. The robot follows the first
+  /// command within 5 mm and 0.01 rad. The obstacles move on, with errors of up to 5 mm and 0.05
+  /// m/s; targets and regions move up one step.
   ControlProblem next_cycle(const ControlProblem& problem, const MpcSolution& solution) {
     ControlProblem next = problem;
     const auto last = static_cast<std::size_t>(problem.horizon);
@@ -73,7 +73,7 @@ class OcpGenerator {
   }
 
  private:
-  // Not std::uniform_real_distribution: its numbers differ between standard libraries.
+  // The numbers of std::uniform_real_distribution differ between standard libraries.
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1.0p-53);
   }

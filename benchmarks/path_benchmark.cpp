@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Map preparation (distance field, inflation) and path search, on generated maps and, where the
+// Times map preparation (distance field, inflation) and path search on generated maps and, if the
 // shared data is present, on Willow Garage.
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using fairway::BitGrid;
 using fairway::DistanceField;
 
-// Square blocks of 5 to 50 cm on a tenth of the floor, 0.05 m cells.
+// Square obstacles of 5 to 50 cm on a tenth of the floor, cells of 0.05 m.
 BitGrid cluttered_map(int side_cells) {
   fairway::test::Random random(1);
   BitGrid map({.width = side_cells, .height = side_cells, .resolution = 0.05, .origin = {}}, false);
@@ -70,7 +70,7 @@ void inflation(benchmark::State& state) {
 }
 BENCHMARK(inflation)->ArgName("cells")->Arg(500)->Arg(1000)->Unit(benchmark::kMillisecond);
 
-// One query again and again; `cold` with a new planner each time, as the tool's first plan is.
+// Repeats one query; `cold` uses a new planner each time, like the tool's first plan.
 void find_path(benchmark::State& state,
                const BitGrid& map,
                const Vector2d& start,
@@ -98,8 +98,8 @@ void path_cluttered(benchmark::State& state) {
 }
 BENCHMARK(path_cluttered)->ArgName("weight10")->Arg(0)->Arg(15)->Unit(benchmark::kMillisecond);
 
-// The pair of FIELD_NOTES section 2; 0.2755 m from every occupied square is its 0.3 m from every
-// occupied cell's centre.
+// A start and goal in Willow Garage. 0.2755 m from every occupied square equals 0.3 m from the
+// centre of every occupied cell.
 void path_willow(benchmark::State& state, bool cold) {
   const std::optional<BitGrid> map = willow();
   if (!map) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot drives through people who were recorded and do not see it, on many ways and from many
-// times of the recording: who arrives, who touches whom, and how long it takes against the same way
-// without people.
+// A robot drives through recorded people, who do not see it, on many paths and from many times of
+// the recording. Prints arrivals, contacts, and times relative to the same path without people.
 //
 //   pedestrian_runs TRACKS [--runs N] [--seed S] [--radius M] [--speed M/S] [--margin M]
 //                   [--growth M/S] [--growth-max M] [--verbose]
 //
-// --radius is that of a person, the last four are settings of the robot (robot.linear_max,
-// navigation.obstacle_*). TRACKS as fairway/io/tracks_file.hpp says, 25 frames per second. Every
-// run leads through the middle of the scene, from outside of it to outside of it, in a direction
-// drawn anew. Each is made twice, with the prediction and without.
+// --radius is that of a person; the last four are settings of the robot (robot.linear_max,
+// navigation.obstacle_*). The format of TRACKS is in fairway/io/scenario/tracks_file.hpp, with 25
+// frames per second. Every run leads from outside the scene through its middle to the other side,
+// in a random direction. Each run is made twice, with and without the prediction.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -64,11 +63,11 @@ Options read_options(int argc, char** argv) {
   return options;
 }
 
-// The scene in which people were seen, and when.
+// The area and duration of the recording.
 struct Recording {
   std::vector<MovingBody> people;
   Vector2d center;
-  double reach;  // from the centre to outside of it [m]
+  double reach;  // from the centre to outside the scene [m]
   double end;    // [s]
 };
 
@@ -91,7 +90,7 @@ Recording recording_of(std::vector<MovingBody> people) {
 }
 
 Scenario draw(const Recording& recording, const Options& options, Noise& noise) {
-  constexpr double kAround = 3.0;  // [m] of open ground around the ways
+  constexpr double kAround = 3.0;  // [m] of open space around the paths
   constexpr double kResolution = 0.1;
   Scenario scenario;
   scenario.name = "pedestrians";
@@ -120,7 +119,7 @@ Scenario draw(const Recording& recording, const Options& options, Noise& noise) 
 struct Tally {
   int arrived = 0;
   int ran_into = 0;   // contacts while the robot went towards the person
-  int run_over = 0;   // contacts while it stood or went away
+  int run_over = 0;   // contacts while the robot was at standstill or moved away
   int not_there = 0;  // without contact, but too late
   double separation = 1e9;
   std::vector<double> ratios;
@@ -146,7 +145,7 @@ struct Tally {
     };
     const Quantiles cycle = quantiles(cycles);
     std::printf(
-        "prediction %-3s: %d runs, arrived %d, ran into somebody %d, run over %d, not there %d, "
+        "prediction %-3s: %d runs, arrived %d, ran into a person %d, run over %d, too late %d, "
         "least separation without contact %.3f m, time x %.2f median, x %.2f at 90 %%, x %.2f "
         "worst, cycle %.0f/%.0f us\n",
         name, runs, arrived, ran_into, run_over, not_there, separation, at(0.5), at(0.9), at(1.0),
@@ -172,7 +171,7 @@ void run(const Recording& recording, const Options& options) {
       if (options.verbose) {
         std::printf("  run %d, prediction %s: %s after %.1f s, %.2f m/s towards\n", i,
                     tally == &with ? "on" : "off",
-                    robot.collided ? "contact" : (robot.reached ? "arrived" : "not there"),
+                    robot.collided ? "contact" : (robot.reached ? "arrived" : "too late"),
                     robot.time, robot.approach);
       }
     }

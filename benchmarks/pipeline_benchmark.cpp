@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each stage from map to command, on generated maps of the paper's three kinds: map preparation,
-// path, corridor, one cold MPC solve. Argument: the MapKind.
+// Times each stage from map to command on generated maps of the paper's three kinds: map
+// preparation, path, corridor, one cold MPC solve. The argument is the MapKind.
 #include <memory>
 #include <vector>
 
@@ -26,14 +26,14 @@ struct Query {
   Eigen::Vector2d goal;
 };
 
-// From the free place nearest to one corner to that nearest to the other.
+// From the free point nearest to one corner to that nearest to the opposite one.
 Query query(const benchmark::State& state) {
   Query q{
       .map = fairway::PreparedMap(fairway::generate_map(static_cast<MapKind>(state.range(0)), 1)),
       .settings = {},
       .start = {},
       .goal = {}};
-  q.settings.path.margin = 0.1;  // always enough for the wished overlap: docs/corridors.md
+  q.settings.path.margin = 0.1;  // always enough for the desired overlap: docs/corridors.md
   const fairway::GridFrame& frame = q.map.obstacles.frame();
   const double side = frame.width * frame.resolution;
   const auto free_near = [&](double from, double way) {
@@ -82,7 +82,7 @@ void build_corridor(benchmark::State& state) {
   state.counters["metres"] = found.path.length();
 }
 
-// 100 problems of the paper's preset with two moving obstacles, one after the other.
+// Solves 100 problems of the paper's preset with two moving obstacles, one after the other.
 void solve_mpc(benchmark::State& state) {
   fairway::benchmark::OcpGenerator generator(1);
   std::vector<fairway::ControlProblem> problems;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both solvers on the same problems in one run, as Markdown tables on standard output.
+// Runs both solvers on the same problems, and prints Markdown tables on standard output.
 //   solver_benchmark [FOLDER [REPEATS]]
-// FOLDER holds the instances of data/ocp (left out where absent); REPEATS of the interior-point
-// solver, the fastest counts (20); both are run as often.
+// FOLDER holds the instances of data/ocp, which are skipped if absent. Both solvers run REPEATS
+// times (default 20); the fastest time counts.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ namespace {
 constexpr double kNear = 1e-3;  // "within 0.1 % of the best known"
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// One solver on one set of problems.
+// The results of one solver on one set of problems.
 struct Column {
   std::vector<double> times;  // [us]
   int solved = 0;
@@ -46,10 +46,10 @@ struct Column {
 struct Row {
   Column interior_point;
   Column ipopt;
-  int feasible = 0;  // problems known to have a feasible point
+  int feasible = 0;  // problems with a known feasible point
 };
 
-// Calls solve() repeatedly; the first answer and the fastest time.
+// Calls solve() repeatedly; keeps the first answer and the fastest time.
 template <typename Solve>
 MpcSolution timed(int repeats, double& fastest, Solve&& solve) {
   fastest = std::numeric_limits<double>::infinity();
@@ -69,7 +69,7 @@ class Contest {
       : repeats_(repeats),
         interior_point_(std::make_unique<InteriorPointSolver>()) {}
 
-  // `best_cost` is NaN where it is not known; then IPOPT's answer stands for it.
+  // `best_cost` is NaN if it is unknown; then IPOPT's result replaces it.
   void run(const ControlProblem& problem, const InitialGuess& guess, double best_cost, Row& row) {
     double time = 0.0;
     const MpcSolution reference =
@@ -86,7 +86,7 @@ class Contest {
     if (!std::isnan(best)) ++row.feasible;
   }
 
-  // The interior-point solver's cold answer, not timed.
+  // The interior-point solver's cold answer, without timing.
   MpcSolution answer(const ControlProblem& problem) { return interior_point_->solve(problem, {}); }
 
   // The interior-point solver alone, from `starts` starts.
@@ -134,7 +134,7 @@ void print_row(const std::string& name, const Row& row) {
   std::fflush(stdout);
 }
 
-// Cost of a best-known result, NaN where it has none.
+// The cost of a best-known result; NaN without one.
 double best_cost(const ControlProblem& problem, const io::OcpResult& best) {
   if (best.status != 0) return kUnknown;
   MpcSolution solution;
@@ -150,7 +150,7 @@ InitialGuess as_guess(const io::OcpResult& result) {
   return guess;
 }
 
-// What to start the next cycle from.
+// The initial guess of the next cycle.
 InitialGuess shifted(const MpcSolution& solution) {
   InitialGuess guess;
   guess.count = solution.horizon;
@@ -160,7 +160,7 @@ InitialGuess shifted(const MpcSolution& solution) {
   return guess;
 }
 
-// One file of instances; `warm` and `best` may be empty. One row for each class of `split`.
+// One file of instances; `warm` and `best` may be empty. Prints one line for each class of `split`.
 struct Files {
   const char* title;
   const char* instances;

@@ -1,5 +1,5 @@
-# What is installed, by component: `cmake --install BUILD --component core` installs the library that
-# embedders link and nothing else. find_package(fairway) finds what of it is there.
+# Installation by component: `cmake --install BUILD --component core` installs the library for
+# embedding and nothing else. find_package(fairway) finds the installed components.
 #   core  fairway::fairway, its public headers, the CMake package, the licence
 #   simulation, io, ipopt  the library of that name
 #   tool  the fairway tool and the scenarios
@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 
 set(FAIRWAY_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fairway)
 
-# Each library has an export of its own, so that one can be installed without the others.
+# Each library has its own export, so that it can be installed without the others.
 function(fairway_install target component)
   if(NOT TARGET ${target})
     return()

@@ -1,5 +1,6 @@
-# ROS 1 as Debian packages it, by pkg-config: its own CMake files would pull in catkin, which takes
-# over testing. Defines the target fairway::ros1, or sets ROS1_MISSING to what to install.
+# Finds Debian's ROS 1 packages by pkg-config, because their own CMake files would load catkin,
+# which takes over testing. Defines the target fairway::ros1, or sets ROS1_MISSING to the missing
+# packages.
 find_package(PkgConfig QUIET)
 set(ros1_message_packages actionlib_msgs diagnostic_msgs dynamic_reconfigure geometry_msgs
     move_base_msgs nav_msgs rosgraph_msgs sensor_msgs std_msgs visualization_msgs)
@@ -15,8 +16,8 @@ if(NOT ros1_FOUND)
   return()
 endif()
 
-# Many of the packaged message headers, and the serialisation's, were generated with allocator::rebind, which C++20 has taken
-# away; the same headers with allocator_traits are put before them.
+# Many of the packaged message headers, and those for serialisation, use allocator::rebind, which
+# C++20 has removed. Copies of these headers with allocator_traits precede them in the include path.
 set(ros1_headers ${PROJECT_BINARY_DIR}/ros1_headers)
 pkg_get_variable(prefix roscpp prefix)
 foreach(package ros ${ros1_message_packages})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds a path for a disc robot around a wall, and asks for one that does not exist.
+// Finds a path for a disc robot around a wall, and requests one that does not exist.
 #include <cstdio>
 
 #include "fairway/fairway.hpp"

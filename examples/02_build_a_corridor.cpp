@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Covers a path with rectangles: the paper's way, and the fewest.
+// Covers a path with rectangles by two methods: the paper's, and the fewest.
 #include <cstdio>
 
 #include "fairway/corridor/corridor_builder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crosses a hall while somebody walks across the way.
+// Crosses a hall while a person walks across the robot's path.
 #include <cstdio>
 
 #include "fairway/simulation/episode.hpp"
@@ -17,7 +17,7 @@ int main() {
 
   const fairway::EpisodeResult result = fairway::run_episode(scenario);
   const fairway::RobotResult& robot = result.robots.front();
-  std::printf("%s after %.1f s, never nearer than %.2f m to the person\n",
+  std::printf("%s after %.1f s, at least %.2f m from the person\n",
               result.success ? "arrived" : "did not arrive", robot.time, robot.min_separation);
   return result.success ? 0 : 1;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A door closes while the robot drives to it; later another one opens. Plans are made in a thread.
+// A door closes while the robot drives to it, and later another one opens. A thread makes the
+// plans.
 #include <cstdio>
 
 #include "fairway/fairway.hpp"
 
 using fairway::NavigationStatus;
 
-// Makes the wall's cells from `low` to `high` [m] an obstacle, or free.
+// Makes the wall's cells from `low` to `high` [m] obstacles, or free.
 void set_door(fairway::OccupancyGrid& map, double low, double high, fairway::CellState state) {
   for (double y = low; y < high; y += map.frame().resolution)
     map.set(map.frame().cell_at({6.0, y}), state);
@@ -32,7 +33,7 @@ int main() {
 
     const auto step = navigator.update({.time = cycle * period, .pose = robot});
     robot = fairway::step(robot, step.command, period, fairway::Integration::Midpoint);
-    navigator.wait_for_plan();  // this loop is faster than time; a robot's loop leaves this out
+    navigator.wait_for_plan();  // only because this loop is faster than real time
     if (step.status == last) continue;
     last = step.status;
     std::printf("%5.1f s  (%.2f, %.2f)  %s: %s\n", cycle * period, robot.position.x(),
@@ -40,14 +41,15 @@ int main() {
     switch (step.status) {
       case NavigationStatus::GoalReached:
         return 0;
-      case NavigationStatus::GaveUp:    // send it somewhere else, or call for help
-      case NavigationStatus::BadInput:  // a pose or goal that cannot be: a bug in this program
+      case NavigationStatus::GaveUp:    // set another goal, or call for help
+      case NavigationStatus::BadInput:  // an invalid pose or goal: a bug in this program
         return 1;
       case NavigationStatus::Planning:    // wait
-      case NavigationStatus::NoPlan:      // both doors are closed: it asks again by itself
-      case NavigationStatus::Blocked:     // wait, or take the obstacle away
-      case NavigationStatus::Stale:       // look after localisation or sensors
-      case NavigationStatus::Infeasible:  // it brakes; report it
+      case NavigationStatus::NoPlan:      // both doors are closed: the navigator plans again by
+                                          // itself
+      case NavigationStatus::Blocked:     // wait, or remove the obstacle
+      case NavigationStatus::Stale:       // check localisation and sensors
+      case NavigationStatus::Infeasible:  // the robot brakes; report it
       case NavigationStatus::Stopping:
       case NavigationStatus::Recovering:
       case NavigationStatus::Degraded:

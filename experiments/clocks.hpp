@@ -4,23 +4,22 @@
 #include <chrono>
 #include <ctime>
 
-// Clocks for programs; the library reads none.
+// Clocks for programs; the library reads no clock.
 namespace fairway {
 
-/// A clock that only moves forward [s].
+/// A monotonic clock [s].
 [[nodiscard]] inline double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// CPU time that this thread has used [s]: unlike time on the wall it does not count other
-/// programs.
+/// CPU time of this thread [s]; unlike wall-clock time it excludes other programs.
 [[nodiscard]] inline double thread_cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Measures from its construction on.
+/// Measures the time since its construction.
 class Stopwatch {
  public:
   [[nodiscard]] double seconds() const { return steady_seconds() - start_; }

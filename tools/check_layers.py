@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Fails when a folder of src/fairway includes one that comes later, or a target one that it does not link.
+"""Fails when a folder of src/fairway includes a later one, or a target one that it does not link.
 
-Folders are listed in the order of the data flow, subfolders included: a folder includes only itself and
-folders before it. A subfolder comes before its parent where the parent is the face that others use.
+Folders are listed in the order of the data flow, including subfolders: a folder may include itself and
+earlier folders. A subfolder precedes its parent if the parent is its public interface.
 """
 
 import pathlib
 import re
 import sys
 
-# Per target: its folders in order. A target includes its own folders and those of the targets before it
-# that it links.
+# Per target: its folders in order. A target may include its own folders and those of earlier
+# targets that it links.
 TARGETS = [
     ("fairway", [], [
         "base", "geometry", "map", "prediction", "path", "corridor/rectangle", "corridor", "mpc",

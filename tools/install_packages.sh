@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian or Ubuntu packages named on the command line that are not installed yet.
-# Uses sudo only when not root, and asks apt for nothing when there is nothing to install.
+# Installs the given Debian or Ubuntu packages if they are missing. Uses sudo only when not root,
+# and does not call apt when nothing is missing.
 set -euo pipefail
 
 missing=()

@@ -1,13 +1,13 @@
-# What each part of Fairway needs from apt; sourced by ./demo, ./test and .ci.
-# build: compiler, build system and compiler cache; library: the core; tool: files, pictures, recordings and
-# the command line; reference: the optional IPOPT solver; test: what only the tests need.
+# The apt packages for each part of Fairway; sourced by ./demo, ./test and .ci.
+# build: compiler, build system and compiler cache; library: the core; tool: files, pictures,
+# recordings and the command line; reference: the optional IPOPT solver; test: for the tests only.
 build_packages=(g++ cmake ninja-build pkg-config ccache)
 library_packages=(libeigen3-dev libexpected-dev)
 tool_packages=(libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev libcairo2-dev libgraphicsmagick++1-dev
   zlib1g-dev libzstd-dev)
 reference_packages=(coinor-libipopt-dev)
 test_packages=(libgtest-dev libbenchmark-dev python3 chromium)
-# physics: MuJoCo, optional; its CMake config asks for qhull. OSMesa draws its pictures off-screen.
+# physics: MuJoCo, optional; its CMake config requires qhull. OSMesa draws its pictures off-screen.
 physics_packages=(libmujoco-dev libqhull-dev libosmesa6-dev)
 # live page (Boost.Beast) and fairway reproduce (Boost.Math), optional.
 live_packages=(libboost-dev)
@@ -18,9 +18,9 @@ ros1_packages=(libroscpp-dev libtf2-ros-dev libactionlib-dev libmove-base-msgs-d
   python3-roslaunch python3-rostopic python3-rosbag python3-actionlib python3-move-base-msgs
   python3-dynamic-reconfigure python3-diagnostic-msgs python3-nav-msgs python3-sensor-msgs
   python3-visualization-msgs python3-tf2-msgs python3-rosparam)
-# ROS 2 on the wire, optional; iproute2 makes the networks of its test.
+# ROS 2 on the wire, optional; iproute2 makes the networks for its test.
 dds_packages=(cyclonedds-dev cyclonedds-tools iproute2)
-# The checks of .ci; the formatter's version decides about the result, so it is pinned.
+# The checks of .ci; the formatter's version is pinned, because it determines the result.
 format_packages=(git clang-format-14)
 tidy_packages=(git clang clang-tidy)
 fuzz_packages=(clang libclang-rt-14-dev libgtest-dev)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How well simple predictions tell where pedestrians will be.
+"""Measures how well simple predictions match the motion of pedestrians.
 
     tools/prediction_study.py OBSMAT
 
-OBSMAT: rows of frame, id, x, z, y, vx, vz, vy, as in the UCY and ETH tracks, 0.4 s apart. Every
-window of 8 seen and 12 predicted positions of one person counts. Prints, per method, the mean
-distance over the 12 steps (ADE) and at the last (FDE) in metres.
+OBSMAT has rows of frame, id, x, z, y, vx, vz, vy, as in the UCY and ETH tracks, 0.4 s apart. Every
+window of 8 observed and 12 predicted positions of one person counts. The output is, per method, the
+mean distance over the 12 steps (ADE) and at the last one (FDE) in metres.
 """
 import math
 import sys

@@ -31,7 +31,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A reader that goes away early, as in `fairway settings | head`, is no reason to die.
+  // A reader that closes the pipe early, as in `fairway settings | head`, must not end the process
+  // with a signal.
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);

@@ -8,7 +8,8 @@ namespace fairway {
 
 namespace {
 
-// When, between the two rows, the distance to `point` passes `distance`; straight between them.
+// The time at which the distance to `point` passes `distance`, interpolated linearly between two
+// entries.
 double crossing_time(const TraceRow& before,
                      const TraceRow& after,
                      const Eigen::Vector2d& point,
@@ -39,7 +40,7 @@ Scenario barn_scenario(const BarnWorld& world, const BarnOptions& options, int t
       {.name = "jackal", .start = world.start, .goal = {.position = world.goal, .heading = {}}}};
   scenario.bodies = world.bodies;
   scenario.sensing = options.sensing;
-  scenario.time_limit = world.timeout + 5.0;  // the clock starts later than the run
+  scenario.time_limit = world.timeout + 5.0;  // the timeout counts from the first motion
   scenario.seed = options.seed + static_cast<std::uint64_t>(world.number) * 1000 +
                   static_cast<std::uint64_t>(trial);
   return scenario;

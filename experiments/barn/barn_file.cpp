@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLargestWorlds = 64U << 20U;  // [bytes]
 
-// Numbers out of a JSON object; remembers the first thing that is not as expected.
+// Reads numbers from a JSON object, and stores the first error.
 class Reader {
  public:
   explicit Reader(std::string where) : where_(std::move(where)) {}
@@ -31,7 +31,7 @@ class Reader {
     return low;
   }
 
-  // Exactly `count` finite numbers.
+  // Reads exactly `count` finite numbers.
   std::vector<double> numbers(const Json& object, const char* key, std::size_t count) {
     return list(find(object, key), key, count);
   }
@@ -106,7 +106,7 @@ Expected<void> check_found(const std::string& file,
   return {};
 }
 
-// A floor without obstacles, 4 m larger than what happens on it.
+// A floor without obstacles, 4 m larger than all motion on it.
 OccupancyGrid free_floor(const BarnWorld& world) {
   constexpr double kBorder = 4.0;
   constexpr double kResolution = 0.05;

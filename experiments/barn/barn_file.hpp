@@ -9,8 +9,8 @@
 
 namespace fairway::io {
 
-/// Reads the worlds of a folder like data/barn: `barn.json` and the maps that it names.
-/// @param numbers  Which worlds, by number; empty for all.
+/// Reads the worlds of a folder like data/barn: `barn.json` and its maps.
+/// @param numbers  The numbers of the worlds; empty for all.
 [[nodiscard]] Expected<std::vector<BarnWorld>> read_barn(const std::string& folder,
                                                          const std::vector<int>& numbers);
 

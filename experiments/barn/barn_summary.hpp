@@ -7,14 +7,14 @@
 
 namespace fairway {
 
-/// One trial of one world with what is reported about it.
+/// One trial of one world with its reported values.
 struct BarnTrial {
   BarnScore score;
   double clearance = 0.0;   ///< least distance to a static obstacle [m]
   double separation = 0.0;  ///< least distance to a moving body [m]; infinite without any
 };
 
-/// All trials, and the times of their control cycles together.
+/// All trials, and the pooled times of their control cycles.
 struct BarnSummary {
   std::vector<BarnTrial> trials;
   std::vector<double> arrivals;  ///< of the successful trials [s]
@@ -25,7 +25,7 @@ struct BarnSummary {
   /// @pre `result` is of a scenario with one robot.
   void add(const BarnScore& score, const EpisodeResult& result);
 
-  // Means over all trials; 0 without any.
+  // Means over all trials; 0 without trials.
   [[nodiscard]] double success_rate() const;
   [[nodiscard]] double contact_rate() const;
   [[nodiscard]] double mean_score() const;

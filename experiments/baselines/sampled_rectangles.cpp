@@ -41,7 +41,7 @@ class Sampler {
     return seed_ + Vector2d(along_.x() * x - along_.y() * y, along_.y() * x + along_.x() * y);
   }
   [[nodiscard]] bool free(const Vector2d& p) const {
-    // std::floor is a call where the processor's instruction for it may not be used.
+    // std::floor is a function call unless the compiler may use the processor's instruction.
     constexpr int kBias = 65536;
     const auto cell = [](double v) { return static_cast<int>(v + kBias) - kBias; };
     return !obstacles_.blocked({.x = cell(p.x()), .y = cell(p.y())});

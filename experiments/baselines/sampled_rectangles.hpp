@@ -11,14 +11,14 @@
 
 namespace fairway::baselines {
 
-/// What is sampled when a side has advanced.
+/// Which samples are tested when a side has advanced.
 enum class Sampling : std::uint8_t {
   Strip,  ///< the whole strip gained, every half cell, as SRC [13] does
-  Edge,   ///< only the new edge, once per cell, as FSRC [14] and Eq. (7) do: may hop over obstacles
+  Edge,   ///< only the new edge, once per cell (FSRC [14], Eq. (7)): may jump over obstacles
 };
 
-/// Growth of a rectangle in the workspace by samples, as published: for comparison only, since a
-/// sampled rectangle may hold obstacles.
+/// Growth of a workspace rectangle by samples, as published. It is for comparison only, since a
+/// sampled rectangle may contain obstacles.
 struct SampledGrowth {
   Sampling sampling = Sampling::Edge;
   int num_orientations = 10;  ///< N_c; 1 for SRC and FSRC
@@ -26,15 +26,15 @@ struct SampledGrowth {
   double max_growth = 8.0;    ///< L_max [m]
 };
 
-/// Algorithm 1 with its flags reset for every orientation and "or" in its stop test; without these
-/// two changes it does not work at all. A failed step is undone. None when the seed is blocked.
+/// Algorithm 1 with its flags reset for every orientation and "or" in its stop test; it does not
+/// work without these two changes. A failed step is undone. None when the seed is blocked.
 [[nodiscard]] std::optional<OrientedRectangle> grow_sampled(const BitGrid& obstacles,
                                                             const Eigen::Vector2d& seed,
                                                             const SampledGrowth& settings);
 
-/// Algorithm 2 as printed, with its loop made finite: a point outside the last rectangle (not
-/// contracted) makes the point before it a seed; the goal always gets a rectangle. Nothing makes
-/// sure that contracted rectangles meet.
+/// Algorithm 2 as printed, with a finite loop. A point outside the last rectangle (not contracted)
+/// makes the point before it a seed; the goal always gets a rectangle. Contracted rectangles may
+/// not overlap.
 [[nodiscard]] std::vector<OrientedRectangle> build_sampled(const BitGrid& obstacles,
                                                            const Path& path,
                                                            const SampledGrowth& settings);

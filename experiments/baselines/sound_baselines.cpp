@@ -49,7 +49,7 @@ class OutlineGrowth {
     double& place = (upper ? next.max : next.min)[axis];
     place += upper ? 1.0 : -1.0;
     if (std::abs(place) > limit) return false;
-    // The new edge from a to b, and the short ways back to the old one.
+    // The new edge from a to b, and its short connections to the old edge.
     Vector2d a = next.min;
     Vector2d b = next.max;
     a[axis] = place;

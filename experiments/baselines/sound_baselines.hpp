@@ -8,16 +8,16 @@
 
 namespace fairway::baselines {
 
-/// SRC [13] made sound: the chain of the library's Algorithm 2 with a single orientation, every
-/// gained strip tested exactly. `settings.method` and `num_orientations` are not looked at.
+/// SRC [13] made sound: the library's Algorithm 2 with a single orientation, and an exact test of
+/// every gained strip. `settings.method` and `num_orientations` are ignored.
 [[nodiscard]] CorridorResult build_src(const BitGrid& obstacles,
                                        const Path& path,
                                        double robot_radius,
                                        const CorridorSettings& settings);
 
-/// FSRC [14] made sound: grows the same way, but tests only the outline of what a side gains, by at
-/// most one cell at a time. A cell is as wide as the strip, so it cannot lie between old and new
-/// edge without touching the outline.
+/// FSRC [14] made sound: grows like SRC, but tests only the outline of the gained strip, which is
+/// at most one cell wide. So a cell cannot lie between the old and the new edge without touching
+/// the outline.
 [[nodiscard]] CorridorResult build_fsrc(const BitGrid& obstacles,
                                         const Path& path,
                                         double robot_radius,

@@ -25,11 +25,11 @@ Finding change_finding(const DriveRuns& runs, const char* claim, DriveMeasure me
           .holds = e.high < 0.0};
 }
 
-// Whether every command and speed of a run lay within the limits of its settings.
+// Whether all commands and speeds of a run lie within its settings' limits.
 bool within_bounds(const Drive& drive) {
   constexpr double kRounding = 1e-9;
   const RobotSettings& limits = drive.robot;
-  // A robot that stands is below the paper's least speed before it starts and at the goal.
+  // At standstill, before the start and at the goal, the robot is below the paper's least speed.
   return drive.greatest.linear <= limits.linear_max + kRounding &&
          drive.least.linear >= std::min(0.0, limits.linear_min) - kRounding &&
          drive.greatest.angular <= limits.angular_max + kRounding &&
@@ -60,7 +60,7 @@ Finding smooth_finding(const DriveRuns& runs) {
   return {.claim = "The commands are smooth enough to be tracked perfectly",
           .outcome =
               fmt::format("ISMPC changes its command by up to {} m/s\u00b2 and {} rad/s\u00b2; the "
-                          "paper's problem does not limit or price the first change",
+                          "paper's problem does not limit or penalise the first change",
                           fixed(most.linear, 1), fixed(most.angular, 1)),
           .holds = most.angular < kTrackable};
 }
@@ -73,7 +73,7 @@ Finding arrival_finding(const DriveRuns& runs) {
           .holds = reached == static_cast<int>(runs.maps.size())};
 }
 
-// How often the check of the stop overruled the paper's two.
+// How often the stop check overruled the solver of the paper's two methods.
 struct Overruled {
   std::size_t stopped = 0;
   std::size_t cycles = 0;
@@ -106,11 +106,11 @@ Chapter run_case1(const StudyOptions& options) {
       "{} generated maps of 30 m \u00d7 30 m with rooms, doors and boxes, from corner to corner. "
       "ISMPC and SMPC [17] share path, corridors (MDSRC made sound, contracted by \u0394s = 0.3 "
       "m), model and weights of Table I, and differ in their targets only. The body is a disc of "
-      "0.25 m: a step of Eq. (1) is up to 7.5 mm off, so that a body of radius \u0394s would "
-      "have no room left in a contracted corridor, and our check of the stop would refuse tight "
-      "places. That check, the only part of our safety shell left on for the paper's two, "
-      "overruled the solver in {} of their {} cycles. Ours: default settings, which unlike the "
-      "paper's limit accelerations, to 2 m/s\u00b2 and 4 rad/s\u00b2. Two more courses look at "
+      "0.25 m: a step of Eq. (1) has errors up to 7.5 mm, so a body of radius \u0394s would have "
+      "no clearance left in a contracted corridor, and our stop check would refuse narrow "
+      "passages. The stop check, the only one of our safety measures that is on for these two, "
+      "overruled the solver in {} of their {} cycles. Ours: default settings, which limit "
+      "accelerations to 2 m/s\u00b2 and 4 rad/s\u00b2, unlike the paper's. Two more courses test "
       "progress: the unstructured maps of Case 2, and structured maps with larger rectangles.",
       courses.front().maps.size(), overruled.stopped, overruled.cycles);
   const DriveRuns& structured = courses.front();
@@ -124,7 +124,7 @@ Chapter run_case1(const StudyOptions& options) {
     find_faults(runs, chapter.faults);
   }
   chapter.findings.push_back(
-      {.claim = "Speeds stay within 1 m/s and 1.5 rad/s, and nothing is touched",
+      {.claim = "Speeds stay within 1 m/s and 1.5 rad/s, and no obstacle is touched",
        .outcome = chapter.faults.empty() ? "in every run of every method" : chapter.faults.front(),
        .holds = chapter.faults.empty()});
   chapter.tables = {drive_table(structured), drive_change_table(structured),

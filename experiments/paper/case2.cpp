@@ -66,27 +66,27 @@ Finding soundness_finding(const CorridorEnvironment& e) {
   const double holding = total(e, kind, &CorridorOutcome::holding);
   return {.claim = "Corridors are free of obstacles and connected (" + e.name + ")",
           .outcome = fmt::format(
-              "{} % of the published rectangles hold a part of an obstacle, {} of {} chains "
+              "{} % of the published rectangles contain a part of an obstacle, {} of {} chains "
               "break after contraction",
               fixed(100.0 * holding / rectangles, 1), broken, e.maps.size()),
           .holds = holding == 0.0 && broken == 0};
 }
 
-// What our own corridors must never do.
+// Finds violations that our own corridors must never have.
 void find_faults(const CorridorEnvironment& e, std::vector<std::string>& faults) {
   for (const CorridorKind kind :
        {CorridorKind::SrcSound, CorridorKind::FsrcSound, CorridorKind::MdsrcSound,
         CorridorKind::Fewest, CorridorKind::FewestConfiguration}) {
     if (total(e, kind, &CorridorOutcome::holding) > 0.0 ||
         total(e, kind, &CorridorOutcome::breaks) > 0.0) {
-      faults.push_back(fmt::format("{}: {} holds an obstacle or breaks", e.name, to_text(kind)));
+      faults.push_back(fmt::format("{}: {} contains an obstacle or breaks", e.name, to_text(kind)));
     }
   }
 }
 
 std::string figure_caption(const CorridorEnvironment& e, const char* figure) {
   return fmt::format(
-      "{}: corridors in {} (a map of ours in the manner of the paper's, seed {}): SRC, FSRC and "
+      "{}: corridors in {} (our map in the manner of the paper's, seed {}): SRC, FSRC and "
       "MDSRC as published, and the fewest.",
       figure, e.name, e.maps.front().seed);
 }
@@ -122,8 +122,8 @@ Chapter run_case2(const StudyOptions& options) {
       "The paper's maps are not public. Ours are generated in their manner: {} maps each of 50 m "
       "(Environment 1) and 25 m (Environment 2) with irregular polygons, posts and thin slanted "
       "walls, cells of 0.05 m, and of 30 m with walls parallel to the axes; paths from corner to "
-      "corner keep 0.45 m from obstacles and carry a point every 0.1 m. \u201cAs published\u201d "
-      "is Algorithms 1 and 2 with the corrections without which they do not run "
+      "corner keep 0.45 m from obstacles and have a point every 0.1 m. \u201cAs published\u201d "
+      "is Algorithms 1 and 2 with the corrections that they need to run "
       "(docs/paper_notes.md), sampled as in Eq. (7); \u201cmade sound\u201d tests every strip "
       "exactly and chains the contracted rectangles. Figures 9 and 10: {} fields of 20 m \u00d7 "
       "20 m per number of obstacles.",

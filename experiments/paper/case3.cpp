@@ -15,12 +15,12 @@ namespace {
 constexpr int kRuns = 40;
 constexpr int kRunsWithSlowSolver = 2;
 
-// All runs of one kind in numbers.
+// The statistics of all runs of one kind.
 struct Summary {
-  int arrived = 0;     // runs in which all robots did
-  int contacts = 0;    // runs with any
-  Estimate time;       // of the runs in which all arrived [s]
-  double bound = 0.0;  // time of the straight way [s]
+  int arrived = 0;     // runs in which all robots arrived
+  int contacts = 0;    // runs with at least one contact
+  Estimate time;       // of the runs in which all robots arrived [s]
+  double bound = 0.0;  // driving time of the straight path [s]
   double least_separation = 0.0;
 };
 
@@ -45,7 +45,7 @@ Table exchange_table(const ExchangeRuns& runs) {
   Table table{
       .caption = fmt::format(
           "Case 3: {} runs with different starts. Time: until the last robot has arrived, mean "
-          "of the runs in which all do, \u00b1 95 % confidence; the straight way takes about {} "
+          "of the runs in which all do, \u00b1 95 % confidence; the straight path takes about {} "
           "s.",
           runs.size(), fixed(summary_of(runs, ExchangeKind::Ours).bound, 1)),
       .header = {"method", "keep-out distance [m]", "all arrived", "runs with contact", "time [s]",
@@ -133,13 +133,13 @@ Chapter run_case3(const StudyOptions& options) {
       compare_exchanges(options.maps > 0 ? options.maps : usual, options));
   Chapter chapter{.id = "case3", .title = "Case 3: four robots exchange places"};
   chapter.setup =
-      "Four robots with bodies of 0.25 m start on a circle of 4 m in the open, each bound for "
-      "the place opposite, off by up to 0.05 m in x and y and turned by up to 0.1 rad. ISMPC: "
-      "Table I with R_o = 0.8 m between centres and \u03b3 = 5; every robot knows the "
-      "others\u2019 positions and velocities, as the paper shares them, and predicts them with "
-      "constant velocity; our recovery is off, our check of the stop on. Ours: default settings; "
-      "robots tell each other what they have bound themselves to and intend. The paper shows one "
-      "run; here there are many, with different starts.";
+      "Four robots with bodies of 0.25 m start on a circle of 4 m in open space, each with its "
+      "goal on the opposite side. Starts are shifted by up to 0.05 m in x and y and turned by up "
+      "to 0.1 rad. ISMPC: Table I with R_o = 0.8 m between centres and \u03b3 = 5; every robot "
+      "knows the others\u2019 positions and velocities, as the paper shares them, and predicts "
+      "them with constant velocity; our recovery is off, our stop check on. Ours: default "
+      "settings; robots publish their committed stops and intended motions. The paper shows one "
+      "run; here there are many runs with different starts.";
   for (const ExchangeKind kind : kComparedExchanges) {
     chapter.findings.push_back(arrival_finding(*runs, kind));
     const Summary s = summary_of(*runs, kind);

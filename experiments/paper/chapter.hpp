@@ -12,13 +12,13 @@
 
 namespace fairway::reproduction {
 
-/// Objects keep the order in which their fields are written.
+/// JSON whose objects keep the order in which their fields are written.
 using Json = nlohmann::ordered_json;
 
-/// A picture that is drawn once for every kind of file.
+/// A picture that is drawn once for each file format.
 struct Figure {
-  std::string name;     ///< of its files, without ending
-  std::string caption;  ///< what is seen, and how it was made
+  std::string name;     ///< of its files, without suffix
+  std::string caption;  ///< what it shows, and how it was made
   std::function<Expected<std::string>(io::PictureFormat)> draw;
 };
 
@@ -29,25 +29,25 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Something that the paper says, and what came out here.
+/// A claim of the paper, and the result here.
 struct Finding {
   std::string claim;
   std::string outcome;
   bool holds = false;
 };
 
-/// Everything that one of the paper's cases came to.
+/// All results of one of the paper's cases.
 struct Chapter {
   std::string id;     ///< case1, case2, case3
-  std::string title;  ///< for people
-  std::string setup;  ///< what was done, in a few sentences
+  std::string title;  ///< for the reader
+  std::string setup;  ///< the experiment in a few sentences
   std::vector<Finding> findings;
   std::vector<Table> tables;
   std::vector<Figure> figures;
-  Json numbers;                      ///< every number; the same for the same seed
+  Json numbers;                      ///< all numbers; equal for equal seeds
   std::vector<Table> timing_tables;  ///< measured times, which differ from run to run
-  Json timing;                       ///< likewise
-  std::vector<std::string> faults;   ///< contacts and broken bounds: what must never happen
+  Json timing;                       ///< measured times for results.json
+  std::vector<std::string> faults;   ///< contacts and broken bounds, which must never occur
 };
 
 }  // namespace fairway::reproduction

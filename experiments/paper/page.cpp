@@ -83,8 +83,8 @@ std::string table_html(const Table& table) {
 
 std::string findings_html(const Chapter& chapter) {
   std::string html =
-      "<div class=\"scroll\"><table class=\"words\">\n<thead><tr><th scope=\"col\">what the paper "
-      "says</th><th scope=\"col\">what came out here</th><th "
+      "<div class=\"scroll\"><table class=\"words\">\n<thead><tr><th scope=\"col\">claim of the "
+      "paper</th><th scope=\"col\">result here</th><th "
       "scope=\"col\">holds</th></tr></thead>\n"
       "<tbody>\n";
   for (const Finding& finding : chapter.findings) {
@@ -128,7 +128,7 @@ std::string page_html(const std::vector<PageChapter>& chapters, const std::strin
       escaped(command) +
       "</code>. The paper\u2019s maps are not public: all maps here are made by this project in "
       "their manner, so shapes and orders of magnitude can be compared, single numbers cannot. The "
-      "same seed gives the same page to the byte; every number is in <a "
+      "same seed gives the same page byte for byte; every number is in <a "
       "href=\"results.json\">results.json</a>.</p>\n";
   for (const PageChapter& page : chapters) {
     const Chapter& chapter = *page.chapter;

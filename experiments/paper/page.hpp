@@ -8,7 +8,7 @@
 
 namespace fairway::reproduction {
 
-/// A figure with the bytes of its SVG file, for a page to hold.
+/// A figure with the bytes of its SVG file, for inclusion in a page.
 struct DrawnFigure {
   std::string name;
   std::string caption;
@@ -21,8 +21,8 @@ struct PageChapter {
   std::vector<DrawnFigure> figures;
 };
 
-/// The page: all figures and tables, self-contained. It holds no measured time, so that the same
-/// seed gives the same bytes; it shows timing.html, which has the times, where that lies beside it.
+/// The self-contained page with all figures and tables. It contains no measured times, so that
+/// equal seeds give equal bytes; it displays timing.html from the same folder.
 [[nodiscard]] std::string page_html(const std::vector<PageChapter>& chapters,
                                     const std::string& command);
 

@@ -20,7 +20,7 @@ constexpr std::array kFormats = {std::pair{io::PictureFormat::Svg, "svg"},
                                  std::pair{io::PictureFormat::Png, "png"},
                                  std::pair{io::PictureFormat::Pdf, "pdf"}};
 
-// Draws a figure into its three files; the page needs the SVG again.
+// Writes a figure's three files, and keeps the SVG for the page.
 Expected<DrawnFigure> write_figure(const std::string& folder, const Figure& figure) {
   DrawnFigure drawn{.name = figure.name, .caption = figure.caption, .svg = {}};
   for (const auto& [format, ending] : kFormats) {
@@ -75,7 +75,7 @@ Json results_json(const std::vector<Chapter>& chapters, const ReportInfo& info) 
 Expected<void> make_report_folder(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder + "/figures", failed);
-  if (failed) return fail("--out: expected a folder that can be made, found " + folder);
+  if (failed) return fail("--out: expected a folder that can be created, found " + folder);
   for (const char* file : {"results.json", "index.html", "timing.html", "figures/probe"}) {
     if (auto writable = io::check_writable(folder + "/" + file); !writable) return writable;
   }

@@ -9,26 +9,26 @@
 
 namespace fairway::reproduction {
 
-/// What a report says about itself.
+/// How a report was made.
 struct ReportInfo {
   Settings settings;    ///< of the runs called "ours"
-  std::string command;  ///< that makes it again
+  std::string command;  ///< that reproduces it
   std::string version;  ///< of Fairway
   std::string solver;
   std::uint64_t seed = 0;
 };
 
 /// Writes results.json, index.html, timing.html and figures/NAME.svg, .png and .pdf into `folder`,
-/// which is made. Each file is written whole or not at all, the figures first. Fails before any
-/// work if the folder cannot be made.
+/// which is created. Each file is written completely or not at all, the figures first. Fails before
+/// any work if the folder cannot be created.
 [[nodiscard]] Expected<void> write_report(const std::string& folder,
                                           const std::vector<Chapter>& chapters,
                                           const ReportInfo& info);
 
-/// Makes the folders of a report, for work that should not fail at its very end.
+/// Creates the folders of a report, so that long work does not fail at its end.
 [[nodiscard]] Expected<void> make_report_folder(const std::string& folder);
 
-/// The findings and where to look, for a person at a terminal.
+/// The findings and the paths of the files, for a terminal.
 [[nodiscard]] std::string report_summary(const std::string& folder,
                                          const std::vector<Chapter>& chapters);
 

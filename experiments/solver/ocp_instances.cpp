@@ -38,7 +38,7 @@ Fields split(std::string_view line) {
 
 std::string found(std::string_view field) { return field.empty() ? "nothing" : excerpt(field); }
 
-// Reads the fields of one line in order; the first error stays and later reads give 0.
+// Reads the fields of one line in order; after the first error all reads give 0.
 class LineReader {
  public:
   LineReader(const Fields& fields, std::string where)
@@ -61,7 +61,7 @@ class LineReader {
 
   std::string word() { return std::string(next()); }
 
-  // Braces fix the order of the reads.
+  // Braces evaluate the reads in order.
   Eigen::Vector2d point(const char* x, const char* y) {
     return Eigen::Vector2d{number(x), number(y)};
   }
@@ -85,7 +85,7 @@ class LineReader {
   std::optional<Error> error_;
 };
 
-// The number of fields comes first: it explains a missing blank better than any number does.
+// Checks the number of fields first, because it explains a missing separator best.
 constexpr std::size_t kFixedFields = 19;
 constexpr std::size_t kObstacleFields = 4;
 

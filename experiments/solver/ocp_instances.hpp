@@ -16,13 +16,13 @@
 
 namespace fairway::io {
 
-// Benchmark instances of Eq. (15) as text: one a line, fields separated by blanks,
+// Benchmark instances of Eq. (15) as text, one per line, with fields separated by spaces:
 //   id class nobs  x0 y0 psi0  g1x g1y g1psi  g2x g2y g2psi  Px Py theta  xl yl xr yr
 //   [ox oy vx vy] * nobs
-// and results likewise:  id status iterations time_us  u0 r0 ... u9 r9
-// Empty lines are passed over.
+// and results in the same form:  id status iterations time_us  u0 r0 ... u9 r9
+// Empty lines are skipped.
 
-/// One instance as it stands in its file; everything else is the paper's preset.
+/// One instance as written in its file; everything else comes from the paper's preset.
 struct OcpInstance {
   int id = 0;
   std::string kind;                       ///< free, dyn, tight, infeas, or any other word
@@ -36,7 +36,7 @@ struct OcpInstance {
 /// One line of a result file.
 struct OcpResult {
   int id = 0;
-  int status = 0;  ///< 0: converged and feasible; else the number of another SolveStatus
+  int status = 0;  ///< 0: converged and feasible; otherwise the number of a SolveStatus
   int iterations = 0;
   double time_us = 0.0;          ///< [us]
   std::vector<Twist2> commands;  ///< kOcpHorizon of them
@@ -52,7 +52,7 @@ inline constexpr int kOcpHorizon = 10;  ///< commands of a result
                                              const MpcSettings& mpc,
                                              const RobotSettings& robot) noexcept;
 
-/// Instances from text; `name` stands for the file in error messages. No instance is an error.
+/// Parses instances; `name` is the file in error messages. A file without instances is an error.
 [[nodiscard]] Expected<std::vector<OcpInstance>> parse_ocp_instances(std::string_view text,
                                                                      const std::string& name);
 [[nodiscard]] Expected<std::vector<OcpInstance>> read_ocp_instances(const std::string& path);
@@ -61,10 +61,10 @@ inline constexpr int kOcpHorizon = 10;  ///< commands of a result
                                                                  const std::string& name);
 [[nodiscard]] Expected<std::vector<OcpResult>> read_ocp_results(const std::string& path);
 
-/// Numbers in full: reading gives the same bits, except times, which have three decimals.
+/// Formats numbers so that reading gives the same bits, except times, which have three decimals.
 [[nodiscard]] std::string format_ocp_results(std::span<const OcpResult> results);
 
-/// Writes all or nothing: a temporary file beside `path`, then a rename.
+/// Writes the file completely or not at all: a temporary file beside `path`, then a rename.
 [[nodiscard]] Expected<void> write_ocp_results(const std::string& path,
                                                std::span<const OcpResult> results);
 

@@ -9,7 +9,7 @@
 
 namespace fairway::bridge {
 
-/// One of the library's two navigators, whose interfaces are alike.
+/// One of the library's two navigators behind one interface.
 class AnyNavigator {
  private:
   template <typename Visitor>
@@ -25,7 +25,7 @@ class AnyNavigator {
   explicit AnyNavigator(MapNavigator navigator) : navigator_(std::move(navigator)) {}
   explicit AnyNavigator(MaplessNavigator navigator) : navigator_(std::move(navigator)) {}
 
-  /// Ignored by a navigator that drives without a map.
+  /// Ignored without a map.
   void set_map(const OccupancyGrid& map) {
     if (auto* const with_map = std::get_if<MapNavigator>(&navigator_)) with_map->set_map(map);
   }

@@ -5,7 +5,7 @@
 
 namespace fairway::bridge {
 
-// FNV-1a: short, and the same everywhere.
+// FNV-1a is short, and gives the same numbers everywhere.
 std::uint32_t robot_number(std::string_view name) noexcept {
   std::uint32_t hash = 2166136261U;
   for (const char c : name) {
@@ -29,7 +29,7 @@ Fleet FleetBoard::around(const Eigen::Vector2d& position, double time) {
   for (const auto& [name, motion] : told_) {
     const double unseen = std::max(0.0, time - motion.time);
     const double away = (motion.position - position).norm();
-    // Written so that what is not finite stays in, for the navigator to refuse.
+    // Values that are not finite pass this comparison, so that the navigator refuses them.
     if (away > kRange + motion.speed_max * unseen) continue;
     around_.push_back({.motion = &motion, .unseen = unseen});
   }

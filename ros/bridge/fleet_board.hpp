@@ -10,26 +10,28 @@
 
 namespace fairway::bridge {
 
-/// The number of a robot that is known by its name: the same in every process.
+/// Derives a robot's number from its name: the same in every process.
 [[nodiscard]] std::uint32_t robot_number(std::string_view name) noexcept;
 
-/// What the other robots of a fleet have told of themselves.
+/// The motions that the other robots of a fleet have published.
 ///
-/// One that falls silent is kept with what it told last, and ages: the navigator gives it the room
-/// that it can have moved into since, and stops when it is older than `safety.tracks_timeout`.
-/// It leaves the board only when it says so, or is too far away to matter.
+/// The last motion of a silent robot stays and ages. The navigator extends its obstacle by the
+/// distance that it can have driven since, and stops when the message is older than
+/// `safety.tracks_timeout`. A robot is removed only when it announces its departure, or is too far
+/// away to matter.
 class FleetBoard {
  public:
-  /// Robots matter up to here, and further when they were silent: by what they can have driven [m].
+  /// Robots within this distance matter; silent ones also further, by what they can have driven
+  /// [m].
   static constexpr double kRange = 15.0;
 
-  /// Takes in what a robot tells, in the frame of this one; old news is ignored.
+  /// Stores a robot's published motion, in the frame of this robot; older messages are ignored.
   void hear(const std::string& name, const SharedMotion& motion);
 
-  /// A robot leaves the place, and says so.
+  /// Removes a robot that announced its departure.
   void forget(const std::string& name) { told_.erase(name); }
 
-  /// Those that matter to a robot at `position` at `time` [s]; valid until the next call of any
+  /// The robots that matter at `position` and `time` [s]; valid until the next call of any
   /// function.
   [[nodiscard]] Fleet around(const Eigen::Vector2d& position, double time);
 

@@ -9,26 +9,25 @@
 
 namespace fairway::bridge {
 
-/// The newest pose of every frame in its parent, in the plane: what a node without ROS's tf2 needs
-/// of it.
+/// The newest pose of every frame in its parent, in the plane; replaces tf2 for nodes without ROS.
 class FrameTree {
  public:
-  /// A frame as seen from another, and the oldest stamp of what that rests on [s]; infinite where
-  /// all of it is static.
+  /// A frame's pose in another one, and the oldest stamp among the poses used [s]; infinite if all
+  /// of them are static.
   struct Found {
     Pose2 pose;
     double time = 0.0;
   };
 
-  /// Takes over the pose of `child` in `parent`. @param time  its stamp, infinite for a static one.
+  /// Stores the pose of `child` in `parent`. @param time  its stamp, infinite for a static one.
   void set(const std::string& parent, const std::string& child, const Pose2& pose, double time);
 
-  /// The pose of frame `of` in frame `in`; none where they are not connected. A frame in itself is
-  /// the identity, known or not.
+  /// The pose of frame `of` in frame `in`; none if they are not connected. The pose of a frame in
+  /// itself is the identity, even for an unknown frame.
   [[nodiscard]] std::optional<Found> find(const std::string& in, const std::string& of) const;
 
  private:
-  static constexpr int kDeepest = 64;  // frames above one another; ends cycles, too
+  static constexpr int kDeepest = 64;  // longest chain of frames; also ends cycles
 
   struct Link {
     std::string parent;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between messages and Fairway's values. Templates, because ROS 1, ROS 2 and plain DDS have
-// different C++ types with the same fields; nothing here includes a middleware.
+// Conversions between messages and Fairway's values. They are templates, because ROS 1, ROS 2 and
+// plain DDS have different C++ types with the same fields; no middleware is included here.
 #pragma once
 
 #include <cmath>
@@ -15,13 +15,13 @@
 
 namespace fairway::bridge {
 
-/// Percent from which a cell of an OccupancyGrid message counts as occupied, and up to which as
-/// free: map_saver's. Between them, and below 0 or above 100, it is unknown.
+/// Cells of an OccupancyGrid message count as occupied from this percentage on, and as free up to
+/// the other one, as in map_saver. Between them, and below 0 or above 100, they are unknown.
 inline constexpr int kOccupiedPercent = 65;
 inline constexpr int kFreePercent = 25;
 
-/// The turn about the vertical axis of a quaternion message [rad]; NaN where the quaternion is not
-/// finite or nowhere near length 1, so that whoever uses it refuses it.
+/// The yaw of a quaternion message [rad]. It is NaN if the quaternion is not finite or its length
+/// is far from 1, so that the caller refuses it.
 template <typename Quaternion>
 [[nodiscard]] double heading_of(const Quaternion& q) noexcept {
   const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
@@ -29,8 +29,7 @@ template <typename Quaternion>
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), square - 2.0 * (q.y * q.y + q.z * q.z));
 }
 
-/// Whether something mounted with this rotation hangs upside down, so that its angles count
-/// clockwise.
+/// Whether a sensor with this rotation is mounted upside down, so that its angles count clockwise.
 template <typename Quaternion>
 [[nodiscard]] bool is_upside_down(const Quaternion& q) noexcept {
   return q.x * q.x + q.y * q.y > q.z * q.z + q.w * q.w;
@@ -44,14 +43,14 @@ void set_heading(double heading, Quaternion& q) noexcept {
   q.w = std::cos(0.5 * heading);
 }
 
-/// From geometry_msgs/Pose. Height, roll and pitch are dropped.
+/// Converts geometry_msgs/Pose. Height, roll and pitch are dropped.
 template <typename PoseMessage>
 [[nodiscard]] Pose2 to_pose(const PoseMessage& message) noexcept {
   return {.position = {message.position.x, message.position.y},
           .heading = heading_of(message.orientation)};
 }
 
-/// From geometry_msgs/Transform: the pose of the child frame in the parent frame.
+/// Converts geometry_msgs/Transform: the pose of the child frame in the parent frame.
 template <typename TransformMessage>
 [[nodiscard]] Pose2 transform_to_pose(const TransformMessage& message) noexcept {
   return {.position = {message.translation.x, message.translation.y},
@@ -74,7 +73,7 @@ void set_transform(const Pose2& pose, TransformMessage& message) noexcept {
   set_heading(pose.heading, message.rotation);
 }
 
-/// From geometry_msgs/Twist. Sideways speed, roll and pitch rates are dropped.
+/// Converts geometry_msgs/Twist. Lateral speed, roll and pitch rates are dropped.
 template <typename TwistMessage>
 [[nodiscard]] Twist2 to_twist(const TwistMessage& message) noexcept {
   return {.linear = message.linear.x, .angular = message.angular.z};
@@ -90,20 +89,20 @@ void set_twist(const Twist2& twist, TwistMessage& message) noexcept {
   message.angular.z = twist.angular;
 }
 
-/// The state of a cell that an OccupancyGrid message gives this percentage.
+/// The state of a cell with this percentage in an OccupancyGrid message.
 [[nodiscard]] constexpr CellState cell_of_percent(int percent) noexcept {
   if (percent < 0 || percent > 100) return CellState::Unknown;
   if (percent >= kOccupiedPercent) return CellState::Occupied;
   return percent <= kFreePercent ? CellState::Free : CellState::Unknown;
 }
 
-/// The percentage that an OccupancyGrid message gives such a cell: 0, 100 or -1.
+/// The percentage of a cell state in an OccupancyGrid message: 0, 100 or -1.
 [[nodiscard]] constexpr std::int8_t percent_of_cell(CellState state) noexcept {
   if (state == CellState::Unknown) return -1;
   return state == CellState::Occupied ? 100 : 0;
 }
 
-/// Whether a grid of this frame and this many cells can be taken over; the error names the field.
+/// Checks the frame and number of cells of a grid message; the error names the field.
 [[nodiscard]] inline Expected<void> check_grid(std::uint64_t width,
                                                std::uint64_t height,
                                                const GridFrame& frame,
@@ -125,14 +124,14 @@ void set_twist(const Twist2& twist, TwistMessage& message) noexcept {
   return {};
 }
 
-/// From nav_msgs/OccupancyGrid: `info` is its MapMetaData, `percents` its data.
+/// Converts nav_msgs/OccupancyGrid: `info` is its MapMetaData, `percents` its data.
 template <typename MapMetaData>
 [[nodiscard]] Expected<OccupancyGrid> to_grid(const MapMetaData& info,
                                               std::span<const std::int8_t> percents) {
   const double resolution = static_cast<double>(info.resolution);
   GridFrame frame{
       .width = 0, .height = 0, .resolution = resolution, .origin = to_pose(info.origin)};
-  // Most maps write the resolution as a float: 0.05F is 0.0500000007, which would shift far cells.
+  // Most maps store the resolution as a float: 0.05F is 0.0500000007, which would shift far cells.
   constexpr double kWhole = 1e6;
   const double rounded = std::round(resolution * kWhole) / kWhole;
   if (std::abs(rounded - resolution) < 1e-7 * resolution) frame.resolution = rounded;
@@ -161,8 +160,8 @@ void set_grid_info(const GridFrame& frame, MapMetaData& info) noexcept {
   set_pose(frame.origin, info.origin);
 }
 
-/// The headings of a path's waypoints for nav_msgs/Path: towards the next one, at the last one that
-/// of the piece before; a single point looks along x.
+/// The headings of a path's waypoints for nav_msgs/Path: each towards the next waypoint, and the
+/// last one along the last segment. A single point has heading 0.
 [[nodiscard]] Pose2 waypoint_pose(const Path& path, std::size_t index) noexcept;
 
 }  // namespace fairway::bridge

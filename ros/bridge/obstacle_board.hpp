@@ -15,20 +15,20 @@ struct SeenObstacles {
   double time = 0.0;  ///< [s]
 };
 
-/// What everybody says about what moves, brought to one time.
+/// The moving obstacles of all detectors, at one common time.
 ///
-/// A detector sees everything around. When one that was heard once falls silent, its last list
-/// ages, and the navigator stops at its age limit. Other robots of a fleet are on the FleetBoard.
+/// A detector sees everything around. When a detector falls silent, its last list ages, and the
+/// navigator stops at its age limit. Other robots of a fleet are on the FleetBoard.
 class ObstacleBoard {
  public:
-  /// Takes over a detector's newest list.
+  /// Stores a detector's newest list.
   void set_detections(const std::string& detector, SeenObstacles seen);
 
-  /// Everything as of one time: the oldest detection, or `now` without any. Positions are shifted
-  /// there along their velocities.
+  /// All obstacles at one time: that of the oldest detection, or `now` without any. Positions are
+  /// extrapolated to it along their velocities.
   [[nodiscard]] SeenObstacles collect(double now) const;
 
-  /// Whether there is a detector, so that an empty list means that nothing moves.
+  /// Whether there is a detector, so that an empty list means that there are no moving obstacles.
   [[nodiscard]] bool has_detectors() const noexcept { return !detections_.empty(); }
 
  private:

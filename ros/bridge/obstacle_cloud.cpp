@@ -19,7 +19,7 @@ const CloudField* find_field(const CloudView& cloud, std::string_view name) {
   return found == cloud.fields.end() ? nullptr : &*found;
 }
 
-// Why a field cannot be read; none if it can.
+// The reason why a field cannot be read; none if it can.
 std::optional<std::string> fault_of(const CloudField& field, std::uint32_t point_step) {
   const std::string name = "obstacles: field " + std::string(field.name);
   if (field.datatype != kFloat32 && field.datatype != kFloat64) {
@@ -27,8 +27,8 @@ std::optional<std::string> fault_of(const CloudField& field, std::uint32_t point
   }
   const std::uint64_t size = field.datatype == kFloat32 ? 4 : 8;
   if (field.offset + size > point_step) {
-    return name + ": expected it inside a point of " + std::to_string(point_step) +
-           " bytes, found offset " + std::to_string(field.offset);
+    return name + ": expected an offset inside a point of " + std::to_string(point_step) +
+           " bytes, found " + std::to_string(field.offset);
   }
   return std::nullopt;
 }

@@ -31,12 +31,12 @@ struct CloudView {
   std::span<const std::uint8_t> data;
 };
 
-/// Moving obstacles as points: fields x, y, vx, vy and radius, each FLOAT32 or FLOAT64, in the
-/// cloud's frame, in metres and metres per second. Without vx and vy they stand. More fields are
-/// welcome. Numbers are taken as they are: the navigator refuses what is not finite.
+/// Reads moving obstacles from points with the fields x, y, vx, vy and radius. Each is FLOAT32 or
+/// FLOAT64, in the cloud's frame, in metres and metres per second. Without vx and vy the obstacles
+/// are static. More fields are allowed. The navigator refuses numbers that are not finite.
 [[nodiscard]] Expected<std::vector<MovingObstacle>> read_obstacles(const CloudView& cloud);
 
-/// What `write_obstacles` writes: x, y, z (0), vx, vy, radius, each FLOAT32.
+/// The fields of `write_obstacles`: x, y, z (0), vx, vy, radius, each FLOAT32.
 inline constexpr std::array<CloudField, 6> kObstacleFields{{{"x", 0, kFloat32},
                                                             {"y", 4, kFloat32},
                                                             {"z", 8, kFloat32},

@@ -10,8 +10,8 @@ namespace fairway::bridge {
 
 namespace {
 
-constexpr int kLastZeros = 5;    // commands: a base that misses one must not coast
-constexpr double kNever = -1e9;  // [s]; of a measurement that there was not
+constexpr int kLastZeros = 5;    // number of final commands: a base that misses one must not coast
+constexpr double kNever = -1e9;  // [s]; time of a missing measurement
 
 bool is_zero(const Twist2& twist) noexcept { return twist.linear == 0.0 && twist.angular == 0.0; }
 
@@ -92,7 +92,7 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
   if (!first || !last) return false;
   scan.first_pose = in_world(compose(*first, sensor_on_robot));
   scan.last_pose = in_world(compose(*last, sensor_on_robot));
-  if (options_.use_map && !map_) return true;  // there is nothing to add it to
+  if (options_.use_map && !map_) return true;  // there is no map to change
   navigator_->observe(scan, in_world(*last).position);
   scanned_ = true;
   return true;
@@ -144,7 +144,8 @@ PilotStep Pilot::cycle(double time) {
     if (navigator_) navigator_->set_goal(*goal_);
   }
   if (state_ == PilotState::Idle) {
-    // Others may drive it meanwhile: a drive begins with what it does, and the fleet is told so.
+    // Other programs may drive the robot now, so a drive starts with its actual twist, which the
+    // fleet also receives.
     if (navigator_ && !odometry_.empty()) navigator_->reset(odometry_.twist());
     return answer;
   }
@@ -171,7 +172,7 @@ PilotStep Pilot::cycle(double time) {
   return answer;
 }
 
-// Whether the drive has ended, and how.
+// Decides whether the drive has ended, and how.
 void Pilot::judge(const NavigationStep& step, PilotStep& answer) {
   if (step.status == NavigationStatus::GoalReached) {
     answer.end = GoalEnd::Reached;

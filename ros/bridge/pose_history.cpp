@@ -19,7 +19,7 @@ void PoseHistory::add(double time, const Pose2& pose, const Twist2& twist) {
 }
 
 std::optional<Pose2> PoseHistory::at(double time) const {
-  // Written so that a time that is not finite has no pose.
+  // A time that is not finite fails this comparison and has no pose.
   if (entries_.empty() || !(time >= entries_.front().time) || !(time <= this->time() + kBeyond)) {
     return std::nullopt;
   }

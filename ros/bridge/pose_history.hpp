@@ -8,19 +8,18 @@
 
 namespace fairway::bridge {
 
-/// Where odometry says that the robot was, over the last second, for measurements that were taken
-/// between two odometry messages.
+/// The robot's odometry poses over the last second, for measurements between two odometry messages.
 class PoseHistory {
  public:
-  static constexpr double kLength = 1.0;   ///< how far back it reaches [s]
-  static constexpr double kBeyond = 0.15;  ///< how far past the newest pose it may be asked [s]
+  static constexpr double kLength = 1.0;   ///< covered time span [s]
+  static constexpr double kBeyond = 0.15;  ///< largest extrapolation beyond the newest pose [s]
 
-  /// Takes in one pose and the twist there. One that is not newer than the last is ignored, unless
-  /// it is more than `kLength` older: then the clock was set back, and the history starts afresh.
+  /// Adds one pose and its twist. One that is not newer than the last is ignored. If it is more
+  /// than `kLength` older, the clock was set back, and the history starts again.
   void add(double time, const Pose2& pose, const Twist2& twist);
 
-  /// The pose at `time` [s]: straight between two poses, along the twist after the newest; none
-  /// before the oldest or more than `kBeyond` after the newest.
+  /// The pose at `time` [s]: interpolated between two poses, extrapolated with the newest twist.
+  /// None before the oldest pose or more than `kBeyond` after the newest.
   [[nodiscard]] std::optional<Pose2> at(double time) const;
 
   [[nodiscard]] bool empty() const noexcept { return entries_.empty(); }
@@ -38,12 +37,12 @@ class PoseHistory {
   std::deque<Entry> entries_;  // times increasing
 };
 
-/// The pose `inner`, given in the frame `outer`, in the frame that `outer` is given in.
+/// Transforms the pose `inner`, given in the frame `outer`, to the frame in which `outer` is given.
 [[nodiscard]] inline Pose2 compose(const Pose2& outer, const Pose2& inner) noexcept {
   return {.position = transform(outer, inner.position), .heading = outer.heading + inner.heading};
 }
 
-/// The frame that `pose` is given in, as seen from `pose`: compose(inverse(p), p) is the origin.
+/// The inverse transform of `pose`: compose(inverse(p), p) is the origin.
 [[nodiscard]] inline Pose2 inverse(const Pose2& pose) noexcept {
   return {.position = inverse_transform(pose, Eigen::Vector2d::Zero()), .heading = -pose.heading};
 }

@@ -10,7 +10,7 @@ namespace fairway::dds {
 
 namespace {
 
-// The C binding has no strings that are only read: what is sent is not changed all the same.
+// The C binding has no read-only strings, but it does not change strings that it sends.
 char* text(const std::string& string) noexcept {
   return const_cast<char*>(string.c_str());  // NOLINT(cppcoreguidelines-pro-type-const-cast): C
 }

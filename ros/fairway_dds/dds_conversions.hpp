@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bridge/message_conversions.hpp leaves to Cyclone DDS: times, C strings and C sequences.
+// The conversions that need Cyclone DDS: times, C strings and C sequences.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ template <typename Sequence>
       sequence._length);
 }
 
-/// Lets a sequence that is to be sent point to the elements, which must outlive the sending.
+/// Makes a sequence to be sent refer to the elements, which must outlive the call that sends them.
 template <typename Sequence, typename Element>
 void point_to(std::vector<Element>& elements, Sequence& sequence) noexcept {
   sequence._buffer = elements.data();
@@ -30,22 +30,22 @@ void point_to(std::vector<Element>& elements, Sequence& sequence) noexcept {
   sequence._release = false;
 }
 
-/// A header whose frame must outlive the sending.
+/// A header whose frame name must outlive the call that sends it.
 [[nodiscard]] std_msgs_msg_dds__Header_ header(const std::string& frame, double time) noexcept;
 
 struct ScanInput {
-  LidarScan scan;         ///< without its poses
+  LidarScan scan;         ///< its poses are not set
   double duration = 0.0;  ///< from the first beam to the last [s]
 };
 [[nodiscard]] ScanInput to_scan(const sensor_msgs_msg_dds__LaserScan_& message) noexcept;
 
 [[nodiscard]] Expected<OccupancyGrid> to_grid(const nav_msgs_msg_dds__OccupancyGrid_& message);
 
-/// As bridge::read_obstacles, in the cloud's frame.
+/// Like bridge::read_obstacles, in the cloud's frame.
 [[nodiscard]] Expected<std::vector<MovingObstacle>> to_obstacles(
     const sensor_msgs_msg_dds__PointCloud2_& message);
 
-/// A path to be sent, with everything that it points to.
+/// A path to be sent, with the memory of its contents.
 class PathMessage {
  public:
   PathMessage(const Path& path, const std::string& frame, double time);
@@ -59,7 +59,7 @@ class PathMessage {
   nav_msgs_msg_dds__Path_ message_{};
 };
 
-/// The outlines of a corridor's rectangles as markers, after one that takes away the last ones.
+/// The outlines of a corridor's rectangles as markers, after one that removes the previous ones.
 class CorridorMessage {
  public:
   CorridorMessage(const Corridor& corridor, const std::string& frame, double time);
@@ -76,12 +76,12 @@ class CorridorMessage {
   visualization_msgs_msg_dds__MarkerArray_ message_{};
 };
 
-/// What another robot tells, its positions brought from the message's frame into this one.
-/// More samples than fit are dropped.
+/// Another robot's published motion, with positions transformed from the message's frame. Samples
+/// beyond the capacity are dropped.
 [[nodiscard]] SharedMotion to_motion(const fairway_msgs_msg_dds__SharedMotion_& message,
                                      const Pose2& frame) noexcept;
 
-/// What this robot tells, with everything that the message points to.
+/// This robot's motion to be published, with the memory of its contents.
 class MotionMessage {
  public:
   MotionMessage(const SharedMotion& motion,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cyclone DDS's C interface as values that clean up after themselves, and ROS 2's names and
-// qualities of service on top of it.
+// Cyclone DDS's C interface as RAII values, with ROS 2's names and qualities of service.
 #pragma once
 
 #include <dds/dds.h>
@@ -13,21 +12,21 @@
 
 namespace fairway::dds {
 
-/// What ROS 2 calls a QoS profile; the history is always "keep last".
+/// A ROS 2 QoS profile; the history is always "keep last".
 struct Quality {
   bool reliable = true;
-  bool transient_local = false;  ///< late readers get the last values, as of a latched topic
+  bool transient_local = false;  ///< late readers get the last values, as with a latched topic
   int depth = 10;
 };
 
-/// For readers of what drivers send: takes both best-effort and reliable writers.
+/// The profile for readers of driver topics: accepts best-effort and reliable writers.
 inline constexpr Quality kSensor{.reliable = false, .transient_local = false, .depth = 5};
 inline constexpr Quality kLatched{.reliable = true, .transient_local = true, .depth = 1};
 
-/// A DDS entity that goes away with its owner.
+/// A DDS entity that its owner deletes.
 class Entity {
  public:
-  /// @throws std::runtime_error that names `what`, when it could not be made.
+  /// @throws std::runtime_error that names `what` when the entity could not be made.
   Entity(dds_entity_t entity, const std::string& what);
   ~Entity();
   Entity(Entity&& other) noexcept;
@@ -41,8 +40,8 @@ class Entity {
   dds_entity_t entity_;
 };
 
-/// One node's place in a domain. Names are ROS 2's: "scan" in the space "robot_0" is the DDS topic
-/// "rt/robot_0/scan"; a name with a leading slash is in no space.
+/// One node in a domain. Names are ROS 2's: "scan" in the namespace "robot_0" is the DDS topic
+/// "rt/robot_0/scan"; a name with a leading slash is in no namespace.
 class Participant {
  public:
   Participant(dds_domainid_t domain, std::string space);
@@ -50,7 +49,7 @@ class Participant {
   [[nodiscard]] std::string topic_name(const std::string& name) const;
   [[nodiscard]] dds_entity_t get() const noexcept { return participant_.get(); }
 
-  /// Sleeps until something arrives, at most `seconds`.
+  /// Sleeps until data arrive, at most `seconds`.
   void wait(double seconds);
   void watch(dds_entity_t reader);
 
@@ -79,7 +78,7 @@ class Reader {
     participant.watch(reader_.get());
   }
 
-  /// Calls `use` with every message that has come since the last call.
+  /// Calls `use` with every message that has arrived since the last call.
   template <typename Use>
   void take(Use&& use) {
     constexpr std::size_t kMost = 16;
@@ -87,7 +86,7 @@ class Reader {
     std::array<dds_sample_info_t, kMost> infos{};
     for (dds_return_t count = static_cast<dds_return_t>(kMost);
          count == static_cast<dds_return_t>(kMost);) {
-      samples[0] = nullptr;  // asks for a loan
+      samples[0] = nullptr;  // requests a loan
       count = dds_take(reader_.get(), samples.data(), infos.data(), kMost, kMost);
       for (dds_return_t i = 0; i < count; ++i) {
         const auto index = static_cast<std::size_t>(i);
@@ -110,14 +109,14 @@ class Writer {
       : topic_(make_topic(participant, descriptor<Message>(), name)),
         writer_(make_endpoint(participant, topic_, quality, false, name)) {}
 
-  /// Sending never blocks for long and never fails loudly: a full queue drops, as ROS 2 does.
+  /// Never blocks for long and reports no errors: a full queue drops messages, as in ROS 2.
   void send(const Message& message) noexcept {
     static_cast<void>(dds_write(writer_.get(), &message));
   }
 
   [[nodiscard]] dds_entity_t get() const noexcept { return writer_.get(); }
 
-  /// Whether anybody reads it.
+  /// Whether there is a reader.
   [[nodiscard]] bool is_read() const noexcept {
     dds_publication_matched_status_t status{};
     return dds_get_publication_matched_status(writer_.get(), &status) == DDS_RETCODE_OK &&

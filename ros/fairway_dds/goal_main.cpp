@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sends one goal, as `ros2 topic pub` would, for places without ROS 2.
+// Sends one goal like `ros2 topic pub`, on machines without ROS 2.
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,7 @@
 
 int main(int argc, char** argv) {
   using namespace fairway;
-  CLI::App app("Sends a robot somewhere, over DDS");
+  CLI::App app("Sends a goal to a robot over DDS");
   std::vector<double> goal;
   std::uint32_t domain = 0;
   std::string space;
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
       ->expected(2, 3)
       ->required();
   app.add_option("--domain", domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
-  app.add_option("--namespace", space, "of the robot's topics");
+  app.add_option("--namespace", space, "Namespace of the robot's topics");
   app.add_option("--frame", frame);
   try {
     app.parse(argc, argv);
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   const double begin = dds::wall_time();
   while (!writer.is_read()) {
     if (dds::wall_time() - begin > kLongestWait) {
-      std::fprintf(stderr, "fairway: nobody reads %s\n",
+      std::fprintf(stderr, "fairway: %s has no reader\n",
                    participant.topic_name("goal_pose").c_str());
       return 1;
     }
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   bridge::set_pose({.position = {goal[0], goal[1]}, .heading = goal.size() > 2 ? goal[2] : 0.0},
                    message.pose);
   writer.send(message);
-  // Gone only once the reader has it.
+  // Ends only after the reader has received the goal.
   dds_wait_for_acks(writer.get(), 2'000'000'000);
   return 0;
 }

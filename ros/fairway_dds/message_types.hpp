@@ -5,7 +5,7 @@
 
 namespace fairway::dds {
 
-/// The type description that idlc made for a message.
+/// The type description that idlc generated for a message.
 template <typename Message>
 [[nodiscard]] const dds_topic_descriptor_t& descriptor() noexcept;
 

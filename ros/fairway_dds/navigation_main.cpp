@@ -43,17 +43,18 @@ int main(int argc, char** argv) {
   bool no_map = false;
   bool no_scan = false;
   app.add_option("--domain", options.domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
-  app.add_option("--namespace", options.space, "of the robot's topics, without slashes around it");
-  app.add_option("--name", options.name, "of the robot in its fleet; without one it is alone");
+  app.add_option("--namespace", options.space,
+                 "Namespace of the robot's topics, without slashes around it");
+  app.add_option("--name", options.name, "Name of the robot in its fleet; no fleet without a name");
   app.add_option("--map-frame", options.map_frame);
   app.add_option("--base-frame", options.base_frame);
-  app.add_option("--settings", file, "YAML file, as `fairway settings` prints it");
+  app.add_option("--settings", file, "Settings file (YAML), as printed by `fairway settings`");
   app.add_option("--set", assignments, "group.name=value");
   app.add_option("--patience", options.pilot.patience,
-                 "a goal that gets no nearer is given up [s]");
-  app.add_flag("--no-map", no_map, "drive on what the lidar has seen");
-  app.add_flag("--no-scan", no_scan, "drive on the map alone");
-  app.add_flag("--stamped", options.stamped, "commands as TwistStamped");
+                 "Time without progress after which a goal is given up [s]");
+  app.add_flag("--no-map", no_map, "Drive without a map, on the cells seen by the lidar");
+  app.add_flag("--no-scan", no_scan, "Drive without a lidar, on the map only");
+  app.add_flag("--stamped", options.stamped, "Publish commands as TwistStamped");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -126,7 +126,7 @@ void NavigationNode::take_goal(const geometry_msgs_msg_dds__PoseStamped_& messag
   waiting_goal_ = WaitingGoal{.frame = message.header.frame_id, .pose = pose};
 }
 
-// A goal may come before its frame is known: nobody could be told to send it again.
+// A goal may come before its frame is known; it waits, because its sender could not be informed.
 void NavigationNode::place_goal() {
   if (!waiting_goal_) return;
   const auto frame = find_frame(waiting_goal_->frame);
@@ -203,7 +203,7 @@ void NavigationNode::stop(bool (*urgent)()) {
     tick();
   send({});
   tell_fleet(wall_time(), true);
-  participant_.wait(0.05);  // for the protocol's own threads to get it out
+  participant_.wait(0.05);  // lets the protocol's threads send it
 }
 
 }  // namespace fairway::dds

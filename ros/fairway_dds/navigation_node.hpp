@@ -8,30 +8,31 @@
 
 namespace fairway::dds {
 
-/// What the node is told by its command line.
+/// The options of the node from its command line.
 struct NodeOptions {
   std::uint32_t domain = 0;  ///< ROS_DOMAIN_ID
   std::string space;         ///< the robot's namespace; empty for none
-  std::string name;          ///< of the robot in its fleet; empty: alone
+  std::string name;          ///< of the robot in its fleet; empty: no fleet
   std::string map_frame = "map";
   std::string base_frame = "base_link";
-  bool stamped = false;  ///< commands as TwistStamped, as Nav2 has them since Kilted
+  bool stamped = false;  ///< commands as TwistStamped, Nav2's default since Kilted
   bridge::PilotOptions pilot;
 };
 
-/// The present time of ROS 2's system clock [s].
+/// The current time of ROS 2's system clock [s].
 [[nodiscard]] double wall_time();
 
-/// One robot's navigation beside ROS 2 nodes, without ROS 2: converts, and hands on to a Pilot.
+/// Navigation of one robot beside ROS 2 nodes, without ROS 2: converts messages and passes them to
+/// a Pilot.
 class NavigationNode {
  public:
   NavigationNode(const Settings& settings, const NodeOptions& options);
 
-  /// Waits for what comes, takes it in, and runs a control cycle if one is due.
+  /// Waits for messages, handles them, and runs a control cycle if one is due.
   void tick();
 
-  /// Brakes, says zero, and tells the fleet that it leaves; returns when the robot was told to
-  /// stand, or `urgent` says true.
+  /// Brakes, sends zero commands, and announces to the fleet that the robot leaves. Returns after
+  /// the robot was commanded to stop, or when `urgent` returns true.
   void stop(bool (*urgent)());
 
  private:

@@ -6,9 +6,9 @@
 
 namespace fairway::dds {
 
-/// How often someone has wanted the program to end, by SIGINT or SIGTERM.
+/// How often SIGINT or SIGTERM has requested the end of the program.
 inline std::atomic<int> exits_wanted{0};
-static_assert(std::atomic<int>::is_always_lock_free);  // as signal handlers need
+static_assert(std::atomic<int>::is_always_lock_free);  // signal handlers need this
 
 inline void take_over_exit() {
   const auto count = [](int /*signal*/) { ++exits_wanted; };

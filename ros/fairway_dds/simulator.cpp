@@ -36,7 +36,8 @@ Simulator::Simulator(const Scenario& scenario,
 }
 
 void Simulator::tick() {
-  constexpr double kLongestStep = 0.05;  // [s]: a starved machine slows the world, it never jumps
+  constexpr double kLongestStep = 0.05;  // [s]; on a slow machine the world slows down and never
+                                         // jumps
   participant_.wait(0.004);
   commands_.take([this](const geometry_msgs_msg_dds__Twist_& message) {
     command_ = bridge::to_twist(message);
@@ -98,7 +99,7 @@ void Simulator::publish_odometry(double time) {
   bridge::set_pose(senses_.pose(), odometry.pose.pose);
   bridge::set_twist(robot.twist, odometry.twist.twist);
 
-  // What a localisation would say: where the odometry's frame truly lies in the map.
+  // Publishes what a localisation would: the true pose of the odometry's frame in the map.
   std::vector<geometry_msgs_msg_dds__TransformStamped_> links(2);
   links[0].header = odometry.header;
   links[0].child_frame_id = base.data();

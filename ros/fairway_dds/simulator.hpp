@@ -8,22 +8,22 @@
 
 namespace fairway::dds {
 
-/// One robot of a scenario in a world of its own, in real time, with ROS 2's topics: subscribes
-/// `cmd_vel`; publishes `map`, `odom`, `scan`, `/tf` and `/tf_static`. In a space the frames get
-/// its name before theirs. Robots simulated by several processes do not see each other; whether
-/// they would have touched is for whoever compares their tracks.
+/// One robot of a scenario in its own world, in real time, with ROS 2's topics. It subscribes
+/// `cmd_vel` and publishes `map`, `odom`, `scan`, `/tf` and `/tf_static`. In a namespace, frame
+/// names have its name as prefix. Robots of several processes do not see each other; compare their
+/// tracks to detect contacts.
 class Simulator {
  public:
-  /// A base that hears nothing for this long stops by itself [s].
+  /// The base stops by itself after this time without a command [s].
   static constexpr double kCommandTimeout = 0.5;
 
-  /// @param track  a file for a line "time,x,y,heading" per odometry message; empty for none.
+  /// @param track  a file with a line "time,x,y,heading" per odometry message; empty for none.
   Simulator(const Scenario& scenario,
             std::uint32_t domain,
             const std::string& space,
             const std::string& track);
 
-  /// Waits a little for commands, and lets the world go on to now.
+  /// Waits briefly for commands, and advances the world to the current time.
   void tick();
 
  private:
@@ -45,7 +45,7 @@ class Simulator {
   Writer<tf2_msgs_msg_dds__TFMessage_> static_transforms_{
       participant_, "/tf_static", {.transient_local = true, .depth = 1}};
   std::ofstream track_;
-  double start_;  // when the world's time began [s]
+  double start_;  // wall-clock time at which the world started [s]
   Twist2 command_;
   double command_time_ = -1e9;
   double next_odometry_ = 0.0;  // in the world's time

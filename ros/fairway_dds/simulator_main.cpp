@@ -19,9 +19,9 @@ int main(int argc, char** argv) {
   app.add_option("map", map, "map_server YAML file")->required();
   app.add_option("--start", start, "x,y,heading")->delimiter(',')->expected(3);
   app.add_option("--domain", domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
-  app.add_option("--namespace", space, "of the robot's topics");
-  app.add_option("--track", track, "CSV file of where it truly is");
-  app.add_flag("--noise", noise, "the standard errors of lidar and odometry");
+  app.add_option("--namespace", space, "Namespace of the robot's topics");
+  app.add_option("--track", track, "Write the true poses to this CSV file");
+  app.add_flag("--noise", noise, "Add the standard errors of lidar and odometry");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

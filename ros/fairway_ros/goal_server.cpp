@@ -43,7 +43,7 @@ void GoalServer::on_goal(GoalHandle goal) {
     goal.setRejected(no_details(), refusal);
     return;
   }
-  preempt("another goal came");
+  preempt("a new goal has replaced this one");
   goal.setAccepted();
   active_ = std::move(goal);
 }
@@ -57,7 +57,7 @@ void GoalServer::on_cancel(GoalHandle goal) {
 void GoalServer::on_simple_goal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   const std::string refusal = callbacks_.accept(*goal);
   if (refusal.empty()) {
-    preempt("another goal came");
+    preempt("a new goal has replaced this one");
   } else {
     ROS_WARN("goal rejected: %s", refusal.c_str());
   }
@@ -67,9 +67,9 @@ void GoalServer::on_disconnect(const ros::SingleSubscriberPublisher& client) {
   if (!active_ || !cancel_with_client_) return;
   const auto sender = senders_.find(active_->getGoalID().id);
   if (sender == senders_.end() || sender->second != client.getSubscriberName()) return;
-  ROS_WARN("%s is gone: its goal is cancelled", sender->second.c_str());
+  ROS_WARN("%s has disconnected: its goal is cancelled", sender->second.c_str());
   callbacks_.cancel();
-  preempt("its client is gone");
+  preempt("its client has disconnected");
 }
 
 void GoalServer::preempt(const char* reason) {

@@ -12,17 +12,17 @@
 
 namespace fairway::ros1 {
 
-/// Where goals come from: the action `move_base`, with feedback, result and cancel, and the plain
-/// topic `move_base_simple/goal`. Both as move_base has them, so that its clients need no change.
+/// The sources of goals: the action `move_base`, with feedback, result and cancel, and the plain
+/// topic `move_base_simple/goal`. Both work as in move_base, so that its clients need no change.
 ///
-/// One goal at a time: a new one of either kind preempts the old one. A goal of the action also
-/// ends when the connection to the client that sent it ends, however that happens.
+/// There is one goal at a time: a new one of either kind preempts the old one. A goal of the action
+/// also ends when the connection to its client ends for any reason.
 class GoalServer {
  public:
   struct Callbacks {
-    /// Whether the robot can be sent there; if not, the reason.
+    /// Called with a new goal; returns the reason for refusing it, if any.
     std::function<std::string(const geometry_msgs::PoseStamped&)> accept;
-    /// The robot is to brake to a stand.
+    /// Called when the robot must brake to standstill.
     std::function<void()> cancel;
   };
 
@@ -48,9 +48,9 @@ class GoalServer {
   Callbacks callbacks_;
   bool cancel_with_client_;
   std::optional<GoalHandle> active_;
-  std::map<std::string, std::string> senders_;  // node that sent a goal, by the goal's id
-  ros::Publisher feedback_;                     // only to notice clients that go
-  ros::Subscriber raw_goals_;                   // only to learn who sends
+  std::map<std::string, std::string> senders_;  // sender's node name, by the goal's id
+  ros::Publisher feedback_;                     // only to detect clients that disconnect
+  ros::Subscriber raw_goals_;                   // only to learn the sender
   ros::Subscriber simple_goals_;
   Server server_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bridge/message_conversions.hpp leaves to ROS 1: stamps, scans, clouds and pictures.
+// The conversions that need ROS 1: stamps, scans, clouds and pictures.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
@@ -16,15 +16,15 @@ namespace fairway::ros1 {
 
 [[nodiscard]] std_msgs::Header header(const std::string& frame, double time);
 
-/// A scan without its poses, and the time from its first beam to its last [s]. The ranges stay the
-/// message's.
+/// Converts a scan without its poses, and gives the time from its first beam to its last [s]. The
+/// ranges still belong to the message.
 struct ScanInput {
   LidarScan scan;
   double duration = 0.0;
 };
 [[nodiscard]] ScanInput to_scan(const sensor_msgs::LaserScan& message);
 
-/// As bridge::read_obstacles, in the cloud's frame.
+/// Like bridge::read_obstacles, in the cloud's frame.
 [[nodiscard]] Expected<std::vector<MovingObstacle>> to_obstacles(
     const sensor_msgs::PointCloud2& message);
 [[nodiscard]] sensor_msgs::PointCloud2 to_cloud(MovingObstacles obstacles,
@@ -34,7 +34,7 @@ struct ScanInput {
                                                  const std_msgs::Header& header);
 [[nodiscard]] nav_msgs::Path to_message(const Path& path, const std_msgs::Header& header);
 
-/// What the robot intends: a pose per step, each stamped with its time.
+/// The predicted trajectory: a pose per step, each stamped with its time.
 [[nodiscard]] nav_msgs::Path to_message(const MpcSolution& plan,
                                         double dt,
                                         const std_msgs::Header& header);
@@ -43,13 +43,13 @@ struct ScanInput {
                                                        const Pose2& pose,
                                                        const std_msgs::Header& header);
 
-/// The outlines of the rectangles, the one that the robot is in drawn thicker, after a marker that
-/// takes away those of the last corridor.
+/// The outlines of the rectangles, with a thicker line for the current one, after a marker that
+/// removes the previous outlines.
 [[nodiscard]] visualization_msgs::MarkerArray corridor_markers(const Corridor& corridor,
                                                                std::size_t current,
                                                                const std_msgs::Header& header);
 
-/// Discs with arrows along their velocities, likewise.
+/// Discs with arrows along their velocities, after a marker that removes the previous ones.
 [[nodiscard]] visualization_msgs::MarkerArray obstacle_markers(MovingObstacles obstacles,
                                                                const std_msgs::Header& header);
 

@@ -76,7 +76,7 @@ void NavigationNode::update_localisation() {
   if (!options_.pilot.use_map || odometry_frame_.empty()) return;
   const auto found = find_transform(options_.map_frame, odometry_frame_);
   if (!found) return;
-  // A static transform carries no time and holds for ever.
+  // A static transform has no time and is always valid.
   const double time = found->header.stamp.isZero() ? std::numeric_limits<double>::infinity()
                                                    : found->header.stamp.toSec();
   pilot_.set_localisation(bridge::transform_to_pose(found->transform), time);
@@ -117,7 +117,7 @@ void NavigationNode::on_obstacles(const sensor_msgs::PointCloud2::ConstPtr& mess
       "obstacles", {.obstacles = *std::move(read), .time = message->header.stamp.toSec()});
 }
 
-// Empty when the goal was taken, else why not.
+// Returns an empty text for an accepted goal, else the reason for refusing it.
 std::string NavigationNode::on_goal(const geometry_msgs::PoseStamped& message) {
   const Pose2 pose = bridge::to_pose(message.pose);
   if (!is_finite(pose)) return "expected a finite position and a rotation of length 1";
@@ -171,7 +171,7 @@ void NavigationNode::run_cycle(double now) {
 
 void NavigationNode::stop() {
   constexpr double kLongest = 3.0;  // [s]
-  goals_.abort("the node is shut down");
+  goals_.abort("the node shuts down");
   pilot_.cancel();
   const ros::WallTime begin = ros::WallTime::now();
   while (pilot_.state() != bridge::PilotState::Idle && !exit_urgent() &&
@@ -181,7 +181,7 @@ void NavigationNode::stop() {
   }
   for (int i = 0; i < 3; ++i) {
     outputs_.send({});
-    ros::WallDuration(0.02).sleep();  // for the connections' own threads to get it out
+    ros::WallDuration(0.02).sleep();  // lets the connections' threads send it
   }
 }
 

@@ -19,8 +19,8 @@
 
 namespace fairway::ros1 {
 
-/// One robot's navigation as a ROS 1 node: converts, and hands on to a Pilot. All callbacks run in
-/// the thread that calls `tick`.
+/// Navigation of one robot as a ROS 1 node: converts messages and passes them to a Pilot. All
+/// callbacks run in the thread that calls `tick`.
 class NavigationNode {
  public:
   NavigationNode(const Settings& settings, const NodeOptions& options);
@@ -28,7 +28,8 @@ class NavigationNode {
   /// Runs a control cycle if one is due.
   void tick();
 
-  /// Brakes, says zero, and returns when the robot was told to stand; at once when urged.
+  /// Brakes, sends zero commands, and returns after the robot was commanded to stop; at once when
+  /// urged.
   void stop();
 
  private:
@@ -57,7 +58,7 @@ class NavigationNode {
   ros::Subscriber scan_;
   ros::Subscriber obstacles_;
   std::string odometry_frame_;
-  std::optional<ScanTimes> new_scan_;  // not answered yet
+  std::optional<ScanTimes> new_scan_;  // no command has used it yet
   bool scan_came_ = false;             // since the last tick
   bridge::CycleClock clock_;
   double last_diagnostics_ = 0.0;

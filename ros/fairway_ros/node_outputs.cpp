@@ -14,8 +14,8 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-// Driving and standing as wanted is OK; what a person should look at warns; what needs one is an
-// error.
+// Normal driving and stopping is OK; a state that deserves attention is a warning; one that needs
+// an operator is an error.
 std::int8_t level_of(NavigationStatus status) noexcept {
   switch (status) {
     case NavigationStatus::Ok:
@@ -103,7 +103,7 @@ void NodeOutputs::publish_status(const bridge::Pilot& pilot,
   if (!step.send) {
     status.level = DiagnosticStatus::OK;
     status.message = "no goal";
-    return;  // said once a second by the diagnostics; between goals there is nothing new
+    return;  // the diagnostics repeat it once a second; between goals there is no new status
   }
   status.level = level_of(step.status);
   status.message = to_text(step.status);

@@ -8,7 +8,7 @@
 
 namespace fairway::ros1 {
 
-/// When the newest scan was taken and received, and when its command left, all on one clock [s].
+/// Times of the newest scan's measurement, its reception, and its command, all on one clock [s].
 struct ScanTimes {
   double taken = 0.0;
   double received = 0.0;
@@ -22,17 +22,17 @@ class NodeOutputs {
 
   void send(const Twist2& command);
 
-  /// Path, corridor, prediction, tracks, footprint and status of a cycle. Whatever nobody listens
-  /// to is not even made.
-  /// @param scan   of the scan that the command is the first answer to, if it is one.
-  /// @param seconds  that the cycle took.
+  /// Publishes path, corridor, prediction, tracks, footprint and status of a cycle. Topics without
+  /// subscribers are skipped.
+  /// @param scan   the times of the scan to which the command is the first answer, if there is one.
+  /// @param seconds  duration of the cycle.
   void show(const bridge::Pilot& pilot,
             const bridge::PilotStep& step,
             const std::string& frame,
             const std::optional<ScanTimes>& scan,
             double seconds);
 
-  /// The same status on /diagnostics, for robot_monitor; call it about once a second.
+  /// Publishes the same status on /diagnostics, for robot_monitor; call it about once a second.
   void publish_diagnostics();
 
  private:

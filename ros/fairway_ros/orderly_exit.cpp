@@ -10,7 +10,7 @@ namespace fairway::ros1 {
 
 namespace {
 
-std::atomic<int> wanted{0};  // how often; lock-free, as signal handlers need
+std::atomic<int> wanted{0};  // number of requests; lock-free, as signal handlers need
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void on_signal(int /*signal*/) { ++wanted; }

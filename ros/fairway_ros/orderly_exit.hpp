@@ -3,15 +3,15 @@
 
 namespace fairway::ros1 {
 
-/// Takes over SIGINT, SIGTERM and the `shutdown` call of `rosnode kill`, so that a node can brake
-/// and say zero before it goes; ROS's own handlers cut the connections first. Call it after
-/// ros::init (with NoSigintHandler) and before the first node handle.
+/// Handles SIGINT, SIGTERM and the `shutdown` call of `rosnode kill`, so that a node can brake and
+/// send zero commands before it ends. ROS's own handlers would close the connections first. Call it
+/// after ros::init (with NoSigintHandler) and before the first node handle.
 void take_over_exit();
 
-/// Whether someone wants the node to end.
+/// Whether the node has been requested to end.
 [[nodiscard]] bool exit_wanted() noexcept;
 
-/// Whether someone wants that for the second time: at once.
+/// Whether that was requested a second time: end at once.
 [[nodiscard]] bool exit_urgent() noexcept;
 
 }  // namespace fairway::ros1

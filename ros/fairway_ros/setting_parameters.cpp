@@ -13,7 +13,7 @@ namespace {
 using dynamic_reconfigure::Config;
 using XmlRpc::XmlRpcValue;
 
-// A parameter as it would stand in a settings file.
+// Formats a parameter as in a settings file.
 std::string text_of(const XmlRpcValue& value) {
   XmlRpcValue copy = value;  // its conversions are not const
   switch (copy.getType()) {
@@ -113,7 +113,7 @@ Config config_of(const Settings& settings) {
   return config;
 }
 
-// Moves every number to its least (or greatest) allowed value.
+// Moves every number to its lower (or upper) limit.
 Settings at_limits(bool greatest) {
   Settings limits;
   visit_settings(limits, [&](const char* /*group*/, auto&& visit_fields) {
@@ -242,7 +242,7 @@ bool SettingParameters::reconfigure(dynamic_reconfigure::Reconfigure::Request& r
   return good.has_value();
 }
 
-// On the parameter server, so that `rosparam dump` shows what is in force.
+// Stored on the parameter server, so that `rosparam dump` shows the active values.
 void SettingParameters::store() const {
   XmlRpcValue all;
   visit_settings(settings_, [&](const char* group, auto&& visit_fields) {

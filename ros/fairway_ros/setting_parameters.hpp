@@ -12,23 +12,23 @@
 
 namespace fairway::ros1 {
 
-/// What a node is told once, when it starts, by its private parameters.
+/// The options of a node from its private parameters, fixed at its start.
 struct NodeOptions {
   bridge::PilotOptions pilot;
   std::string map_frame = "map";
   std::string base_frame = "base_link";
-  bool cancel_with_client = true;  ///< a goal ends with the connection of the client that sent it
+  bool cancel_with_client = true;  ///< a goal ends when its client disconnects
 };
 
-/// Reads every private parameter of the node: its options, and `preset` and the groups of settings
-/// as in a settings file, so that `rosparam load` takes one. What does not exist, has another type
-/// or lies out of range is an error that names the parameter.
+/// Reads every private parameter of the node: its options, `preset`, and the groups of settings.
+/// They are spelled as in a settings file, so that `rosparam load` accepts such a file. A parameter
+/// that is unknown, has another type or lies out of range is an error that names it.
 [[nodiscard]] Expected<void> read_parameters(const ros::NodeHandle& node,
                                              NodeOptions& options,
                                              Settings& settings);
 
-/// Settings that can be changed at run time, for dynamic_reconfigure's clients: parameters are
-/// named `group.name`, with the unit, meaning and range of the settings table.
+/// Settings that can be changed at run time by dynamic_reconfigure's clients. Parameters are named
+/// `group.name`, with the unit, meaning and range of the settings table.
 class SettingParameters {
  public:
   /// @param changed  Called with new, valid settings. Must outlive the callbacks of `node`.

@@ -100,7 +100,7 @@ void SimulatedRobot::publish_odometry(const World& world, double time) {
   bridge::set_twist(robot.twist, odometry.twist.twist);
   odometry_.publish(odometry);
 
-  // What a localisation would say: where the odometry's frame truly lies in the map.
+  // Publishes what a localisation would: the true pose of the odometry's frame in the map.
   const Pose2 drift = bridge::compose(robot.pose, bridge::inverse(senses_.pose()));
   tf2_msgs::TFMessage frames;
   frames.transforms.push_back(stamped(odometry.header, prefix_ + "base_link", senses_.pose()));

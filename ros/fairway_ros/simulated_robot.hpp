@@ -13,13 +13,13 @@ namespace fairway::ros1 {
 
 /// The base, wheels and lidar of one simulated robot, as topics and frames.
 ///
-/// Subscribes `cmd_vel`, and `mute`: a string of names out of `odom scan obstacles` that fall
-/// silent until the next such string, to see what a lost sensor does. Publishes `odom`, `scan`,
-/// `obstacles` (what moves besides robots), `truth` and `contact`. In a namespace the frames get
-/// its name before theirs.
+/// It subscribes `cmd_vel` and `mute`. The latter is a string of names out of `odom scan obstacles`
+/// that are silent until the next such string, to simulate lost sensors. It publishes `odom`,
+/// `scan`, `obstacles` (moving obstacles except robots), `truth` and `contact`. In a namespace,
+/// frame names have its name as prefix.
 class SimulatedRobot {
  public:
-  /// A base that hears nothing for this long stops by itself [s].
+  /// The base stops by itself after this time without a command [s].
   static constexpr double kCommandTimeout = 0.5;
 
   /// @param space  the namespace of its topics; empty for none.
@@ -28,15 +28,15 @@ class SimulatedRobot {
                  std::size_t robot,
                  const std::string& space);
 
-  /// The command that the base follows at `time` [s], by the wall clock.
+  /// The command that the base executes at `time` [s], by the wall clock.
   [[nodiscard]] Twist2 command(double time) const noexcept;
 
-  /// Measures, and publishes what is due. @param start  the time of the world's beginning [s].
+  /// Measures, and publishes due messages. @param start  wall-clock time of the world's start [s].
   void publish(const World& world, double start);
 
   [[nodiscard]] const std::string& prefix() const noexcept { return prefix_; }
 
-  /// base_link to base_scan: never changes.
+  /// The transform from base_link to base_scan, which is constant.
   [[nodiscard]] geometry_msgs::TransformStamped mount() const;
 
  private:

@@ -69,7 +69,8 @@ SimulatorNode::SimulatorNode(const Scenario& scenario)
 }
 
 void SimulatorNode::tick() {
-  constexpr double kLongestStep = 0.05;  // [s]: a starved machine slows the world, it never jumps
+  constexpr double kLongestStep = 0.05;  // [s]; on a slow machine the world slows down and never
+                                         // jumps
   const double now = ros::Time::now().toSec();
   double step = now - start_ - world_.time();
   if (step < World::kFineStep) return;

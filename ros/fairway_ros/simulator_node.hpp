@@ -8,25 +8,25 @@
 
 namespace fairway::ros1 {
 
-/// A scenario's world in real time: its map, latched on `map`, and its robots. One robot has no
-/// namespace; several have their names as theirs. Goals are not the simulator's business.
+/// A scenario's world in real time: its map, latched on `map`, and its robots. A single robot has
+/// no namespace; several robots use their names. The simulator ignores goals.
 class SimulatorNode {
  public:
   explicit SimulatorNode(const Scenario& scenario);
 
-  /// Lets the world go on to now.
+  /// Advances the world to the current time.
   void tick();
 
  private:
   Scenario scenario_;
   World world_;
-  double start_;  // when the world's time began [s]
+  double start_;  // wall-clock time at which the world started [s]
   std::vector<std::unique_ptr<SimulatedRobot>> robots_;
   ros::Publisher map_;
   ros::Publisher static_transforms_;
 };
 
-/// What the private parameters ask for: `scenario`, a scenario file; or `map`, a map file, and
+/// The scenario of the private parameters: `scenario`, a scenario file; or `map`, a map file, and
 /// `start`, "x,y,heading". `noise` true adds the standard errors of lidar and odometry.
 [[nodiscard]] Expected<Scenario> read_simulation(const ros::NodeHandle& own);
 

@@ -28,7 +28,7 @@ void FairwayController::configure(const LifecycleNode::WeakPtr& parent,
                                   TransformBuffer transforms,
                                   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap) {
   node_ = parent.lock();
-  if (!node_) throw ControllerSetupError("the node is gone");
+  if (!node_) throw ControllerSetupError("the node has ended");
   name_ = std::move(name);
   transforms_ = std::move(transforms);
   costmap_ = std::move(costmap);
@@ -75,7 +75,7 @@ void FairwayController::setSpeedLimit(const double& limit, const bool& percentag
 }
 
 #if FAIRWAY_NAV2_TYPED_EXCEPTIONS
-// Nav2 goes on asking for commands until the robot stands.
+// Nav2 requests commands until the robot has stopped.
 bool FairwayController::cancel() {
   if (!cancelling_) follower_->cancel();
   cancelling_ = true;

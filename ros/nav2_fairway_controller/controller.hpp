@@ -15,10 +15,10 @@
 
 namespace fairway::nav2 {
 
-/// Fairway as a controller of Nav2: converts, and hands on to a PathFollower.
+/// Fairway as a controller of Nav2: converts messages and passes them to a PathFollower.
 ///
-/// Where nothing safe can be done it brakes within the limits first; only once the robot stands is
-/// the exception thrown that tells Nav2 so.
+/// Without a safe command it first brakes within the limits. Only at standstill it throws the
+/// exception that informs Nav2.
 class FairwayController : public nav2_core::Controller {
  public:
   void configure(const LifecycleNode::WeakPtr& parent,
@@ -60,7 +60,8 @@ class FairwayController : public nav2_core::Controller {
       const geometry_msgs::msg::PoseStamped& pose, const geometry_msgs::msg::Twist& velocity);
   void take_scan(const sensor_msgs::msg::LaserScan& scan);
   void take_obstacles(const sensor_msgs::msg::PointCloud2& cloud);
-  /// Brings the last path into the costmap's frame; it may have moved against the path's.
+  /// Transforms the last path into the costmap's frame, which may have moved relative to the
+  /// path's.
   void hand_over_path();
   [[nodiscard]] Pose2 frame_in_costmap(const std::string& frame) const;
 
@@ -74,7 +75,7 @@ class FairwayController : public nav2_core::Controller {
   bool cancelling_ = false;
   bool standing_ = true;
 
-  // What the subscriptions fill; their callbacks run in the executor's threads.
+  // The data from the subscriptions; their callbacks run in the executor's threads.
   std::mutex obstacles_mutex_;
   bridge::ObstacleBoard board_;
   std::unique_ptr<MaplessNavigator> tracker_;

@@ -12,12 +12,12 @@
 
 namespace fairway::nav2 {
 
-/// Costs of a Nav2 costmap. Inflated cells are free here: Fairway keeps its distance by itself,
-/// exactly, and an inflation layer would only count it twice.
+/// Costs of a Nav2 costmap. Inflated cells are free here: Fairway keeps exact distances by itself,
+/// and an inflation layer would count them twice.
 inline constexpr std::uint8_t kLethal = 254;
 inline constexpr std::uint8_t kNoInformation = 255;
 
-/// The obstacles of a nav2_costmap_2d::Costmap2D. @pre the caller holds its mutex.
+/// Converts a nav2_costmap_2d::Costmap2D to obstacles. @pre the caller holds its mutex.
 template <typename Costmap>
 [[nodiscard]] BitGrid to_obstacles(const Costmap& costmap, UnknownCells unknown) {
   const GridFrame frame{
@@ -48,8 +48,8 @@ template <typename PathMessage>
   return path;
 }
 
-/// Fills the poses of a nav_msgs/Path with points at most `spacing` [m] apart, as Nav2's
-/// controllers expect them, each looking along the path, the last one with the goal's heading.
+/// Fills a nav_msgs/Path with poses at most `spacing` [m] apart, as Nav2's controllers expect. Each
+/// pose points along the path, and the last one has the goal's heading.
 template <typename PathMessage>
 void fill_path(const Path& path,
                const std::optional<double>& goal_heading,

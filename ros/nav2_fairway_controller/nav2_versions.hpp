@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What differs between Nav2's distributions, told apart by the headers that each one has:
+// Differences between Nav2's distributions, which are identified by their headers:
 //   humble          nav2_core/exceptions.hpp; setPlan, 3 arguments; createPlan with 2
 //   jazzy, kilted   controller_exceptions.hpp, planner_exceptions.hpp; cancel, reset; createPlan
 //                   with a cancel checker
@@ -53,7 +53,7 @@ using GoalOccupied = nav2_core::GoalOccupied;
 using StartOutsideMap = nav2_core::StartOutsideMapBounds;
 using GoalOutsideMap = nav2_core::GoalOutsideMapBounds;
 using NoValidPath = nav2_core::NoValidPathCouldBeFound;
-#else  // Humble has one kind, and its controller server catches that.
+#else  // Humble has one exception type, which its controller server catches
 using ControllerTransformError = nav2_core::PlannerException;
 using NoValidControl = nav2_core::PlannerException;
 using InvalidPath = nav2_core::PlannerException;

@@ -46,7 +46,7 @@ rcl_interfaces::msg::ParameterDescriptor describe(const SettingInfo& info) {
   return descriptor;
 }
 
-// Takes a parameter over into a setting; empty, or what was expected.
+// Copies a parameter to a setting; returns the expectation after an error, else an empty text.
 template <typename Value>
 std::string assign(const rclcpp::Parameter& parameter, const SettingInfo& info, Value& value) {
   if constexpr (std::is_same_v<Value, bool>) {
@@ -72,8 +72,8 @@ std::string assign(const rclcpp::Parameter& parameter, const SettingInfo& info, 
   return {};
 }
 
-// Takes over what a parameter file gives under the old name of a setting: it is the default of the
-// new name. Old names work until 1.0.
+// Reads the value that a parameter file gives under the old name of a setting; it becomes the
+// default of the new name. Old names work until 1.0.
 template <typename Node>
 void read_renamed(Node& node, const std::string& prefix, Settings& settings) {
   visit_settings(settings, [&](const char* group, auto&& visit_fields) {

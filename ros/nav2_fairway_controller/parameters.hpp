@@ -15,14 +15,15 @@
 namespace fairway::nav2 {
 
 /// The settings of one plugin as parameters of its node: `PLUGIN.group.name`, each with its
-/// meaning, unit and range, changeable at run time.
+/// meaning, unit and range, and changeable at run time.
 class Parameters {
  public:
-  /// Declares them all and reads what the node was given.
-  /// @throws ControllerSetupError when the values do not agree; the message names the parameter.
+  /// Declares all parameters and reads the node's values.
+  /// @throws ControllerSetupError when the values are inconsistent; the message names the
+  /// parameter.
   Parameters(std::shared_ptr<LifecycleNode> node, std::string plugin);
 
-  /// The settings in force now.
+  /// The current settings.
   [[nodiscard]] Settings settings() const;
 
   /// The settings, once after each change.

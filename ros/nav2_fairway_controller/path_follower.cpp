@@ -8,7 +8,7 @@ namespace fairway::nav2 {
 
 PathFollower::PathFollower(const Settings& settings) : settings_(settings), navigator_(settings) {}
 
-// The settings, with the speed limit that was set for the way.
+// The settings with the speed limit of the current path.
 Settings PathFollower::limited() const {
   Settings settings = settings_;
   if (speed_limit_) {

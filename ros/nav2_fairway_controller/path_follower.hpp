@@ -9,48 +9,48 @@
 
 namespace fairway::nav2 {
 
-/// What the follower is told in a cycle. Times on the node's clock [s]; one frame for everything.
+/// The input of a cycle. Times are on the node's clock [s]; all poses are in one frame.
 struct FollowerInput {
   double time = 0.0;
   Pose2 pose;
   double pose_time = 0.0;
-  Twist2 twist;  ///< that the robot really has
+  Twist2 twist;  ///< actual twist of the robot
   const BitGrid& obstacles;
-  double obstacles_time = 0.0;  ///< when the costmap was up to date
+  double obstacles_time = 0.0;  ///< time of the costmap's last update
   const bridge::ObstacleBoard& moving;
 };
 
-/// What became of a cycle.
+/// The result of a cycle.
 struct FollowerStep {
   Twist2 command;
   NavigationStatus status = NavigationStatus::NoPlan;
-  bool standing = false;  ///< the command is zero, and no other is to be expected without help
-  std::string reason;     ///< why it stands or brakes, for a person
+  bool standing = false;  ///< the command is zero, and will stay zero without intervention
+  std::string reason;     ///< why the robot stops or brakes, for the user
 };
 
-/// Follows a path that another planner made, inside a map that moves with the robot: the part of
+/// Follows a path of another planner inside a map that moves with the robot. This is the part of
 /// Nav2's controller that does not depend on Nav2.
 ///
-/// The navigator cuts the path where it leaves the map, covers what is left with a corridor where
-/// the robot's disc fits along it, and else plans its own way to where it ends.
+/// The navigator cuts the path where it leaves the map. If the robot's disc fits along the rest, it
+/// covers that with a corridor; otherwise it plans its own path to the same end.
 class PathFollower {
  public:
   /// @pre settings are valid.
   explicit PathFollower(const Settings& settings);
 
-  /// Drives on with other settings. @pre validate(settings) holds.
+  /// Continues with other settings. @pre validate(settings) holds.
   void set_settings(const Settings& settings);
 
-  /// A new path, in the frame of the poses; an empty one makes the robot brake.
+  /// Sets a new path, in the frame of the poses; an empty one makes the robot brake.
   void set_path(Path path, const std::optional<double>& goal_heading);
 
-  /// At most this fast [m/s]; none, or not positive: as the settings say.
+  /// Sets a speed limit [m/s]; without a positive one the settings apply.
   void set_speed_limit(const std::optional<double>& limit);
 
-  /// Forgets the path: the robot brakes to a stand.
+  /// Removes the path: the robot brakes to standstill.
   void cancel();
 
-  /// Before a new task: forgets what was sent.
+  /// Prepares a new task: forgets the last command.
   void reset();
 
   [[nodiscard]] FollowerStep update(const FollowerInput& input);

@@ -11,7 +11,7 @@ namespace fairway::nav2 {
 
 namespace {
 
-// Nav2's behaviour trees tell these apart.
+// Nav2's behaviour trees distinguish these exceptions.
 [[noreturn]] void throw_reason(const Plan& plan) {
   switch (plan.path_status) {
     case PathStatus::StartOutsideMap:
@@ -37,7 +37,7 @@ void FairwayPlanner::configure(const LifecycleNode::WeakPtr& parent,
                                TransformBuffer transforms,
                                std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap) {
   node_ = parent.lock();
-  if (!node_) throw ControllerSetupError("the node is gone");
+  if (!node_) throw ControllerSetupError("the node has ended");
   transforms_ = std::move(transforms);
   costmap_ = std::move(costmap);
   parameters_ = std::make_unique<Parameters>(node_, std::move(name));
@@ -88,7 +88,7 @@ nav_msgs::msg::Path FairwayPlanner::plan(
     const Plan leg = planner_.plan(map, from, {.position = last.position, .heading = last.heading},
                                    planner_settings(settings));
     if (!leg.usable()) throw_reason(leg);
-    const std::size_t skip = whole.waypoints.empty() ? 0 : 1;  // where the legs meet
+    const std::size_t skip = whole.waypoints.empty() ? 0 : 1;  // the legs share this point
     whole.waypoints.insert(whole.waypoints.end(),
                            leg.path.waypoints.begin() + static_cast<std::ptrdiff_t>(skip),
                            leg.path.waypoints.end());

@@ -15,7 +15,7 @@
 namespace fairway::nav2 {
 
 /// Fairway as a planner of Nav2: a path that a corridor covers from end to end, so that Fairway's
-/// controller can follow it, and any other one can, too.
+/// and other controllers can follow it.
 class FairwayPlanner : public nav2_core::GlobalPlanner {
  public:
   void configure(const LifecycleNode::WeakPtr& parent,

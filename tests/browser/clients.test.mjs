@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clients that vanish, flood, stall, lie and send nonsense: the server goes on for the others.
+// Clients that disconnect, flood, stall or send invalid data: the server continues for the others.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import http from 'node:http';
@@ -26,10 +26,10 @@ async function connect(options = {}) {
   return socket;
 }
 
-/** Until a connection is over, with an error or without. */
+/** Waits for the end of a connection, with or without an error. */
 const closed = (socket) => new Promise((resolve) => socket.on('close', resolve));
 
-/** The server still tells news to somebody new. */
+/** The server still sends data to a new client. */
 async function goesOn() {
   assert.ok(server.alive());
   const socket = await connect();
@@ -57,7 +57,7 @@ const refused = (options) => new Promise((resolve) => {
   socket.on('error', () => {});
 });
 
-test('pages of other sites may not connect, and names that only resolve here do not help them', async () => {
+test('pages of other sites may not connect, not even by names that resolve to this machine', async () => {
   assert.equal(await refused({ origin: 'https://example.com' }), 403);
   assert.equal(await refused({ origin: 'null' }), 403);
   assert.equal(await refused({ origin: `http://127.0.0.1:${server.port + 1}` }), 403);
@@ -70,7 +70,7 @@ test('pages of other sites may not connect, and names that only resolve here do 
   assert.equal((await request(simple, '{}')).status, 415);
 });
 
-test('no path leads to a file', async () => {
+test('no path gives access to a file', async () => {
   for (const path of ['/../../../../etc/passwd', '/%2e%2e/%2e%2e/etc/passwd', '//etc/passwd', '/index.html', '/map', '/live', '/?x', '*']) {
     const { status, text } = await request({ path });
     assert.equal(status, 404, path);
@@ -82,7 +82,7 @@ test('no path leads to a file', async () => {
   assert.equal(headers['x-content-type-options'], 'nosniff');
 });
 
-test('what is too large is refused', async () => {
+test('data that are too large are refused', async () => {
   const head = { method: 'POST', path: '/map', headers: { 'Content-Type': 'application/json' } };
   const answer = await request({ ...head, headers: { ...head.headers, 'Content-Length': 25 * 1024 * 1024 } }, '{').catch(() => ({ status: 413 }));
   assert.equal(answer.status, 413);
@@ -99,7 +99,7 @@ test('what is too large is refused', async () => {
   await goesOn();
 });
 
-test('few downloads are answered at once, the others are told to come again', async () => {
+test('few downloads are served at a time, the others are asked to retry', async () => {
   const answers = await Promise.all(Array.from({ length: 20 }, () => request({ path: '/recording.mcap' })));
   const statuses = answers.map(({ status }) => status);
   assert.ok(statuses.includes(200) && statuses.every((status) => status === 200 || status === 503), `${statuses}`);
@@ -107,7 +107,7 @@ test('few downloads are answered at once, the others are told to come again', as
   await goesOn();
 });
 
-test('nonsense is answered with why, and does nothing', async () => {
+test('invalid messages are answered with the reason and have no effect', async () => {
   const socket = await connect();
   const notices = [];
   socket.on('message', (data, binary) => {
@@ -124,7 +124,7 @@ test('nonsense is answered with why, and does nothing', async () => {
   socket.send(Buffer.from([1, 2, 3]), { binary: true });
   for (const end = Date.now() + 120_000; notices.length < nonsense.length + 1 && Date.now() < end;) await new Promise((done) => setTimeout(done, 50));
   assert.equal(notices.length, nonsense.length + 1);
-  // These are well formed, but there is no such robot, body, map or setting.
+  // These are well-formed, but there is no such robot, body, map or setting.
   for (const command of [{ do: 'goal', robot: 99, x: 1, y: 1 }, { do: 'goal', robot: 0, x: 1e5, y: 0 }, { do: 'start', robot: 99, x: 1, y: 1, heading: 0 },
     { do: 'walk', body: 99, x: 1, y: 1 }, { do: 'remove_body', body: 0 }, { do: 'remove_robot', robot: 0 }, { do: 'map', index: 999 },
     { do: 'set', assignment: 'mpc.nothing=1' }, { do: 'set', assignment: 'mpc.step_length=nan' }, { do: 'set', assignment: '=' }]) {
@@ -134,7 +134,7 @@ test('nonsense is answered with why, and does nothing', async () => {
   socket.close();
 });
 
-test('broken requests and frames end their connection only', async () => {
+test('malformed requests and frames end only their own connection', async () => {
   for (const text of ['\r\n\r\n', 'GET', 'GET / HTTP/9.9\r\n\r\n', 'POST /map HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n',
     `GET /live HTTP/1.1\r\nHost: localhost:${server.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n\r\n`, '\x16\x03\x01\x02\x00\x01'.repeat(100)]) {
     const socket = net.connect(server.port, '127.0.0.1');
@@ -151,7 +151,7 @@ test('broken requests and frames end their connection only', async () => {
   await goesOn();
 });
 
-test('clients that vanish leave nothing behind', async () => {
+test('clients that disconnect leave no resources behind', async () => {
   for (let i = 0; i < 200; ++i) {
     const socket = new WebSocket(live());
     socket.on('error', () => {});
@@ -161,7 +161,7 @@ test('clients that vanish leave nothing behind', async () => {
   await goesOn();
 });
 
-test('one who floods waits, the others do not', async () => {
+test('a flooding client waits, the others do not', async () => {
   const flood = await connect();
   flood.on('error', () => {});
   const message = JSON.stringify({ do: 'speed', factor: 1 });
@@ -170,7 +170,7 @@ test('one who floods waits, the others do not', async () => {
   flood.terminate();
 });
 
-test('one who never reads holds up nobody', async () => {
+test('a client that never reads does not block the others', async () => {
   const deaf = net.connect(server.port, '127.0.0.1');
   deaf.on('error', () => {});
   await once(deaf, 'connect');

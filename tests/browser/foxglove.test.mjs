@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same port speaks foxglove.websocket.v1, as that protocol's own client library understands it.
+// The same port speaks foxglove.websocket.v1, tested with that protocol's own client library.
 import protocol from '@foxglove/ws-protocol';
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
@@ -42,7 +42,7 @@ test('channels are advertised, subscribed to, and carry messages of their schema
     got.set(waiting.get(subscriptionId), { json: JSON.parse(new TextDecoder().decode(data)), timestamp });
     if (got.size === wanted.length) resolve();
   }));
-  // The map came although it was sent long before.
+  // The map arrives although it was sent before.
   const map = got.get('/map').json;
   assert.equal(Buffer.from(map.data, 'base64').length % map.column_count, 0);
   assert.equal(got.get('/tf').json.child_frame_id, 'robot');
@@ -52,7 +52,7 @@ test('channels are advertised, subscribed to, and carry messages of their schema
   client.close();
 });
 
-test('nothing comes after unsubscribing', async () => {
+test('no message arrives after unsubscribing', async () => {
   const client = connect();
   const channels = await next(client, 'advertise');
   const id = client.subscribe(channels.find(({ topic }) => topic === '/fairway/world').id);
@@ -66,7 +66,7 @@ test('nothing comes after unsubscribing', async () => {
   client.close();
 });
 
-test('a new run withdraws its channels and advertises them anew', async () => {
+test('a new run withdraws its channels and advertises them again', async () => {
   const client = connect();
   const before = await next(client, 'advertise');
   const page = new WebSocket(server.url.replace('http', 'ws') + 'live');
@@ -79,7 +79,7 @@ test('a new run withdraws its channels and advertises them anew', async () => {
   client.close();
 });
 
-test('nonsense is answered and forgotten', async () => {
+test('invalid messages are answered and then ignored', async () => {
   const socket = new WebSocket(server.url.replace('http', 'ws'), ['foxglove.websocket.v1']);
   await once(socket, 'open');
   const statuses = [];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot that knows what its lidar tells: what of it the pages show.
+// What the pages show of a robot that knows only its lidar scans and odometry.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { McapIndexedReader } from '@mcap/core';
@@ -19,9 +19,9 @@ const seek = async (page, to) => {
   return picture(page);
 };
 
-test('shows its scan where the true walls are', () => withPage(async (page) => {
+test('shows its scan at the true walls', () => withPage(async (page) => {
   await seek(page, 6);
-  // Points of the scan on the map, and how many of them lie on an occupied cell or beside one.
+  // The number of scan points on the map, and how many of them are on or beside an occupied cell.
   const { points, near } = await page.evaluate(() => {
     const { run, moment } = window.fairway;
     const { frame, cells } = run.grids[0][0];
@@ -44,7 +44,7 @@ test('shows its scan where the true walls are', () => withPage(async (page) => {
   assert.ok(near > 0.9 * points, `${near} of ${points}`);
 }));
 
-test('shows the map as it is built, in a window that knows more and more', () => withPage(async (page) => {
+test('shows the map while its known area grows', () => withPage(async (page) => {
   const unknown = async (to) => {
     await seek(page, to);
     return page.evaluate(() => {
@@ -71,7 +71,7 @@ test('shows the map as it is built, in a window that knows more and more', () =>
   assert.ok(late.walls > 100, `${late.walls}`);
 }));
 
-test('its layers and its legend are there, and can be hidden', () => withPage(async (page) => {
+test('its layers and its legend exist and can be hidden', () => withPage(async (page) => {
   const all = await seek(page, 5);
   await page.click('#show-layers');
   for (const layer of ['seen', 'scan']) {
@@ -83,7 +83,7 @@ test('its layers and its legend are there, and can be hidden', () => withPage(as
   assert.match(await page.textContent('#legend'), /lidar/);
 }));
 
-test('shows the goal it was sent to, and what holds it back', () => withPage(async (page) => {
+test('shows its goal and its limiting factor', () => withPage(async (page) => {
   await seek(page, 4);
   const { goal, task, limits } = await page.evaluate(() => {
     const { run, moment } = window.fairway;
@@ -94,7 +94,7 @@ test('shows the goal it was sent to, and what holds it back', () => withPage(asy
   assert.match(await page.textContent('[data-robot="0"]'), /held back by|nothing holds it back|stands/);
 }));
 
-test('its recording has scans and the sensed map as Foxglove draws them', async () => {
+test('its recording has scans and the sensed map in schemas of Foxglove', async () => {
   const bytes = await readFile(shared.run.recording);
   const file = await McapIndexedReader.Initialize({
     readable: {
@@ -127,7 +127,7 @@ test('its recording has scans and the sensed map as Foxglove draws them', async 
   assert.ok(scans > 100, `${scans}`);
 });
 
-test('the live page lets the robots know the map or what their lidar tells', async () => {
+test('the live page switches the robots between the map and their lidar', async () => {
   const server = await serve();
   const { context, page, errors } = await openPage(shared.browser, server.url);
   const { context: other, page: beside } = await openPage(shared.browser, server.url);
@@ -137,10 +137,10 @@ test('the live page lets the robots know the map or what their lidar tells', asy
     await page.waitForFunction(() => window.fairway.run.begin.name === 'Empty hall');
     await page.selectOption('#senses', { label: 'lidar with errors' });
     await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 600);
-    // Whoever looks sees the same.
+    // Another page shows the same choice.
     await beside.waitForFunction(() => window.fairway?.run?.lidar
       && document.getElementById('senses').selectedOptions[0].textContent === 'lidar with errors');
-    // It drives on what it sees, and sees a wall that is drawn across its way.
+    // The robot uses its own map, and detects a wall that is drawn across its path.
     await page.waitForFunction(() => (window.fairway.run.frames.at(-1)?.robots[0].cycle?.linear ?? 0) > 0.5);
     await page.evaluate(() => document.getElementById('tool-wall').click());
     const box = await page.locator('#map').boundingBox();
@@ -153,7 +153,8 @@ test('the live page lets the robots know the map or what their lidar tells', asy
     await page.mouse.move(...await at(9, 12), { steps: 8 });
     await page.mouse.up();
     await page.waitForFunction(() => window.fairway.run.grids[0].at(-1).changes.length > 0);
-    // The robot's own map has the wall before it is there, or goes round it.
+    // The robot's own map contains the wall before the robot arrives, or the robot drives around
+    // it.
     await page.waitForFunction(() => {
       const { run } = window.fairway;
       const robot = run.frames.at(-1).robots[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The live page: every control is used for real, and what it does to the world is looked at.
+// The live page: uses every control and checks its effect on the world.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
@@ -25,8 +25,8 @@ after(async () => {
 });
 
 /**
- * A server of its own for each test, so that none sees what another did; opened at `map`.
- * `expected`: what each page may complain about in its console.
+ * Starts a separate server for each test, so that tests do not affect each other; selects `map`.
+ * `expected`: the console messages that each page may have.
  */
 async function withLive(work, { map = 'Empty hall', pages = 1, expected = [] } = {}) {
   const server = await serve();
@@ -54,7 +54,7 @@ const last = (page) => page.evaluate(() => {
   return { time, bodies, robots: robots.map(({ plan, cycle, ...pose }) => ({ ...pose, goal: plan?.goal, usable: plan?.usable, status: cycle?.status, linear: cycle?.linear })) };
 });
 const until = (page, condition, argument) => page.waitForFunction(condition, argument);
-/** Where a world point is on the screen. */
+/** The screen position of a world point. */
 const spot = async (page, x, y) => {
   const box = await page.locator('#map').boundingBox();
   const at = await page.evaluate(([wx, wy]) => window.fairway.camera.toScreen({ x: wx, y: wy }), [x, y]);
@@ -80,7 +80,7 @@ const cellAt = (page, x, y) => page.evaluate(([wx, wy]) => {
   return value;
 }, [x, y]);
 
-test('a goal by a click, with a heading by a drag; the robot gets there', () => withLive(async (page) => {
+test('a goal by a click, with a heading by a drag; the robot arrives', () => withLive(async (page) => {
   await page.selectOption('#speed', '8');
   await page.click('#tool-goal');
   await drag(page, [5, 5], [5, 6.5]);
@@ -101,7 +101,7 @@ test('a goal by a click, with a heading by a drag; the robot gets there', () => 
   });
 }));
 
-test('a start by a drag begins a new run there', () => withLive(async (page) => {
+test('a start by a drag begins a new run at that pose', () => withLive(async (page) => {
   await until(page, () => window.fairway.run.duration > 0.5);
   await page.click('#tool-start');
   await drag(page, [10, 8], [8, 8]);
@@ -113,7 +113,7 @@ test('a start by a drag begins a new run there', () => withLive(async (page) => 
   assert.ok(Math.abs(Math.abs(first.heading) - Math.PI) < 0.1);
 }));
 
-test('obstacles drawn while it drives lead to another way, and can be wiped off', () => withLive(async (page) => {
+test('obstacles drawn during the drive lead to another path, and can be erased', () => withLive(async (page) => {
   const length = () => page.evaluate(() => {
     const { path } = window.fairway.run.frames.at(-1).robots[0].plan;
     let sum = 0;
@@ -137,7 +137,7 @@ test('obstacles drawn while it drives lead to another way, and can be wiped off'
   assert.equal(await cellAt(page, 10, 7.5), 0);
 }));
 
-test('a robot arrives although a wall is drawn across its way while it drives', () => withLive(async (page) => {
+test('a robot arrives although a wall is drawn across its path during the drive', () => withLive(async (page) => {
   await page.click('#tool-wall');
   await drag(page, [11, 13], [14, 4]);
   await page.selectOption('#speed', '8');
@@ -160,7 +160,7 @@ test('no obstacle can be drawn into a robot', () => withLive(async (page) => {
   assert.equal(await cellAt(page, robot.x, robot.y), 0);
 }));
 
-test('a person is placed, led, and taken away; the robot is not touched', () => withLive(async (page) => {
+test('a person is placed, moved, and removed; the robot has no contact', () => withLive(async (page) => {
   await page.click('#tool-person');
   await click(page, 9, 9);
   await until(page, () => window.fairway.run.frames.at(-1).bodies.length === 1);
@@ -181,7 +181,7 @@ test('a person is placed, led, and taken away; the robot is not touched', () => 
   assert.ok(!(await last(page)).robots[0].collided);
 }));
 
-test('robots are added and taken away', () => withLive(async (page) => {
+test('robots are added and removed', () => withLive(async (page) => {
   await page.click('#tool-robot');
   await drag(page, [4, 10], [6, 10]);
   await until(page, () => window.fairway.run.begin.robots.length === 2 && window.fairway.run.frames.length > 0);
@@ -214,7 +214,7 @@ test('pause, step, speed and restart', () => withLive(async (page) => {
   await until(page, (t) => window.fairway.run.duration < t + 4, time);
 }));
 
-test('the past can be looked at while the world goes on', () => withLive(async (page) => {
+test('the past can be viewed while the world continues', () => withLive(async (page) => {
   await until(page, () => window.fairway.run.duration > 2);
   await page.click('#to-start');
   assert.ok(await page.evaluate(() => window.fairway.time) < 0.2);
@@ -228,7 +228,7 @@ test('the past can be looked at while the world goes on', () => withLive(async (
   assert.ok(!(await page.isVisible('#go-live')));
 }));
 
-test('settings have their units, take effect at once, and are refused where they make no sense', () => withLive(async (page) => {
+test('settings show their units, take effect at once, and are refused if invalid', () => withLive(async (page) => {
   await page.click('[data-group="robot"] summary');
   await page.click('[data-group="mpc"] summary');
   const row = page.locator('[data-setting="robot.linear_max"]');
@@ -261,7 +261,7 @@ test('settings have their units, take effect at once, and are refused where they
   await until(page, () => window.fairway.run.settings.find((s) => s.name === 'step_regions').value === false);
 }));
 
-test('each map can be chosen', () => withLive(async (page) => {
+test('each map can be selected', () => withLive(async (page) => {
   for (const name of await page.locator('#map-choice option').allTextContents()) {
     await page.selectOption('#map-choice', { label: name });
     await title(page, name);
@@ -295,7 +295,7 @@ test('maps are uploaded, with their YAML file or without', () => withLive(async 
   assert.match(await page.textContent('#notice'), /expected/);
 }, { expected: ['Failed to load resource: the server responded with a status of 422 (Unprocessable Entity)'] }));
 
-test('what is saved can be used: scenario, recording, report', () => withLive(async (page) => {
+test('saved files can be used: scenario, recording, report', () => withLive(async (page) => {
   await page.click('#tool-wall');
   await drag(page, [8, 12], [12, 6]);
   await page.click('#tool-person');
@@ -336,7 +336,7 @@ test('what is saved can be used: scenario, recording, report', () => withLive(as
   await context.close();
 }));
 
-test('two pages show and change one world', () => withLive(async (one, two) => {
+test('two pages show and change the same world', () => withLive(async (one, two) => {
   await two.waitForFunction(() => window.fairway?.drawn > 0);
   await two.click('#tool-goal');
   await title(two, 'Empty hall');
@@ -349,7 +349,7 @@ test('two pages show and change one world', () => withLive(async (one, two) => {
   assert.deepEqual(await last(two), a);
 }, { pages: 2 }));
 
-test('who joins late sees the past, and a page comes back after the server was away', async () => {
+test('a late page shows the past, and a page reconnects after the server was restarted', async () => {
   const server = await serve();
   const first = await openPage(browser, server.url);
   await until(first.page, () => window.fairway?.run?.duration > 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page in the repository is what its sources make.
+// The page in the repository is the one that its sources build.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording is read by the format's own library, and its messages fit Foxglove's own schemas.
+// The format's own library reads a recording, and its messages fit Foxglove's own schemas.
 import { McapIndexedReader, McapStreamReader } from '@mcap/core';
 import Ajv from 'ajv';
 import assert from 'node:assert/strict';
@@ -27,7 +27,7 @@ const reader = () => McapIndexedReader.Initialize({
   decompressHandlers,
 });
 
-test('is indexed, with the statistics of what it holds', async () => {
+test('is indexed, with the statistics of its messages', async () => {
   const file = await reader();
   let count = 0n;
   let last = 0n;
@@ -47,7 +47,7 @@ test('is indexed, with the statistics of what it holds', async () => {
   }
 });
 
-test('gives one channel from the index alone', async () => {
+test('gives one channel with the index alone', async () => {
   const file = await reader();
   let count = 0;
   for await (const message of file.readMessages({ topics: ['/robot_1/pose'], startTime: 10_000_000_000n, endTime: 20_000_000_000n })) {
@@ -57,7 +57,7 @@ test('gives one channel from the index alone', async () => {
   assert.equal(count, 101);
 });
 
-test('has right checksums of chunks, data and summary', () => {
+test('has correct checksums of chunks, data and summary', () => {
   const stream = new McapStreamReader({ decompressHandlers, validateCrcs: true });
   stream.append(new Uint8Array(bytes));
   const seen = {};
@@ -78,7 +78,7 @@ test('has right checksums of chunks, data and summary', () => {
   assert.ok(seen.Message > 1000);
 });
 
-test('holds messages that fit the schemas in it and those of Foxglove', async () => {
+test('contains messages that fit its own schemas and those of Foxglove', async () => {
   const ajv = new Ajv({ strict: false });
   const compiled = new Map();
   const file = await reader();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The replay page, opened from disk: every control is used, and what it does is looked at.
+// The replay page, opened from disk: uses every control and checks its effect.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { camera, picture, time, useRun, withPage } from './support/replay_page.mjs';
 
 useRun();
 
-test('plays, pauses, and goes at the speed that is asked for', () => withPage(async (page) => {
-  // Seconds of the run per second from picture to picture; the middle one of some. Where pictures
-  // are long in coming the page goes on by a quarter of a second.
+test('plays, pauses, and runs at the selected speed', () => withPage(async (page) => {
+  // The median of the run's seconds per second between pictures. After a slow picture the page
+  // advances by a quarter of a second.
   const pace = () => page.evaluate(() => new Promise((done) => {
     const paces = [];
     let last = null;
@@ -49,7 +49,7 @@ test('steps, jumps to start and end, and plays again from the end', () => withPa
   assert.equal(await time(page), 0);
 }));
 
-test('the slider and the plots choose the time', () => withPage(async (page) => {
+test('the slider and the plots select the time', () => withPage(async (page) => {
   const slider = page.locator('#time');
   const box = await slider.boundingBox();
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
@@ -104,7 +104,7 @@ test('keys do what the buttons do', () => withPage(async (page) => {
 test('the map zooms about the pointer, pans, and fits again', () => withPage(async (page) => {
   const start = await camera(page);
   const box = await page.locator('#map').boundingBox();
-  // Whole pixels: a wheel event tells no others.
+  // Whole pixels, because wheel events have no others.
   const at = { x: Math.round(box.x + box.width * 0.6), y: Math.round(box.y + box.height * 0.4) };
   const world = () => page.evaluate(({ x, y }) => window.fairway.camera.toWorld({ x, y }), { x: at.x - box.x, y: at.y - box.y });
   const fixed = await world();
@@ -169,7 +169,7 @@ test('the map changes with time, forwards and backwards', () => withPage(async (
   assert.deepEqual(await corner(), free);
 }));
 
-test('robots are chosen by their cards and on the map', () => withPage(async (page) => {
+test('robots are selected by their cards and on the map', () => withPage(async (page) => {
   const before = await picture(page);
   await page.click('[data-robot="2"]');
   await page.waitForSelector('[data-robot="2"][aria-pressed="true"]');

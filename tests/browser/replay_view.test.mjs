@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the replay page shows: the run as it was, on every screen, on paper, and fast enough.
+// The replay page shows the run correctly, on every screen and on paper, and fast enough.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { McapIndexedReader } from '@mcap/core';
@@ -12,7 +12,7 @@ import { syntheticRun } from './support/runs.mjs';
 
 useRun();
 
-test('asks for nothing from outside', async () => {
+test('loads no external resource', async () => {
   const context = await shared.browser.newContext();
   const page = await context.newPage();
   const asked = [];
@@ -25,7 +25,7 @@ test('asks for nothing from outside', async () => {
   await context.close();
 });
 
-test('knows what the recording knows, to the rounding', () => withPage(async (page) => {
+test('agrees with the recording within rounding', () => withPage(async (page) => {
   const bytes = await readFile(shared.run.recording);
   const file = await McapIndexedReader.Initialize({
     readable: {
@@ -39,7 +39,7 @@ test('knows what the recording knows, to the rounding', () => withPage(async (pa
     for await (const message of file.readMessages({ topics: [topic], startTime: stamp, endTime: stamp })) {
       return JSON.parse(new TextDecoder().decode(message.data));
     }
-    throw new Error(`nothing on ${topic} at ${at}`);
+    throw new Error(`no message on ${topic} at ${at}`);
   };
   for (const at of [0, 7.3, 33.3, 60]) {
     const frame = await page.evaluate((t) => {
@@ -87,7 +87,7 @@ test('panel, theme, and settings', () => withPage(async (page) => {
   assert.match(await page.textContent('#summary'), /Way driven/);
 }));
 
-test('follows the system into the dark', () => withPage(async (page) => {
+test('follows the dark theme of the system', () => withPage(async (page) => {
   const background = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   assert.equal(background, 'rgb(23, 28, 33)');
 }, { colorScheme: 'dark' }));
@@ -106,7 +106,7 @@ test('two fingers zoom on a small screen', () => withPage(async (page) => {
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
 }, { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true }));
 
-test('has room for the map and its buttons on small screens, upright and lying', async () => {
+test('fits the map and its buttons on small screens, portrait and landscape', async () => {
   for (const viewport of [{ width: 390, height: 780 }, { width: 780, height: 390 }]) {
     await withPage(async (page) => {
       const box = async (id) => page.locator(id).boundingBox();
@@ -119,7 +119,7 @@ test('has room for the map and its buttons on small screens, upright and lying',
 });
 
 test('shows the true bodies of the robots', () => withPage(async (page) => {
-  // A rectangle of 0.6 x 0.4 m; the disc that covers it is wider. Only robots are left on the map.
+  // A rectangle of 0.6 x 0.4 m; its circumscribed disc is wider. Only robots are left on the map.
   for (const box of await page.locator('#layers input').all()) {
     await box.evaluate((input) => { input.checked = true; input.click(); });
   }
@@ -144,7 +144,7 @@ test('shows the true bodies of the robots', () => withPage(async (page) => {
   assert.notDeepEqual(await colors(0, 0.25), body);
 }));
 
-test('prints light, with the map, the plots and the robots', () => withPage(async (page) => {
+test('prints in the light theme, with the map, the plots and the robots', () => withPage(async (page) => {
   const pdf = await page.pdf();
   assert.ok(pdf.length > 30_000);
   // On paper the plots are light too, and larger than on the screen.
@@ -165,7 +165,7 @@ test('prints light, with the map, the plots and the robots', () => withPage(asyn
   assert.ok(!(await page.isVisible('#play')) && !(await page.isVisible('#settings')));
 }, { colorScheme: 'dark' }));
 
-test('1000 x 1000 cells play at 20 pictures a second; the first is there within a second', async (t) => {
+test('1000 x 1000 cells play at 20 pictures a second; the first appears within a second', async (t) => {
   const large = await syntheticRun({ robots: 4, seconds: 300, side: 1000 });
   assert.ok((await stat(large.page)).size < 10e6);
   const { context, page, errors } = await openPage(shared.browser, 'about:blank');
@@ -180,7 +180,7 @@ test('1000 x 1000 cells play at 20 pictures a second; the first is there within 
     return (window.fairway.drawn - before) / (performance.now() - start) * 1e3;
   });
   const cost = await page.evaluate(() => {
-    // The processor's share alone, so that what else the machine does counts less.
+    // Only the processor's share, so that other programs affect it less.
     let best = Infinity;
     for (let i = 0; i < 30; ++i) {
       window.fairway.time += 0.033;
@@ -192,8 +192,8 @@ test('1000 x 1000 cells play at 20 pictures a second; the first is there within 
     return best;
   });
   t.diagnostic(`first picture after ${first.toFixed(0)} ms, ${rate.toFixed(0)} pictures a second, ${cost.toFixed(1)} ms a picture at best, file ${((await stat(large.page)).size / 1e6).toFixed(2)} MB`);
-  // Waiting is reported, not judged: other work on the machine would decide. What a picture costs
-  // at best is judged: a twentieth of a second.
+  // Waiting times are reported only, because they depend on other programs. The least cost of a
+  // picture is limited to a twentieth of a second.
   assert.ok(rate > 0 && cost < 50, `${rate} ${cost}`);
   assert.deepEqual(errors, []);
   await context.close();

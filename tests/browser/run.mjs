@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one test file: node run.mjs FILE.test.mjs FOLDER_OF_PROGRAMS. Ends with 77, which CTest counts
-// as skipped, and a message where something that the test needs is not installed.
+// Runs one test file: node run.mjs FILE.test.mjs FOLDER_OF_PROGRAMS. Where a requirement is not
+// installed, it prints a message and ends with 77, which CTest counts as skipped.
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots among robots: nobody touches, everybody arrives.
+// Several robots in one world: all arrive without contact.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 struct Outcome {
   bool arrived = true;
   bool touched = false;
-  double time = 0.0;  // of the last to arrive [s]
+  double time = 0.0;  // of the last arrival [s]
 };
 
 Outcome run(const Scenario& scenario) {
@@ -37,7 +37,7 @@ TEST(Fleet, ExchangesPlacesOnACircle) {
   }
 }
 
-TEST(Fleet, DoesNotTouchWhereMessagesAreLateOrLost) {
+TEST(Fleet, MakesNoContactWhenMessagesAreLateOrLost) {
   for (const double loss : {0.0, 0.2}) {
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
       Scenario scenario = swap_scenario(8, 4.0, {}, seed);
@@ -50,8 +50,8 @@ TEST(Fleet, DoesNotTouchWhereMessagesAreLateOrLost) {
   }
 }
 
-// Two rooms of 5 m x 6 m and a door of 0.9 m.
-TEST(Fleet, ChangesRoomsThroughADoorThatOnlyOneFitsThrough) {
+// Two rooms of 5 m x 6 m, joined by a door of 0.9 m.
+TEST(Fleet, ChangesRoomsThroughADoorForOneRobotAtATime) {
   OccupancyGrid map({.width = 200, .height = 120, .resolution = 0.05, .origin = {}});
   for (int y = 0; y < 120; ++y) {
     for (int x = 98; x < 102; ++x)
@@ -94,7 +94,7 @@ RobotTask task(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
           .goal = {.position = to, .heading = {}}};
 }
 
-TEST(Fleet, WhoHasTheShorterWayBackLeavesThePassage) {
+TEST(Fleet, TheRobotWithTheShorterRetreatPathLeavesThePassage) {
   for (const double bend : {0.0, 1.5}) {
     Scenario scenario;
     scenario.map = passage(bend);
@@ -109,7 +109,7 @@ TEST(Fleet, WhoHasTheShorterWayBackLeavesThePassage) {
   }
 }
 
-TEST(Fleet, WhoIsFollowedLeavesThePassageWithItsFollower) {
+TEST(Fleet, AFollowedRobotLeavesThePassageWithItsFollower) {
   Scenario scenario;
   scenario.map = passage(0.0);
   scenario.time_limit = 100.0;
@@ -119,7 +119,7 @@ TEST(Fleet, WhoIsFollowedLeavesThePassageWithItsFollower) {
   EXPECT_FALSE(outcome.touched);
 }
 
-TEST(Fleet, LeavesAPassageWhereMessagesAreLateAndLost) {
+TEST(Fleet, LeavesAPassageWhenMessagesAreLateAndLost) {
   Scenario scenario;
   scenario.map = passage(0.0);
   scenario.time_limit = 100.0;
@@ -130,8 +130,8 @@ TEST(Fleet, LeavesAPassageWhereMessagesAreLateAndLost) {
   EXPECT_FALSE(outcome.touched);
 }
 
-// The passage is closed behind the robot that wants out.
-TEST(Fleet, WhoWantsIntoADeadEndLetsOutWhoIsInIt) {
+// The passage ends behind the robot that has to leave.
+TEST(Fleet, ARobotOutsideADeadEndLetsTheOneInsideLeave) {
   Scenario scenario;
   scenario.map = passage(0.0);
   for (int x = 140; x < 240; ++x) {

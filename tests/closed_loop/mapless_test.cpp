@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole runs of a robot that knows nothing but what its lidar and its wheels tell.
+// Whole runs of a robot that knows only its lidar scans and odometry.
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
@@ -8,7 +8,7 @@
 namespace fairway {
 namespace {
 
-// A hall of 14 x 10 m with walls around; the robot starts at the left and looks along x.
+// A hall of 14 x 10 m with outer walls; the robot starts at the left with heading 0.
 Scenario hall(std::uint64_t seed) {
   Scenario scenario;
   scenario.map = OccupancyGrid({.width = 280, .height = 200, .resolution = 0.05, .origin = {}});
@@ -43,7 +43,7 @@ void expect_arrival(const EpisodeResult& result, const Scenario& scenario) {
   EXPECT_LT(off.norm(), 1.0);
 }
 
-TEST(Mapless, CrossesPostsItHasNeverSeen) {
+TEST(Mapless, CrossesAnUnknownFieldOfPosts) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Scenario scenario = hall(seed);
     test::Random random(seed);
@@ -57,16 +57,16 @@ TEST(Mapless, CrossesPostsItHasNeverSeen) {
   }
 }
 
-TEST(Mapless, LeavesADeadEndAgain) {
+TEST(Mapless, LeavesADeadEnd) {
   Scenario scenario = hall(1);
-  // A pocket around the straight way, open to the robot.
+  // A pocket across the straight path, open towards the robot.
   put_box(scenario.map, 4.0, 3.0, 8.0, 3.1);
   put_box(scenario.map, 4.0, 6.9, 8.0, 7.0);
   put_box(scenario.map, 8.0, 3.0, 8.1, 7.0);
   expect_arrival(run_episode(scenario), scenario);
 }
 
-// A passage of twice 0.365 m, as narrow as BARN's, may have only 0.70 m left once it is cells.
+// A passage of twice 0.365 m, as narrow as BARN's, may shrink to 0.70 m when it becomes cells.
 TEST(Mapless, PassesADoorAsNarrowAsBarns) {
   for (const Sensing sensing : {Sensing::Map, Sensing::Lidar}) {
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
@@ -81,9 +81,9 @@ TEST(Mapless, PassesADoorAsNarrowAsBarns) {
   }
 }
 
-TEST(Mapless, StandsStillWithoutScans) {
+TEST(Mapless, DoesNotMoveWithoutScans) {
   Scenario scenario = hall(1);
-  scenario.sensing.lidar.latency = 100.0;  // none ever arrives
+  scenario.sensing.lidar.latency = 100.0;  // no scan ever becomes available
   scenario.time_limit = 3.0;
   const EpisodeResult result = run_episode(scenario);
   EXPECT_EQ(result.robots[0].length, 0.0);

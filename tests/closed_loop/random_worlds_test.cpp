@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts of whole runs in random worlds: arrives where there is a way, never touches anything, keeps
-// every limit, and does the same again.
+// Whole runs in random worlds: the robot arrives where a path exists, has no contact, keeps every
+// limit, and repeats the run exactly.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ void expect_limits_kept(const Scenario& scenario, const Trace& trace) {
   }
 }
 
-TEST(RandomWorlds, ArrivesWhereThereIsAWayAndNeverTouchesAnything) {
+TEST(RandomWorlds, ArrivesWithoutContactWhereAPathExists) {
   int driven = 0;
   int without_plan = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole runs on maps of real buildings, between seeded random places that are connected.
+// Whole runs on maps of real buildings, between seeded random points that are connected.
 #include <filesystem>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a map and settings from files, and drives a simulated base. Usage: consumer_io MAP.yaml
-// SETTINGS.yaml
+// Reads a map and settings from files, and drives a simulated base.
+// Usage: consumer_io MAP.yaml SETTINGS.yaml
 #include <cstdio>
 
 #include "fairway/fairway.hpp"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the build given as the first argument into fresh folders and builds projects against it: all
-# components, and the core alone.
+# Installs the build given as the first argument into new folders and builds projects against it:
+# all components, and the core alone.
 set -euo pipefail
 build=$1
 source=$(cd "$(dirname "$0")" && pwd)
@@ -18,7 +18,7 @@ headers=$(find "$work/install/include" -name '*.hpp' | wc -l)
 [ -n "$(find "$work/install" -name LICENSE)" ] || { echo "expected an installed LICENSE" >&2; exit 1; }
 scenarios=$(find "$work/install" -type d -name scenarios | head -n 1)
 if [ ! -e "$work/install/include/fairway/io/maps/map_file.hpp" ]; then
-  echo "fairway::io is not built here: only the core was tried"
+  echo "fairway::io is not built here: only the core was tested"
   exit 0
 fi
 cmake -S "$source" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/install" -DCMAKE_BUILD_TYPE=Release >/dev/null

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as the list of BARN's worlds, and of DynaBARN's: what is read makes a scenario.
+// Reads any bytes as BARN's and DynaBARN's list of worlds: a valid list makes a scenario.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -7,16 +7,16 @@
 
 namespace fairway::test {
 
-/// A fuzzer's bytes as numbers, front to back. Beyond their end a fixed sequence goes on that is
-/// not constant.
+/// Reads a fuzzer's bytes as numbers, from front to back. After their end a fixed sequence
+/// continues, which is not constant.
 class ByteSource {
  public:
   ByteSource(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
 
-  /// Whether bytes of the fuzzer's are left.
+  /// Whether some of the fuzzer's bytes are left.
   [[nodiscard]] bool left() const { return position_ < size_; }
 
-  /// Any double at all.
+  /// Returns any double.
   double number() {
     std::uint64_t bits = 0;
     for (int i = 0; i < 8; ++i)
@@ -31,7 +31,7 @@ class ByteSource {
     return low + (high - low) * share / 65535.0;
   }
 
-  /// From `low` to `high`, at most 65536 of them.
+  /// Returns an integer from `low` to `high`, out of at most 65536.
   int integer(int low, int high) {
     const unsigned any = high - low < 256 ? byte() : byte() << 8U | byte();
     return low + static_cast<int>(any) % (high - low + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as what a client of the live page sends, a command or a map.
+// Reads any bytes as a message of a live page's client: a command or a map.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Corridors along any line over any grid: no crash and no hang, and what is Built keeps what
-// build_corridor promises, when it is new and after the map has changed.
+// Builds corridors along any line over any grid: no crash and no hang. A Built corridor keeps the
+// guarantees of build_corridor, initially and after the map has changed.
 #include <cstdint>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is_free promises on any grid: it says yes only where every obstacle is further away than
-// asked, and no only where one is not, up to the skin. Every cell is looked at.
+// Tests is_free on any grid against all cells. It returns true only if every obstacle is further
+// away than requested, and false only if one is not, within the tolerance.
 #include <cstdint>
 #include <cstdlib>
 
@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::ByteSource source(data, size);
   const BitGrid obstacles = test::random_grid(source);
   const GridFrame& frame = obstacles.frame();
-  // Coordinates in the world are rounded, the more the further it is from its origin.
+  // Rounding errors of world coordinates grow with the distance from the origin.
   const double rounding = 1e-9 + 1e-13 * frame.origin.position.norm();
   for (int i = 0; i < 4; ++i) {
     const OrientedRectangle r = random_rectangle(source, frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a map: the part before the first NUL as YAML header, the rest as picture.
+// Reads any bytes as a map: the part before the first NUL as YAML header, the rest as picture.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(data, data + size);
   const std::size_t end = bytes.find('\0');
   const auto header = fairway::io::parse_map_header(bytes.substr(0, end), "m.yaml");
-  // Messages are one line: they end up in logs and on terminals.
+  // Messages must be one line, for logs and terminals.
   if (!header && header.error().message.find('\n') != std::string::npos) std::abort();
   if (end == std::string::npos) return 0;
   const auto image = fairway::io::decode_map_image(bytes.substr(end + 1), "m.pgm");

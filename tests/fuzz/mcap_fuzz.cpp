@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an MCAP file: every message lies within them, or they are refused in one line.
+// Reads any bytes as an MCAP file: every message lies within them, or one line refuses them.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as instances of the optimal control problem, and as results: what is read can be solved,
-// and results come back from their own print-out.
+// Reads any text as instances of the optimal control problem, and as results. Valid instances can
+// be solved, and printed results read back.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -6,7 +6,7 @@
 
 namespace fairway::test {
 
-/// A grid of up to 96 x 96 cells, with bars of obstacles, somewhere in the world.
+/// A grid of up to 96 x 96 cells with bars of obstacles, at any pose in the world.
 inline BitGrid random_grid(ByteSource& source) {
   GridFrame frame{
       .width = source.integer(1, 96),
@@ -33,7 +33,7 @@ inline BitGrid random_grid(ByteSource& source) {
   return grid;
 }
 
-/// A point on the grid's ground, or near it; rarely any point at all.
+/// A point on the grid, or near it; sometimes any point.
 inline Eigen::Vector2d random_point(ByteSource& source, const GridFrame& frame) {
   if (source.chance(0.01)) return {source.number(), source.number()};
   return frame.to_world(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording in which some values are others, some messages missing or told twice: it is refused
-// or played, by the page and by navigators that run again.
+// Changes values of a recording, and omits or repeats messages. The page and the replayed
+// navigators refuse it or play it.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -39,7 +39,7 @@ Json another_value(test::ByteSource& source, const Json& value) {
   }
 }
 
-// Walks down to some value and makes it another one.
+// Selects some value and changes it.
 void change(test::ByteSource& source, Json& json) {
   Json* at = &json;
   while (at->is_structured() && !at->empty() && !source.chance(0.03)) {

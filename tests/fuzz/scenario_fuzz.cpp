@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as a scenario file: what is read comes back from its own archive, and some cycles of it
-// can be driven.
+// Reads any text as a scenario file: a valid scenario reads back from its own archive, and some
+// cycles of it can be driven.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a settings file: what is read is valid, and comes back from its own print-out.
+// Reads any bytes as a settings file: the settings are valid, and read back from their own text.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any numbers whatever must give a finite answer within the change bounds, or be refused.
+// Solves problems of any numbers: the answer is finite and within the change bounds, or refused.
 #include <cstdint>
 #include <cstdlib>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as the tracks of people: what is read stands somewhere at every time.
+// Reads any text as the tracks of people: every person has a position at every time.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-TEST(CorridorChain, FewestCoversEveryPathThatHasRoomForThePatch) {
+TEST(CorridorChain, FewestCoversEveryPathWithClearanceForThePatch) {
   test::Random random(11);
   int built = 0;
   for (int trial = 0; trial < 400; ++trial) {
@@ -21,7 +21,7 @@ TEST(CorridorChain, FewestCoversEveryPathThatHasRoomForThePatch) {
     const auto path = test::random_path(random, obstacles, radius + margin);
     if (!path) continue;
     CorridorSettings settings;
-    // Every point of the path has a disc of radius margin / sqrt(2) in any rectangle about it.
+    // Around every point of the path, any rectangle has a free disc of radius margin / sqrt(2).
     settings.min_overlap_area = 1.57 * margin * margin;
     settings.longest_side = random.chance(0.5) ? 16.0 : 40.0 * cell;
     const CorridorResult result = build_corridor(obstacles, *path, radius, settings);
@@ -33,7 +33,7 @@ TEST(CorridorChain, FewestCoversEveryPathThatHasRoomForThePatch) {
   EXPECT_GT(built, 200);
 }
 
-TEST(CorridorChain, FewestCoversEveryFreePathWhenNoPatchIsAsked) {
+TEST(CorridorChain, FewestCoversEveryFreePathWithoutAPatch) {
   test::Random random(12);
   for (int trial = 0; trial < 200; ++trial) {
     const BitGrid obstacles(test::random_world(random, 120));
@@ -48,7 +48,7 @@ TEST(CorridorChain, FewestCoversEveryFreePathWhenNoPatchIsAsked) {
   }
 }
 
-TEST(CorridorChain, WhateverIsBuiltIsSound) {
+TEST(CorridorChain, EveryBuiltCorridorIsSound) {
   test::Random random(13);
   int built = 0;
   int stuck = 0;

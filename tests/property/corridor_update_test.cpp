@@ -27,7 +27,7 @@ std::optional<Scene> random_scene(test::Random& random) {
   return scene;
 }
 
-// Blocks or frees some cells of a small block; blocked cells keep away from the path.
+// Blocks or frees some cells of a small block; blocked cells keep a distance from the path.
 CellBlock change_map(test::Random& random, Scene& scene) {
   const GridFrame& frame = scene.obstacles.frame();
   const int size = random.integer(1, 12);
@@ -56,7 +56,7 @@ CellBlock change_map(test::Random& random, Scene& scene) {
   return block;
 }
 
-TEST(CorridorUpdate, KeepsThePromisesThroughManyChanges) {
+TEST(CorridorUpdate, KeepsItsGuaranteesThroughManyChanges) {
   test::Random random(21);
   int updates = 0;
   std::size_t updated_count = 0;
@@ -81,10 +81,10 @@ TEST(CorridorUpdate, KeepsThePromisesThroughManyChanges) {
   }
   EXPECT_GT(updates, 400);
   EXPECT_LE(static_cast<double>(updated_count), 1.15 * static_cast<double>(fresh_count))
-      << "the chain stays nearly as short as one built anew";
+      << "the chain stays nearly as short as a new one";
 }
 
-TEST(CorridorUpdate, LeavesTheChainAloneWhereNothingChanged) {
+TEST(CorridorUpdate, KeepsTheChainWhereNothingChanged) {
   test::Random random(22);
   for (int trial = 0; trial < 30; ++trial) {
     const auto scene = random_scene(random);
@@ -101,7 +101,7 @@ TEST(CorridorUpdate, LeavesTheChainAloneWhereNothingChanged) {
   }
 }
 
-TEST(CorridorUpdate, SaysWhereThePathIsBlockedAndRecovers) {
+TEST(CorridorUpdate, ReportsWhereThePathIsBlockedAndRecovers) {
   BitGrid obstacles(GridFrame{.width = 400, .height = 100, .resolution = 0.05, .origin = {}},
                     false);
   const Path path{.waypoints = {{1.0, 2.5}, {19.0, 2.5}}};

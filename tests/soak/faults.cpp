@@ -11,9 +11,9 @@ void Faults::begin_cycle(double share) {
   if (!random_.chance(share)) return;
   ++count_;
   kind_ = static_cast<Kind>(random_.integer(1, static_cast<int>(Kind::JumpingTracks)));
-  // A pose that jumps for long looks like a robot that was carried away.
+  // A pose that jumps for a long time is accepted, as if the robot had been carried.
   left_ = random_.integer(1, kind_ == Kind::JumpingPose ? 4 : 8);
-  // Smaller jumps than `pose_jump` are not told from a pose that is right.
+  // Jumps smaller than `pose_jump` are not detected.
   jump_ = random_.uniform(1.5, 6.0) * direction(random_.uniform(-3.2, 3.2));
 }
 

@@ -9,26 +9,27 @@
 
 namespace fairway::test {
 
-/// What was true in a cycle.
+/// The true state in a cycle.
 struct Truth {
   double time = 0.0;
   Pose2 pose;
   std::vector<MovingObstacle> obstacles;
 };
 
-/// Turns what is true into what a robot with bad sensors is told: for some cycles at a time an
-/// input is dropped (the last one comes again, with its stamp), late, not finite, jumps, or misses.
+/// Turns the true state into the measurements of a robot with bad sensors. For some cycles at a
+/// time an input is dropped (the last one repeats, with its stamp), late, not finite, displaced, or
+/// missing.
 class Faults {
  public:
   explicit Faults(Random& random) : random_(random) {}
 
-  /// @param share  Of cycles in which a fault begins.
+  /// @param share  Share of cycles in which a fault begins.
   void begin_cycle(double share);
 
-  /// The input as it is told; valid until the next call.
+  /// The measured input; valid until the next call.
   [[nodiscard]] NavigationInput tell(const Truth& truth, const BitGrid& map);
 
-  /// Whether obstacles were told where they are not, less than `duration` seconds before `time`.
+  /// Whether wrong obstacle positions were measured less than `duration` seconds before `time`.
   [[nodiscard]] bool told_wrong_tracks(double time, double duration) const {
     return time - wrong_tracks_ < duration;
   }
@@ -57,7 +58,7 @@ class Faults {
   Kind kind_ = Kind::None;
   int left_ = 0;  // cycles
   Eigen::Vector2d jump_ = Eigen::Vector2d::Zero();
-  std::vector<Truth> past_;  // the last cycles, oldest first
+  std::vector<Truth> past_;  // the last states, oldest first
   Truth pose_told_;
   Truth tracks_told_;
   double wrong_tracks_ = -std::numeric_limits<double>::infinity();

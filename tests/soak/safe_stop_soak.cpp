@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drives through random worlds with inputs that are dropped, late, jumping or not finite, and
-// counts everything that must not happen. Exit code 1 if anything did.
+// Drives through random worlds with inputs that are dropped, late, displaced or not finite, and
+// counts all violations. Exit code 1 if there are any.
 //
 //   safe_stop_soak [CYCLES [SEED]]
 #include <cmath>
@@ -26,9 +26,9 @@ struct Count {
   long faults = 0;
   long arrivals = 0;
   long static_contacts = 0;
-  long driven_into = 0;   // the robot drove into an obstacle that moves as told
-  long run_over = 0;      // such an obstacle ran into a robot that stood or went out of its way
-  long not_as_told = 0;   // contacts soon after the obstacles were told where they are not
+  long driven_into = 0;   // the robot drove into a moving obstacle at its measured position
+  long run_over = 0;      // such an obstacle hit the robot at standstill or while it moved away
+  long not_as_told = 0;   // contacts soon after wrong obstacle positions were measured
   long bad_commands = 0;  // not finite, too fast, or changed too much
   double metres = 0.0;
 
@@ -129,7 +129,7 @@ class World {
     if (!good) report("command out of limits", ++count_.bad_commands);
   }
 
-  // One cycle at fine steps. Returns whether nothing was touched.
+  // Runs one cycle at fine steps. Returns whether there was no contact.
   bool move(const Twist2& command) {
     constexpr int kSteps = 20;
     const double h = settings_.navigation.control_period / kSteps;
@@ -142,7 +142,7 @@ class World {
       for (MovingObstacle& obstacle : obstacles_)
         obstacle.position += h * obstacle.velocity;
       if (!is_free(map_.obstacles, body, robot_.pose, 0.0)) {
-        report("contact with what stands", ++count_.static_contacts);
+        report("contact with a static obstacle", ++count_.static_contacts);
         return false;
       }
       for (const MovingObstacle& obstacle : obstacles_) {
@@ -162,7 +162,7 @@ class World {
     if (faults_.told_wrong_tracks(time_, 3.0)) {
       ++count_.not_as_told;
     } else if (closing > 0.05) {
-      report("drove into what moves", ++count_.driven_into);
+      report("drove into a moving obstacle", ++count_.driven_into);
     } else {
       ++count_.run_over;
     }
@@ -197,10 +197,10 @@ int main(int argc, char** argv) {
     World(seed * 1000003 + world, count).drive(kCyclesPerWorld, cycles);
   std::printf(
       "%ld cycles, %ld worlds, %ld faults, %ld goals reached, %.0f m driven\n"
-      "contacts with what stands: %ld\ndriven into what moves as told: %ld\n"
+      "contacts with static obstacles: %ld\ndriven into moving obstacles: %ld\n"
       "commands out of limits: %ld\n"
-      "not counted: run over %ld times while standing or going away, %ld contacts within 3 s of "
-      "obstacles told where they were not\n",
+      "not counted: hit %ld times at standstill or while moving away, %ld contacts within 3 s of "
+      "wrong obstacle positions\n",
       count.cycles, count.worlds, count.faults, count.arrivals, count.metres, count.static_contacts,
       count.driven_into, count.bad_commands, count.run_over, count.not_as_told);
   return count.good() ? 0 : 1;

@@ -19,7 +19,7 @@ thread_local std::size_t heap_calls = 0;
 }  // namespace
 
 #ifndef FAIRWAY_MALLOC_IS_TAKEN
-// glibc's own functions, which the ones below replace in this program.
+// glibc's own functions, which the functions below replace in this program.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-inconsistent-declaration-parameter-name)
 extern "C" {
 void* __libc_malloc(std::size_t);

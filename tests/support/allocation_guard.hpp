@@ -5,11 +5,11 @@
 
 namespace fairway::test {
 
-/// Counts calls of malloc, calloc, realloc and friends between its construction and `count()`, in
-/// this thread. Hooks malloc itself: Eigen allocates past operator new.
+/// Counts calls of malloc, calloc, realloc and similar functions between its construction and
+/// `count()`, in this thread. It hooks malloc itself, because Eigen does not use operator new.
 ///
-/// Needs allocation_guard.cpp in the program. Under sanitizers, which own malloc, it counts
-/// nothing: `available` is false and the test has to skip.
+/// The program must link allocation_guard.cpp. Under sanitizers, which replace malloc, it counts
+/// nothing: `available` is false, and the test must skip.
 class AllocationGuard {
  public:
   AllocationGuard() noexcept;

@@ -10,8 +10,8 @@
 
 namespace fairway::test {
 
-/// The shares of the segment (grid coordinates) at which it enters and leaves a closed cell; none
-/// if it misses it. Slabs, one cell at a time.
+/// The fractions of the segment (grid coordinates) at which it enters and leaves a closed cell;
+/// none if it misses the cell. Tests slabs, one cell at a time.
 struct CellCrossing {
   double enter;
   double leave;

@@ -5,8 +5,8 @@
 
 namespace fairway::test {
 
-/// Jacobian of `function` (VectorXd to VectorXd) at `x` by central differences. With steps of
-/// 1e-6 and values of order 1 it is right to about 1e-9.
+/// Jacobian of `function` (VectorXd to VectorXd) at `x` by central differences. With steps of 1e-6
+/// and values of order 1 the error is about 1e-9.
 template <typename Function>
 Eigen::MatrixXd central_difference(Function&& function,
                                    const Eigen::VectorXd& x,

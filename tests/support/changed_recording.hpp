@@ -22,7 +22,7 @@ struct ChangedRecording {
   };
 
   std::vector<io::McapChannel> channels;
-  std::vector<Message> messages;  ///< those that are read again
+  std::vector<Message> messages;  ///< the messages that are read again
 
   /// The first message of a schema. @pre there is one.
   [[nodiscard]] Json& first(const std::string& schema) {
@@ -46,7 +46,7 @@ struct ChangedRecording {
   }
 };
 
-/// Two robots that tell each other what they intend and meet someone, for three cycles.
+/// Two robots that publish their motions and meet a person, for three cycles.
 inline Scenario short_scenario(Sensing sensing) {
   Scenario scenario;
   scenario.map = OccupancyGrid({.width = 30, .height = 20, .resolution = 0.2, .origin = {}});
@@ -63,7 +63,7 @@ inline Scenario short_scenario(Sensing sensing) {
   return scenario;
 }
 
-/// What `short_scenario` is recorded as.
+/// The recording of `short_scenario`.
 inline ChangedRecording short_recording(Sensing sensing) {
   class Collector final : public io::MessageSink {
    public:

@@ -11,7 +11,7 @@
 
 namespace fairway::test {
 
-inline constexpr double kRounding = 1e-9;  // [m]; of a point that lies on a side
+inline constexpr double kRounding = 1e-9;  // [m]; for a point on a side
 
 inline Eigen::Vector2d point_at(const Path& path, double s) {
   for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
@@ -22,7 +22,7 @@ inline Eigen::Vector2d point_at(const Path& path, double s) {
   return path.waypoints.back();
 }
 
-// What build_corridor promises when it says Built.
+// Checks the guarantees of build_corridor for a Built corridor.
 inline void expect_a_sound_chain(const BitGrid& obstacles,
                                  const Path& path,
                                  const Corridor& corridor,

@@ -8,8 +8,8 @@
 
 namespace fairway::test {
 
-/// Distance from a cell's centre to the nearest blocked cell and to the outside [m]. Looks at every
-/// cell.
+/// Distance from a cell's centre to the nearest blocked cell and to the outside [m], by testing
+/// every cell.
 inline double distance_to_blocked(const BitGrid& obstacles, CellIndex cell) {
   const GridFrame& frame = obstacles.frame();
   double best =

@@ -10,11 +10,11 @@
 
 namespace fairway::test {
 
-/// A problem of numbers that no robot should meet. `Source` gives number(): any double at all,
-/// usual(low, high): a tame one, integer(low, high), and chance(p).
+/// A problem with numbers that no robot should meet. `Source` gives number(): any double,
+/// usual(low, high): a usual one, integer(low, high), and chance(p).
 template <typename Source>
 ControlProblem extreme_control_problem(Source& source) {
-  // Each number is wild with probability `wild`, so that some problems pass validation.
+  // Each number is extreme with probability `wild`, so that some problems pass validation.
   const double wild = source.chance(0.5) ? 0.0 : 0.02;
   const auto pick = [&](double low, double high) {
     return source.chance(wild) ? source.number() : source.usual(low, high);
@@ -79,7 +79,7 @@ inline bool is_finite_solution(const MpcSolution& solution) {
 }
 
 /// Whether the commands obey the change bounds exactly, from the previous command on, and their
-/// range wherever the change bound lets them.
+/// range as far as the change bound allows.
 inline bool keeps_change_bounds(const ControlProblem& problem, const MpcSolution& solution) {
   Twist2 before = problem.previous_command;
   bool kept = true;

@@ -14,7 +14,7 @@
 
 namespace fairway::test {
 
-/// The x >= 0 that minimises |A x - b|: active sets after Lawson and Hanson. Slow and plain.
+/// The x >= 0 that minimises |A x - b|: Lawson and Hanson's active-set method. Slow and simple.
 inline Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
                                                   const Eigen::VectorXd& b) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
@@ -59,17 +59,16 @@ inline Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
   return x;
 }
 
-/// What a solution leaves of the first-order conditions, in the space of the commands.
+/// The residuals of the first-order conditions, in the space of the commands.
 struct Optimality {
   double residual =
       0.0;  ///< |gradient of cost + penalty - sum of multiplier * constraint gradient|
-  double complementarity = 0.0;  ///< greatest multiplier * distance to the bound [cost]
-  double scale = 1.0;            ///< size of the gradient that has to cancel
+  double complementarity = 0.0;  ///< largest multiplier * distance to the bound [cost]
+  double scale = 1.0;            ///< norm of the gradients that must cancel
 };
 
-/// Looks at the commands only: finds the best multipliers >= 0 for the constraints near their
-/// bounds (within `near`), counts violated soft constraints at the full penalty, and returns what
-/// is left.
+/// The residuals at the given commands. Finds the best multipliers >= 0 for the constraints near
+/// their bounds (within `near`), and counts violated soft constraints with the full penalty.
 inline Optimality first_order_optimality(const ControlProblem& problem,
                                          const std::array<Twist2, kMaxHorizon>& commands,
                                          double near = 1e-3) {
@@ -109,7 +108,7 @@ inline Optimality first_order_optimality(const ControlProblem& problem,
     }
   });
 
-  // sign * (command i - command before) + ... >= 0 with `value` left.
+  // sign * (command i - previous command) + ... >= 0 with distance `value` to the bound.
   const auto add_bound = [&](Eigen::Index i, double sign, bool change, double value) {
     if (value > near) return;
     Eigen::VectorXd row = Eigen::VectorXd::Zero(size);

@@ -19,8 +19,8 @@ inline double distance_to_segment(const Eigen::Vector2d& p,
   return (p - a - t * d).norm();
 }
 
-/// Distance between two closed rectangles, 0 when they meet: by corners against sides, and by
-/// containment and crossing for those that meet.
+/// Distance between two closed rectangles, 0 when they overlap: tests corners against sides, and
+/// for overlap containment and crossing.
 inline double distance(const OrientedRectangle& a, const OrientedRectangle& b) {
   if (overlap(a, b).count > 0) return 0.0;
   const auto ca = a.corners();
@@ -43,8 +43,8 @@ inline OrientedRectangle cell_rectangle(const GridFrame& frame, CellIndex cell) 
           .max = Eigen::Vector2d::Constant(frame.resolution)};
 }
 
-/// How far the rectangle is from the nearest blocked cell and from the outside of the grid [m]; 0
-/// when it touches. Looks at every cell.
+/// Distance from the rectangle to the nearest blocked cell and to the outside of the grid [m]; 0
+/// when it touches. Tests every cell.
 inline double clearance(const BitGrid& obstacles, const OrientedRectangle& rectangle) {
   const GridFrame& frame = obstacles.frame();
   double best = std::numeric_limits<double>::infinity();

@@ -14,12 +14,12 @@
 
 namespace fairway::test {
 
-/// How far a solution is from the first-order optimality conditions, by its commands alone: the
+/// How far a solution is from the first-order optimality conditions, from its commands alone: the
 /// least norm of
 ///     grad J - sum y_i grad c_i - sum l_j grad g_j
-/// over 0 <= y_i <= price for the soft constraints that are at their bound (y_i = price where
-/// violated, 0 where there is room) and l_j >= 0 for the bounds at their bound. Slow: bounded least
-/// squares by coordinate descent.
+/// over 0 <= y_i <= penalty weight for the soft constraints at their bound (y_i = penalty weight
+/// where violated, 0 where inactive) and l_j >= 0 for the bounds at their bound. Slow: bounded
+/// least squares by coordinate descent.
 class OptimalityOracle {
  public:
   OptimalityOracle(const ControlProblem& problem, const MpcSolution& solution, double active)
@@ -119,7 +119,7 @@ class OptimalityOracle {
   std::vector<double> most_;
 };
 
-/// Constraints within `active` [their unit] of their bound count as being at it.
+/// Constraints within `active` [their unit] of their bound count as active.
 inline double optimality_residual(const ControlProblem& problem,
                                   const MpcSolution& solution,
                                   double active = 1e-4) {

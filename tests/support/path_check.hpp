@@ -8,7 +8,7 @@
 
 namespace fairway::test {
 
-/// Checks all that PathPlanner promises of a path that was found.
+/// Checks all guarantees of PathPlanner for a path that was found.
 inline void expect_sound(const BitGrid& obstacles,
                          const PathResult& result,
                          const Eigen::Vector2d& start,

@@ -15,9 +15,9 @@ namespace fairway::test {
 
 inline constexpr std::uint64_t kNoWay = ~std::uint64_t{0};
 
-/// Cheapest way from `start` to every node of a grid of `width` x `height` by Dijkstra's algorithm,
-/// with straight steps 29 (c + c') and diagonal ones 41 (c + c'). `cost(node)` is 0 where no node
-/// is; `linked(a, b)` is asked for neighbours only.
+/// Cheapest path from `start` to every node of a grid of `width` x `height`, by Dijkstra's
+/// algorithm. Straight steps cost 29 (c + c') and diagonal ones 41 (c + c'). `cost(node)` is 0
+/// where there is no node; `linked(a, b)` is called for neighbours only.
 template <typename Cost, typename Linked>
 std::vector<std::uint64_t> cheapest_ways(
     int width, int height, CellIndex start, const Cost& cost, const Linked& linked) {
@@ -54,8 +54,8 @@ std::vector<std::uint64_t> cheapest_ways(
   return best;
 }
 
-/// Whether a disc of radius `required` gets from the centre of one cell to that of another over the
-/// centres of neighbouring cells, every step tested exactly.
+/// Whether a disc of radius `required` can move between two cells' centres over neighbouring
+/// centres. Every step is tested exactly.
 inline bool is_connected(const BitGrid& obstacles,
                          double required,
                          CellIndex start,

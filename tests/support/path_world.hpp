@@ -7,7 +7,7 @@
 
 namespace fairway::test {
 
-/// A map ready to be planned on; every `find` uses a new planner.
+/// A prepared map for planning; every `find` uses a new planner.
 struct PathWorld {
   explicit PathWorld(BitGrid grid) : obstacles(std::move(grid)), distances(obstacles) {}
 

@@ -11,11 +11,12 @@
 
 namespace fairway::test {
 
-/// What a random problem may contain.
+/// The features of a random problem.
 struct RandomProblemOptions {
   int max_horizon = 15;
   int max_obstacles = 4;
-  bool every_feature = true;  ///< change bounds, stop, midpoint, two rectangles; else the paper's
+  bool every_feature = true;  ///< change bounds, stop, midpoint, two rectangles; otherwise the
+                              ///< paper's
 };
 
 inline Twist2 random_command(Random& random, const ControlProblem& problem) {
@@ -27,7 +28,7 @@ inline Eigen::Vector2d random_point(Random& random, double reach) {
   return {random.uniform(-reach, reach), random.uniform(-reach, reach)};
 }
 
-/// A rectangle that holds `inside`, at a random angle.
+/// A rectangle that contains `inside`, at a random angle.
 inline OrientedRectangle random_rectangle(Random& random, const Eigen::Vector2d& inside) {
   OrientedRectangle rectangle;
   rectangle.seed = inside + random_point(random, 0.2);
@@ -37,8 +38,8 @@ inline OrientedRectangle random_rectangle(Random& random, const Eigen::Vector2d&
   return rectangle;
 }
 
-/// A problem like those that a robot meets: a target ahead, rectangles that hold the robot,
-/// obstacles outside their keep-out distance now that move past. Most are feasible, not all.
+/// A realistic problem: a target ahead, rectangles that contain the robot, and obstacles that pass,
+/// now outside their keep-out distance. Most of these problems are feasible.
 inline ControlProblem random_control_problem(Random& random,
                                              const RandomProblemOptions& options = {}) {
   ControlProblem problem;

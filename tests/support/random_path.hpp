@@ -12,8 +12,8 @@
 namespace fairway::test {
 
 /// A path between two random points that a disc of `radius` can follow exactly (is_free holds for
-/// every piece), by breadth-first search from cell centre to cell centre; pieces are joined while a
-/// straight line is free, so the corners cut close to obstacles. None when the points drawn are not
+/// every segment). It is a breadth-first search over cell centres; segments are joined while a
+/// straight line is free, so the corners pass close to obstacles. None when the points are not
 /// connected.
 inline std::optional<Path> random_path(Random& random, const BitGrid& obstacles, double radius) {
   const GridFrame& frame = obstacles.frame();

@@ -9,7 +9,7 @@
 
 namespace fairway::test {
 
-/// A seeded source of numbers whose results do not depend on the standard library's distributions.
+/// A seeded random number generator that is independent of the standard library's distributions.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -29,8 +29,8 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// A random map with everything that is hard for geometry: single-cell posts, one-cell diagonal
-/// lines, solid blocks; with a turned, moved origin in half of the cases.
+/// A random map with difficult geometry: single-cell posts, one-cell diagonal lines and solid
+/// blocks, in half of the cases with a turned, shifted origin.
 inline OccupancyGrid random_world(Random& random, int max_side = 160) {
   GridFrame frame{.width = random.integer(max_side / 4, max_side),
                   .height = random.integer(max_side / 4, max_side),

@@ -12,12 +12,12 @@ namespace fairway::test {
 
 /// Area [m^2] of the largest rectangle around `seed` that has no corner of a blocked cell in its
 /// interior and no side longer than `longest_side` [m], over `num_angles` orientations. Where a
-/// side could be longer, only that much of it counts.
+/// side could be longer, only that length counts.
 ///
-/// Slow and obvious: at each orientation all corners within reach are sorted by height, every
+/// Slow and simple: at each orientation all corners within reach are sorted by height, and every
 /// height above is paired with every height below. Every rectangle that is free in the workspace
-/// avoids the corners too, so none (at these orientations) is larger; a rectangle can beat the
-/// optimum here by holding a bit of a cell between two of its corners, at most half a cell deep.
+/// avoids the corners too, so none of these orientations has a larger one. A rectangle here may
+/// contain a part of a cell between two of its corners, at most half a cell deep.
 inline double largest_area_oracle(const BitGrid& obstacles,
                                   const Eigen::Vector2d& seed,
                                   double longest_side,
@@ -31,7 +31,7 @@ inline double largest_area_oracle(const BitGrid& obstacles,
   const Eigen::Vector2d origin = frame.to_grid(seed);
   const double limit = longest_side / frame.resolution;
   std::vector<Eigen::Vector2d> corners;
-  // The outside of the map is blocked: a ring of one cell around it stands for all of it.
+  // The outside of the map is blocked; a ring of one cell around the map represents it.
   const int radius = static_cast<int>(std::ceil(limit * std::numbers::sqrt2)) + 1;
   const CellIndex center = frame.cell_at(seed);
   for (int y = std::max(-1, center.y - radius); y <= std::min(frame.height, center.y + radius);

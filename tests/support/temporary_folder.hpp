@@ -10,12 +10,13 @@
 
 namespace fairway::test {
 
-/// A fresh folder that goes away with everything in it.
+/// A new folder that is removed with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "fairway-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    if (::mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("a temporary folder could not be made");
     path_ = name;
   }
   ~TemporaryFolder() {
@@ -46,7 +47,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The bytes of a file; empty where there is none.
+/// The bytes of a file; empty if it does not exist.
 inline std::string content_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream content;

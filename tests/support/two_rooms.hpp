@@ -12,7 +12,7 @@
 
 namespace fairway::test {
 
-/// In the second room.
+/// A goal in the second room.
 inline const Goal kGoal{.position = {10.5, 2.5}};
 
 /// Two rooms, a wall at x = 6 m between them, and two doors in it.
@@ -31,7 +31,7 @@ class TwoRooms {
   }
 };
 
-/// A robot that does what it is told, and everything that a test asks about its drive.
+/// A robot that executes its commands exactly, with the queries that tests need.
 struct Drive {
   MapNavigator& navigator;
   Pose2 robot{.position = {1.5, 2.5}, .heading = 0.0};
@@ -59,7 +59,7 @@ struct Drive {
     statuses.push_back(step.status);
   }
 
-  // Until the goal is reached, for at most so long [s].
+  // Runs until the goal is reached, at most for this time [s].
   bool reaches_goal(double limit) {
     for (const double end = time + limit; time < end;) {
       cycle();

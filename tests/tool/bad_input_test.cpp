@@ -9,7 +9,7 @@ namespace {
 constexpr const char* kEnds = " --start 1,2 --goal 7,2 ";
 constexpr const char* kOutputs = " --json out.json --picture out.svg";
 
-// Bad input: exit code 2, one line that starts with "fairway: ", and no file more than before.
+// Checks for exit code 2, one line that starts with "fairway: ", and no new file.
 void expect_refused(const TemporaryFolder& folder,
                     const std::string& arguments,
                     const std::string& part) {
@@ -54,7 +54,7 @@ TEST_F(BadInput, MissingFilesAreNamed) {
   expect_refused(folder_, "simulate none.yaml", "none.yaml");
 }
 
-TEST_F(BadInput, PicturesThatAreNotWholeAreRefused) {
+TEST_F(BadInput, IncompletePicturesAreRefused) {
   const std::string good = content_of(folder_.path("room.pgm"));
   folder_.write("room.pgm", good.substr(0, good.size() - 1));
   expect_plan_refused(folder_, "room.yaml", "truncated");
@@ -81,7 +81,7 @@ TEST_F(BadInput, WrongMapValuesAreNamedWithFileAndLine) {
   expect_plan_refused(folder_, "bad.yaml", "bad.yaml:3: 'colour': expected");
 }
 
-TEST_F(BadInput, WhatIsNoYamlIsRefused) {
+TEST_F(BadInput, InvalidYamlIsRefused) {
   for (const std::string& text :
        {std::string(), std::string("\x7f\x45LF\0\1\2", 7), std::string("a: [1"), std::string("- 1"),
         std::string(100000, '[')}) {
@@ -92,14 +92,14 @@ TEST_F(BadInput, WhatIsNoYamlIsRefused) {
   }
 }
 
-TEST_F(BadInput, PlacesOffTheMapAreToldItsBounds) {
+TEST_F(BadInput, PointsOutsideTheMapGiveItsBounds) {
   expect_refused(folder_, "plan room.yaml --start 1,2 --goal 9,2" + std::string(kOutputs),
                  "--goal: expected a point on the map, x from 0 to 8 and y from 0 to 4, found 9,2");
   expect_refused(folder_, "plan room.yaml --start -1,-2 --goal 7,2", "--start");
   expect_refused(folder_, "simulate --map room.yaml --start 1,2 --goal 1e9,2", "--goal");
 }
 
-TEST_F(BadInput, WhatIsNoPlaceIsRefused) {
+TEST_F(BadInput, InvalidPointsAreRefused) {
   for (const char* text : {"1", "1,2,3,4", "1,,2", "1,2,", ",1,2", "nan,1", "1,inf", "1e400,2",
                            "a,b", "''", "'1;2'", "'1, 2'", "0x1,2"}) {
     expect_refused(folder_, std::string("plan room.yaml --goal 7,2 --start ") + text, "--start");

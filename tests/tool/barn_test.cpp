@@ -26,7 +26,7 @@ class Barn : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Barn, RecordsEveryRunUnderItsOwnNameAndOneUnderTheNameThatWasGiven) {
+TEST_F(Barn, RecordsSeveralRunsUnderTheirNamesAndOneUnderTheGivenName) {
   const ToolRun two = run_tool(folder_, barn() + "--worlds 0,6 --log r.mcap --report r.html");
   EXPECT_EQ(two.code, 0) << two.err;
   for (const char* name : {"r_world_000_trial_0.mcap", "r_world_006_trial_0.html"})
@@ -39,7 +39,7 @@ TEST_F(Barn, RecordsEveryRunUnderItsOwnNameAndOneUnderTheNameThatWasGiven) {
   EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
 }
 
-// A robot that is too wide for the way does not get there: there is a page to see why.
+// A robot that is too wide for the passage fails, and a page shows why.
 TEST_F(Barn, KeepsAPictureAndAPageOfAFailedRunOnly) {
   const ToolRun failed =
       run_tool(folder_, barn() + "--worlds 0 --set robot.radius=0.6 --trace-dir failed");
@@ -52,7 +52,7 @@ TEST_F(Barn, KeepsAPictureAndAPageOfAFailedRunOnly) {
   EXPECT_EQ(size("done/world_000_trial_0.html"), 0U);
 }
 
-TEST_F(Barn, AFileThatCannotBeWrittenIsToldBeforeTheRun) {
+TEST_F(Barn, AnUnwritableFileIsReportedBeforeTheRun) {
   const ToolRun run = run_tool(folder_, barn() + "--worlds 0 --log nowhere/r.mcap");
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(count_lines(run.err), 1) << run.err;

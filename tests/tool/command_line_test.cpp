@@ -17,7 +17,7 @@ struct Ride {
   int seed = 0;
 };
 
-// What `fairway WORDS` gives, and prints on standard error.
+// Runs `fairway WORDS`, and returns the exit code and the standard error.
 struct Answer {
   int code = -1;
   std::string error;
@@ -40,12 +40,12 @@ Answer run(std::vector<std::string> words) {
   return {.code = code, .error = testing::internal::GetCapturedStderr()};
 }
 
-TEST(CommandLine, RunsTheCommandThatIsNamed) {
+TEST(CommandLine, RunsTheNamedCommand) {
   EXPECT_EQ(run({"ride"}).code, 4);
   EXPECT_EQ(run({"ride", "--animal", "camel", "--legs", "3", "--seed", "7"}).code, 3);
 }
 
-TEST(CommandLine, SaysInOneLineHowToGetACommandThatTheBuildLeftOut) {
+TEST(CommandLine, ReportsInOneLineHowToGetACommandThatTheBuildLeftOut) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"fly"}, {"fly", "--port", "80", "x.yaml"}}) {
     const Answer answer = run(words);
@@ -57,7 +57,7 @@ TEST(CommandLine, SaysInOneLineHowToGetACommandThatTheBuildLeftOut) {
   }
 }
 
-TEST(CommandLine, SaysWhatItExpectedAndWhatItFound) {
+TEST(CommandLine, ReportsWhatItExpectedAndWhatItFound) {
   const auto refused = [](const std::vector<std::string>& words, const std::string& line) {
     const Answer answer = run(words);
     EXPECT_EQ(answer.code, kBadInput);

@@ -98,7 +98,7 @@ TEST(Plan, IsTheSameEveryTime) {
   EXPECT_EQ(plan(), plan());
 }
 
-TEST(Plan, SaysWhyThereIsNone) {
+TEST(Plan, ReportsWhyThereIsNone) {
   const TemporaryFolder folder;
   write_room(folder);
   const auto refused = [&](const std::string& arguments, const std::string& reason) {

@@ -23,7 +23,7 @@ std::set<std::string> files_in(const TemporaryFolder& folder, const std::string&
 
 TEST(Reproduce, GivesTheSameBytesForTheSameSeed) {
   const TemporaryFolder folder;
-  // One robot exchange may touch, which makes the code 1; here only the files count.
+  // A run may have a contact, which gives exit code 1; this test only compares the files.
   const int code = run_tool(folder, "reproduce all --maps 1 --threads 1 --out a").code;
   EXPECT_LE(code, 1);
   EXPECT_EQ(run_tool(folder, "reproduce all --maps 1 --threads 2 --out b").code, code);

@@ -21,7 +21,7 @@ TEST(Settings, ArePrintedAsAFileThatReadsBackTheSame) {
   }
 }
 
-TEST(Settings, TakeTheLastOfPresetFileAndAssignment) {
+TEST(Settings, ApplyPresetThenFileThenAssignment) {
   const TemporaryFolder folder;
   folder.write("s.yaml", "mpc: {horizon: 11, linear_max: 0.5}\n");
   const ToolRun run =
@@ -31,14 +31,14 @@ TEST(Settings, TakeTheLastOfPresetFileAndAssignment) {
   EXPECT_NE(run.out.find("  method: mdsrc "), std::string::npos);
 }
 
-TEST(Settings, SurviveAReaderThatGoesAway) {
+TEST(Settings, SurviveAClosedPipe) {
   const TemporaryFolder folder;
   const ToolRun run = run_tool(folder, "settings | head -n 1");
   EXPECT_EQ(count_lines(run.out), 1);
   EXPECT_EQ(run.err, "");
 }
 
-TEST(Settings, ThatAreEssentialArePrintedAlone) {
+TEST(Settings, EssentialOnesArePrintedAlone) {
   const TemporaryFolder folder;
   const ToolRun run = run_tool(folder, "settings --essential --set robot.linear_max=0.7");
   ASSERT_EQ(run.code, 0) << run.err;
@@ -64,7 +64,7 @@ TEST(Settings, ThatAreEssentialArePrintedAlone) {
                                              "  control_period",
                                              "  goal_tolerance"};
   EXPECT_EQ(names, expected);
-  // Each line is one of `fairway settings`, and a file to start from.
+  // Each line is one of `fairway settings`, and the text is a file to start from.
   const ToolRun all = run_tool(folder, "settings --set robot.linear_max=0.7");
   EXPECT_NE(all.out.find(run.out.substr(run.out.find("  linear_max: 0.7 "), 90)),
             std::string::npos);
@@ -85,7 +85,7 @@ TEST(Settings, WarnOnceAboutAllOldNames) {
   EXPECT_NE(run.out.find("  control_period: 0.2 "), std::string::npos);
 }
 
-TEST(Settings, OldNamesInAScenarioAreWarnedAboutToo) {
+TEST(Settings, WarnAboutOldNamesInAScenario) {
   const TemporaryFolder folder;
   write_room(folder);
   folder.write("s.yaml",
@@ -98,7 +98,7 @@ TEST(Settings, OldNamesInAScenarioAreWarnedAboutToo) {
             "navigation.blocked_after (now navigation.stall_timeout)\n");
 }
 
-TEST(Settings, ABadInputIsTheOnlyLineBesideOldNames) {
+TEST(Settings, ABadInputIsTheOnlyMessageDespiteOldNames) {
   const TemporaryFolder folder;
   folder.write("s.yaml", "mpc: {dt: 0.1}\n");
   const ToolRun run =

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST(Simulate, DrivesThroughTheGapAndReports) {
+TEST(Simulate, DrivesThroughTheGapAndWritesTheResult) {
   const TemporaryFolder folder;
   write_room(folder);
   const ToolRun run = run_tool(folder,
@@ -61,9 +61,9 @@ TEST(Simulate, ReachesTheGoalInEveryScenarioOfTheProject) {
   EXPECT_GT(count, 10);
 }
 
-// With this seed the wheels put walls where free space was: the robot evaded them as if they moved,
-// forgot where they stood, and touched one.
-TEST(Simulate, TakesNoWallForAMovingThingByLidar) {
+// With this seed the odometry errors once put walls into free space. The robot evaded them as if
+// they moved, forgot where they were, and touched one.
+TEST(Simulate, MistakesNoWallForAMovingObstacleByLidar) {
   const TemporaryFolder folder;
   const ToolRun run = run_tool(folder, "simulate '" FAIRWAY_SOURCE_DIR
                                        "/scenarios/workshop.yaml' --sensing lidar --noise standard "
@@ -74,8 +74,8 @@ TEST(Simulate, TakesNoWallForAMovingThingByLidar) {
   EXPECT_LT(result.at("time").get<double>(), 38.0);
 }
 
-// All that a robot with a lidar drives on is in its recording, and the page has something to show.
-TEST(Simulate, RecordsWhatARobotWithALidarSees) {
+// The recording contains all inputs of a robot with a lidar, and the page can show them.
+TEST(Simulate, RecordsTheInputsOfARobotWithALidar) {
   const TemporaryFolder folder;
   write_room(folder);
   const ToolRun run = run_tool(folder,
@@ -120,7 +120,7 @@ TEST(Simulate, ReadsAScenario) {
   EXPECT_GT(robot.at("min_separation").get<double>(), 0.0);
 }
 
-TEST(Simulate, FailsWithAReasonWhereThereIsNoWay) {
+TEST(Simulate, FailsWithAReasonWithoutAPath) {
   const TemporaryFolder folder;
   write_room(folder);
   const ToolRun run = run_tool(folder,

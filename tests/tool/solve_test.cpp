@@ -12,8 +12,8 @@
 namespace fairway::test {
 namespace {
 
-// A target 2 m ahead in the open; the same behind a wall at x = 0.5; and a robot outside its
-// rectangle, driving away, which has no feasible point.
+// Three instances: a target 2 m ahead in free space, and the same behind a wall at x = 0.5. The
+// third robot is outside its rectangle and drives away, which has no feasible point.
 const std::string kInstances =
     "3 free 0  0 0 0  2 0.1 0  3 0 0  0 0 0  -2 -2 6 2\n"
     "4 tight 1  0 0 0  2 0.1 0  3 0 0  0 0 0  -2 -2 0.8 2  0 1.5 0.1 0\n"
@@ -40,7 +40,7 @@ class Solve : public testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-TEST_P(Solve, WritesCommandsThatKeepTheRowsOrSaysThatTheyDoNot) {
+TEST_P(Solve, WritesCommandsThatKeepTheConstraintsOrReportsThatTheyDoNot) {
   const ToolRun run = solve("--out out.res --repeat 2");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
@@ -89,7 +89,7 @@ TEST_P(Solve, ReportsAsJson) {
   EXPECT_EQ(report["classes"].back()["solved"], 2);
 }
 
-TEST_P(Solve, StartsFromAnEarlierResult) {
+TEST_P(Solve, WarmStartsFromAnEarlierResult) {
   ASSERT_EQ(solve("--out first.res").code, 0);
   ASSERT_EQ(solve("--out second.res --warm first.res").code, 0);
   const auto first = rows_of(content_of(folder_.path("first.res")));

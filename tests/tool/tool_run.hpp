@@ -11,7 +11,7 @@
 
 namespace fairway::test {
 
-/// What a run of the tool gave.
+/// The result of a run of the tool.
 struct ToolRun {
   int code = -1;  ///< exit code; -1 after a signal
   std::string out;
@@ -29,8 +29,8 @@ inline ToolRun run_tool(const TemporaryFolder& folder, const std::string& argume
           .err = content_of(captured.path("err"))};
 }
 
-/// A room of 8 m by 4 m with a wall at x = 4 that leaves a gap of 1 m in the middle, at 0.1 m.
-/// Writes room.yaml and room.pgm.
+/// Writes room.yaml and room.pgm: a room of 8 m by 4 m in cells of 0.1 m. A wall at x = 4 leaves a
+/// gap of 1 m in the middle.
 inline void write_room(const TemporaryFolder& folder) {
   std::string pixels;
   for (int y = 0; y < 40; ++y) {

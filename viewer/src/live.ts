@@ -19,10 +19,10 @@ interface State {
   noise: 'none' | 'standard';
 }
 
-const WINDOW = 60; // of the past beside the present [s]
-const KEPT = 600; // of the past in memory [s]
+const WINDOW = 60; // displayed past [s]
+const KEPT = 600; // past in memory [s]
 
-/** The live page: what happens comes over a WebSocket, what the person does goes back. */
+/** The live page: events arrive over a WebSocket, and the user's actions are sent back. */
 class Live implements Transport {
   playing = true;
   private readonly viewer = new Viewer();
@@ -32,7 +32,7 @@ class Live implements Transport {
   private socket: WebSocket | null = null;
   private run: Run | null = null;
   private following = true;
-  private fresh = false; // a run has begun and nothing of it is shown yet
+  private fresh = false; // a run has begun and is not displayed yet
   private factor = 1;
   private retry = 250; // until the next attempt to connect [ms]
   private frozen: [number, number] = [0, 1];
@@ -184,7 +184,7 @@ class Live implements Transport {
     viewer.invalidate();
   }
 
-  // Shows the present a little late, so that it moves smoothly from one cycle to the next.
+  // Displays the present with a short delay, so that motion between cycles is smooth.
   private tick(now: number): void {
     const seconds = Math.min((now - this.last) / 1e3, 0.25);
     this.last = now;
@@ -195,7 +195,7 @@ class Live implements Transport {
       const period = end - (run.frames.at(-2)?.time ?? end);
       if (lag < 0 || lag > 0.6 * Math.max(this.factor, 1)) viewer.time = end;
       else if (lag > 0) {
-        // Neither ahead of what is known nor more and more behind it.
+        // The displayed time is never ahead of the received data, and its delay does not grow.
         const pace = lag > 1.5 * period ? 1.15 : 1;
         viewer.time = Math.min(viewer.time + pace * this.factor * seconds, end);
         viewer.invalidate();

@@ -11,7 +11,7 @@ import { Viewer } from './view/viewer';
 class Replay implements Transport {
   playing = false;
   private factor = 1;
-  private last = 0; // when the last picture was due [ms]
+  private last = 0; // time of the last picture [ms]
 
   constructor(private readonly viewer: Viewer) {
     const tick = (now: number): void => {
@@ -32,7 +32,7 @@ class Replay implements Transport {
     this.play(false);
     const run = this.viewer.run!;
     const index = run.frameIndex(this.viewer.time);
-    // Back from between two frames leads to the earlier one.
+    // A step back from between two frames leads to the earlier one.
     const between = direction < 0 && this.viewer.time > run.frames[index]!.time + 1e-6;
     const to = Math.min(Math.max(index + (between ? 0 : direction), 0), run.frames.length - 1);
     this.seek(run.frames[to]!.time);
@@ -72,7 +72,7 @@ class Replay implements Transport {
   }
 }
 
-/** The replay page: the run is in the page itself. */
+/** The replay page: the page itself contains the run. */
 export async function startReplay(packed: string): Promise<void> {
   const reader = new StreamReader();
   reader.push(await unpack(packed));

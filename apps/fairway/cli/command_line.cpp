@@ -14,8 +14,8 @@ namespace fairway::app {
 
 namespace {
 
-// Whether a first argument is neither an option nor a command. (CLI11 then tells of a missing
-// command, not of the wrong one.)
+// Whether a first argument is neither an option nor a command. (CLI11 would report a missing
+// command instead of the wrong one.)
 bool names_no_command(const CLI::App& tool, const std::string& word) {
   if (word.starts_with('-')) return false;
   const auto commands = tool.get_subcommands([](const CLI::App* /*command*/) { return true; });

@@ -17,38 +17,38 @@ class Option;
 
 namespace fairway::app {
 
-/// What is wrong with the text of a value, as "expected ..., found ..."; empty where nothing is.
+/// Returns the error in the text of a value, as "expected ..., found ..."; empty for a valid text.
 using Check = std::function<std::string(const std::string& text)>;
 
-/// One argument or option of a command; each call tells one more thing about it.
+/// One argument or option of a command; each call adds one property.
 class Argument {
  public:
   explicit Argument(CLI::Option& option) noexcept : option_(&option) {}
 
   Argument required() const;
-  /// What help calls its value.
+  /// Sets the name of the value in the help.
   Argument type_name(const std::string& name) const;
   Argument one_of(const std::vector<std::string>& values) const;
   Argument between(int low, int high) const;
   Argument not_negative() const;
-  /// @param in_help  What help says beside the type, as in INT:INT in [1 - 5]; empty: nothing.
+  /// @param in_help  Shown after the type in the help, as in INT:INT in [1 - 5]; empty: nothing.
   Argument check(const Check& problem, const std::string& in_help = {}) const;
-  /// Help tells the value that it has without being given.
+  /// Shows the default value in the help.
   Argument shows_default() const;
-  /// Takes one value each time it is given, where it may be given several times.
+  /// Takes one value per occurrence of an option that may be repeated.
   Argument one_at_a_time() const;
 
  private:
   CLI::Option* option_;
 };
 
-/// The arguments and options of one command. CLI11 is behind this file alone: its headers take six
-/// seconds to compile, nine to precompile, and then one for each source that loads them.
+/// The arguments and options of one command. Only this file's source includes CLI11: its headers
+/// take six seconds to compile, nine to precompile, and then one for each source that loads them.
 class Options {
  public:
   explicit Options(CLI::App& command) noexcept : command_(&command) {}
 
-  /// An option where the name begins with dashes, else an argument; parsing sets `value`, which
+  /// Adds an option if the name begins with dashes, else an argument. Parsing sets `value`, which
   /// must live until then.
   Argument add(const char* name, std::string& value, const char* help) const;
   Argument add(const char* name, std::vector<std::string>& values, const char* help) const;
@@ -56,23 +56,23 @@ class Options {
   Argument add(const char* name, std::uint16_t& value, const char* help) const;
   Argument add(const char* name, std::optional<int>& value, const char* help) const;
   Argument add(const char* name, std::optional<double>& value, const char* help) const;
-  /// An option without a value.
+  /// Adds an option without a value.
   void add_flag(const char* name, bool& value, const char* help) const;
-  /// Takes any further arguments and options, for a command that only tells why it cannot work.
+  /// Accepts any further arguments and options, for a command that only explains why it cannot run.
   void take_anything() const;
-  /// What help says below the options.
+  /// Sets the text below the options in the help.
   void footer(const std::string& text) const;
 
  private:
   CLI::App* command_;
 };
 
-/// Exit codes of the tool: what scripts rely on.
-inline constexpr int kDone = 0;      ///< the task was carried out
-inline constexpr int kFailed = 1;    ///< the task is sound but has no answer
-inline constexpr int kBadInput = 2;  ///< bad usage or bad input; an Error tells which
+/// Exit codes of the tool, on which scripts rely.
+inline constexpr int kDone = 0;      ///< the task is done
+inline constexpr int kFailed = 1;    ///< the input is valid, but the task failed
+inline constexpr int kBadInput = 2;  ///< bad usage or bad input; the Error says which
 
-/// The work of a command: gives an exit code, or the error behind kBadInput.
+/// The work of a command: returns an exit code, or the error behind kBadInput.
 using Work = std::function<Expected<int>()>;
 
 [[nodiscard]] const char* tool_version() noexcept;
@@ -98,7 +98,7 @@ struct CommandHelp {
   std::vector<OptionHelp> options;  ///< arguments first
 };
 
-/// The tool with its commands, one of which is chosen on the command line.
+/// The tool with its commands; the command line selects one.
 class CommandLine {
  public:
   CommandLine();
@@ -111,7 +111,7 @@ class CommandLine {
   /// All commands as help has them, sorted by name; for manual pages and completion.
   [[nodiscard]] std::vector<CommandHelp> help() const;
 
-  /// Runs the command that was chosen, or prints help or what is wrong. @return the exit code.
+  /// Runs the selected command, or prints the help or an error. @return the exit code.
   [[nodiscard]] int run(int argc, char** argv);
 
  private:

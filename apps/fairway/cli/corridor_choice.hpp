@@ -9,7 +9,7 @@
 
 namespace fairway::app {
 
-/// A way to build corridors, by the name that --corridor gives it.
+/// A corridor method and its name for --corridor.
 struct CorridorChoice {
   const char* name = "";
   std::function<CorridorResult(
@@ -17,8 +17,8 @@ struct CorridorChoice {
       build;
 };
 
-/// src, fsrc, mdsrc or fewest; without a name what the settings say. Sets `settings.method` for the
-/// two that are methods of the library.
+/// Selects src, fsrc, mdsrc or fewest; an empty name selects the method in the settings. Sets
+/// `settings.method` for mdsrc and fewest, the two methods of the library.
 [[nodiscard]] Expected<CorridorChoice> choose_corridor(const std::string& name,
                                                        CorridorSettings& settings);
 

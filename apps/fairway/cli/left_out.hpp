@@ -7,11 +7,12 @@
 
 namespace fairway::app {
 
-/// "which this build left out; to get it: ...", with the commands that build all of the tool.
-/// @param packages  Debian packages that the part needs, with spaces between them.
+/// The text "which this build left out; to get it: ...", with the commands that build the whole
+/// tool.
+/// @param packages  Debian packages that the part needs, separated by spaces.
 [[nodiscard]] std::string left_out(const char* packages);
 
-/// Adds a command that this build left out: whatever its arguments, it tells how to get it.
+/// Adds a command that this build left out; with any arguments, it prints how to get it.
 void add_left_out_command(CommandLine& tool,
                           const char* name,
                           const char* help,

@@ -8,7 +8,7 @@
 
 namespace fairway::app {
 
-/// Whether a point lies on the map; the error names `what`, the point and the map's bounds.
+/// Checks that a point lies on the map; the error names `what`, the point and the map's bounds.
 [[nodiscard]] inline Expected<void> check_inside(const OccupancyGrid& map,
                                                  const Eigen::Vector2d& point,
                                                  const char* what) {

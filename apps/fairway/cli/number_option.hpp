@@ -10,7 +10,7 @@
 
 namespace fairway::app {
 
-/// Accepts a finite number from `low` to `high`. (CLI11's own range lets NaN pass.)
+/// Accepts a finite number from `low` to `high`. (CLI11's own range accepts NaN.)
 [[nodiscard]] inline Check number_between(double low, double high) {
   return [low, high](const std::string& text) {
     const std::optional<double> value = io::parse_number(text);

@@ -17,7 +17,7 @@ namespace fairway::app {
 namespace {
 
 std::vector<std::string>& old_names() {
-  static std::vector<std::string> names;  // of the one command that a process carries out
+  static std::vector<std::string> names;  // of the one command that a process runs
   return names;
 }
 

@@ -11,33 +11,34 @@
 
 namespace fairway::app {
 
-/// Objects keep the order in which their fields are written.
+/// JSON whose objects keep the order in which their fields are written.
 using Json = nlohmann::ordered_json;
 
-/// `json` as indented text with a line break at its end. Bytes that are not UTF-8, from a file's
-/// name say, become U+FFFD; numbers that are not finite become null.
+/// Formats `json` as indented text with a final line break. Bytes that are not UTF-8, for example
+/// from a file name, become U+FFFD; numbers that are not finite become null.
 [[nodiscard]] std::string json_text(const Json& json);
 
-/// Keeps names of settings that were given under their old name, "old (now new)", until the command
-/// has ended: a command that fails with exit code 2 prints its error and nothing else.
+/// Stores old names of settings, "old (now new)", until the command ends. A command that fails with
+/// exit code 2 prints only its error.
 void note_old_names(const std::vector<std::string>& names);
 
-/// Prints one line with all that was noted, if anything was.
+/// Prints one line with all stored names, if there are any.
 void print_old_names();
 
-/// Prints `fairway: message` on standard error, on one line whatever the message holds.
+/// Prints `fairway: message` on standard error, always in one line.
 void print_error(std::string_view message);
 
-/// Writes to standard output; a reader that went away is no error, a full disk is.
+/// Writes to standard output; a closed pipe is not an error, a full disk is.
 [[nodiscard]] Expected<void> print(std::string_view text);
 
-/// Writes `content` to a file, whole or not at all; `-` is standard output, an empty name nowhere.
+/// Writes `content` to a file, completely or not at all. `-` is standard output; an empty path
+/// skips the write.
 [[nodiscard]] Expected<void> write_output(const std::string& path, std::string_view content);
 
-/// Whether `write_output` could succeed, for work that is long.
+/// Whether `write_output` could succeed; call this before long work.
 [[nodiscard]] Expected<void> check_output(const std::string& path);
 
-/// The same for a picture, whose name must end in .svg, .png or .pdf.
+/// Does the same for a picture, whose name must end in .svg, .png or .pdf.
 [[nodiscard]] Expected<void> check_picture_output(const std::string& path);
 
 }  // namespace fairway::app

@@ -8,8 +8,8 @@
 
 namespace fairway::app {
 
-/// The engine of that name: "unicycle" (an empty maker) or "mujoco". An error where the tool was
-/// built without it.
+/// The engine of that name: "unicycle" (an empty maker) or "mujoco"; an error if the tool was built
+/// without it.
 [[nodiscard]] Expected<PhysicsMaker> choose_physics(const std::string& name);
 
 }  // namespace fairway::app

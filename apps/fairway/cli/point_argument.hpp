@@ -10,17 +10,17 @@
 
 namespace fairway::app {
 
-/// A place given on the command line, with a heading where one was given.
+/// A position on the command line, optionally with a heading.
 struct PointArgument {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   std::optional<double> heading;
 };
 
-/// Parses `X,Y` or `X,Y,HEADING`: finite numbers, metres and radians, nothing around them.
-/// `option` is named in the error.
+/// Parses `X,Y` or `X,Y,HEADING`: finite numbers in metres and radians, nothing around them. The
+/// error names `option`.
 [[nodiscard]] Expected<PointArgument> parse_point(const std::string& text, const char* option);
 
-/// Parses finite numbers with commas between them; none if there is anything else.
+/// Parses finite numbers separated by commas; none for any other text.
 [[nodiscard]] std::optional<std::vector<double>> parse_list(const std::string& text);
 
 }  // namespace fairway::app

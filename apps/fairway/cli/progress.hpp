@@ -5,11 +5,11 @@
 
 namespace fairway::app {
 
-/// One line on standard error that is written anew as work goes on; silent unless it is a terminal.
+/// A status line on standard error that is rewritten as work proceeds; silent without a terminal.
 class Progress {
  public:
   explicit Progress(std::string what);
-  ~Progress();  ///< wipes the line
+  ~Progress();  ///< erases the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 

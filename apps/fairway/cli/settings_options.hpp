@@ -11,7 +11,7 @@
 
 namespace fairway::app {
 
-/// The options --preset, --settings and --set that every command with settings has.
+/// The options --preset, --settings and --set, which all commands with settings have.
 struct SettingsOptions {
   std::string preset;
   std::string file;
@@ -20,13 +20,13 @@ struct SettingsOptions {
 
 void add_settings_options(const Options& options, SettingsOptions& chosen);
 
-/// The settings that the options ask for: preset, then file, then assignments over `base`. Checks
-/// that each exists and lies in its range; whether they agree is for `validate`, when the command
-/// has set its own.
+/// The settings that the options select: preset, then file, then assignments over `base`. Checks
+/// that each setting exists and lies in its range. The command calls `validate` for their
+/// consistency, after its own changes.
 [[nodiscard]] Expected<Settings> load_settings(const SettingsOptions& options,
                                                const Settings& base = {});
 
-/// Reads a scenario, as `io::read_scenario` does.
+/// Reads a scenario like `io::read_scenario`.
 [[nodiscard]] Expected<Scenario> load_scenario(const std::string& path);
 
 }  // namespace fairway::app

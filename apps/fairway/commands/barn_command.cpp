@@ -79,7 +79,7 @@ Expected<std::vector<int>> BarnCommand::numbers() const {
     chosen.push_back(static_cast<int>(value));
   }
   if (!list || chosen.size() != list->size() || chosen.empty()) {
-    return fail("--worlds: expected all, or numbers with commas between them, found " +
+    return fail("--worlds: expected all, or numbers separated by commas, found " +
                 io::excerpt(worlds));
   }
   return chosen;
@@ -98,7 +98,7 @@ Expected<BarnOptions> BarnCommand::options() const {
   return options;
 }
 
-// The trace of every trial, and a picture and a page of those that failed; a film, if asked for.
+// Writes the trace of every trial, a picture and a page of each failed one, and films if requested.
 Expected<void> BarnCommand::keep_trace(const std::string& run,
                                        const Scenario& scenario,
                                        const BarnScore& score,
@@ -219,7 +219,7 @@ Expected<int> BarnCommand::run() {
       if (!score) return tl::unexpected(score.error());
       if (!score->success) {
         failures += fmt::format("world {}, trial {}: {} after {:.1f} s\n", world.number, trial,
-                                score->collided ? "contact" : "not there", score->time);
+                                score->collided ? "contact" : "goal not reached", score->time);
       }
     }
   }
@@ -255,12 +255,12 @@ void add_command(
   command->read = read;
   const Options options = tool.add_command(name, help, [command] { return command->run(); });
   options.add("SOURCE", command->source, source).required();
-  options.add("--worlds", command->worlds, "all, or numbers with commas between them");
+  options.add("--worlds", command->worlds, "all, or numbers separated by commas");
   options.add("--sensing", command->sensing, "What the robot knows").one_of({"map", "lidar"});
   options.add("--physics", command->physics, "What moves the robot").one_of({"unicycle", "mujoco"});
   options.add("--noise", command->noise, "Errors of lidar and odometry")
       .one_of({"none", "standard"});
-  options.add("--seed", command->seed, "Seed of everything random").not_negative();
+  options.add("--seed", command->seed, "Seed of all random numbers").not_negative();
   options.add("--trials", command->trials, "Runs per world").between(1, 1000);
   add_shard_option(options, command->shard);
   options.add("--trace-dir", command->trace_dir,

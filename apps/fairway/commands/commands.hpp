@@ -5,8 +5,8 @@
 
 namespace fairway::app {
 
-/// Each adds one command to the tool. Of those that a build may leave out, serve and reproduce, the
-/// command is then there all the same, and says how to get it.
+/// Each adds one command to the tool. A build without serve or reproduce still has these commands;
+/// they then print how to get them.
 void add_barn_command(CommandLine& tool);
 void add_compare_command(CommandLine& tool);
 void add_dynabarn_command(CommandLine& tool);

@@ -39,7 +39,7 @@ struct PlanCommand {
   [[nodiscard]] Expected<void> apply_options(Settings& target) const;
 };
 
-// A contracted rectangle holds a path point for sure when a square of side 2 Delta_s fits round it.
+// A contracted rectangle surely contains a path point if a square of side 2 Delta_s fits around it.
 double workspace_margin(double inward_offset) {
   return (std::numbers::sqrt2 - 1.0) * inward_offset;
 }
@@ -62,7 +62,7 @@ Expected<void> PlanCommand::apply_options(Settings& target) const {
                                       : target.robot.radius;
     if (*clearance < least) {
       return fail(fmt::format("--clearance: expected at least {}, the {}, found {}", least,
-                              in_workspace ? "room inside the rectangles" : "robot's radius",
+                              in_workspace ? "clearance inside the rectangles" : "robot's radius",
                               *clearance));
     }
     target.path.margin = *clearance - least;
@@ -76,8 +76,8 @@ Expected<void> PlanCommand::apply_options(Settings& target) const {
 PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats) {
   PlanAnswer best;
   Planner planner;
-  // Each stage counts with its fastest repeat: the first ones still fetch memory from the system,
-  // and others may use the machine meanwhile. 0 repeats: as many as take no noticeable time.
+  // The fastest repeat of each stage counts: the first ones fetch memory from the system, and other
+  // programs may use the machine. 0 repeats: as many as take no noticeable time.
   constexpr int kMostRepeats = 50;
   constexpr double kUnnoticed = 0.4;  // [s]
   const Stopwatch all;
@@ -135,7 +135,7 @@ Expected<int> PlanCommand::run() const {
     if (!inside) return tl::unexpected(inside.error());
   }
   query.hooks = {.clock = steady_seconds,
-                 // For the radius asked for, or what room start and goal have, if that is less; the
+                 // The requested radius, or the clearance at start and goal if that is less; the
                  // navigator adds a part of the path's margin.
                  .build =
                      [&](const BitGrid& obstacles, const Path& path, double radius,
@@ -175,30 +175,29 @@ void add_plan_command(CommandLine& tool) {
   const Options options = tool.add_command("plan", "Find a path and the safe corridor along it",
                                            [command] { return command->run(); });
   options.add("MAP", command->map, "map_server YAML file").required();
-  options.add("--start", command->start, "Where the robot is [m, rad]")
+  options.add("--start", command->start, "Start pose of the robot [m, rad]")
       .required()
       .type_name("X,Y[,HEADING]");
-  options.add("--goal", command->goal, "Where it shall go [m, rad]")
-      .required()
-      .type_name("X,Y[,HEADING]");
+  options.add("--goal", command->goal, "Goal [m, rad]").required().type_name("X,Y[,HEADING]");
   options.add("--corridor", command->corridor,
               "src, fsrc, mdsrc (the paper's, made sound) or fewest (the default)");
   options
       .add("--clearance", command->clearance,
-           "Distance that the path keeps from every obstacle, the robot's radius included "
-           "[m]; without it the radius and path.margin, which gives way in narrow places")
+           "Least distance between path and obstacles, including the robot's radius [m]; "
+           "default: the radius plus path.margin, which shrinks in narrow passages")
       .check(number_between(0.0, 20.0));
   options
       .add("--inward-offset", command->inward_offset,
-           "Build rectangles in the workspace, for a robot that stays this far inside [m]")
+           "Build rectangles in the workspace, for a robot centre that keeps this distance inside "
+           "[m]")
       .check(number_between(0.0, 10.0));
   options
       .add("--robot-radius", command->robot_radius,
-           "Build rectangles in configuration space, for the centre of a disc [m]")
+           "Build rectangles in configuration space, for the centre of a disc of this radius [m]")
       .check(number_between(0.01, 10.0));
   options
       .add("--repeat", command->repeats,
-           "Times are those of the fastest of N runs; else as many as fit in 0.4 s")
+           "Report the fastest of N runs; default: as many as fit in 0.4 s")
       .between(1, 1000);
   options.add("--json", command->json, "Write the plan as JSON; - is standard output")
       .type_name("FILE");

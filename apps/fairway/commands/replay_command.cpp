@@ -43,7 +43,7 @@ std::string table(const ReplayCheck& check) {
   }
   const ReplayCheck::Difference& first = *check.first_difference();
   return fmt::format(
-      "{} of {} control cycles came out differently, the first at {} s, robot {}:\n"
+      "{} of {} control cycles differ, the first at {} s, robot {}:\n"
       "  recorded  {}\n  replayed  {}\n",
       check.different(), check.cycles(), first.time, first.robot, answer_text(first.recorded),
       answer_text(first.replayed));

@@ -116,24 +116,25 @@ void add_reproduce_command(CommandLine& tool) {
   options.add("--out", command->folder, "Folder for pictures, results.json and index.html")
       .required()
       .type_name("DIR");
-  options.add("--solver", command->solver, "Of the optimal control problems; ipopt: the paper's")
+  options
+      .add("--solver", command->solver,
+           "Solver of the optimal control problems; ipopt is the paper's")
       .one_of({"interior_point", "ipopt"})
       .shows_default();
-  options.add("--seed", command->seed, "Of the maps that the figures show; others follow it")
+  options.add("--seed", command->seed, "Seed of the maps in the figures; others follow from it")
       .between(0, 1000000)
       .shows_default();
-  options
-      .add("--maps", command->maps,
-           "How many maps the means are taken over; 0: as many as each case likes")
+  options.add("--maps", command->maps, "Number of maps for the means; 0: the default of each case")
       .between(0, 10000)
       .shows_default();
-  options.add("--threads", command->threads, "Threads; the results do not depend on it")
+  options.add("--threads", command->threads, "Number of threads; it does not change the results")
       .between(1, 64)
       .shows_default();
   add_settings_options(options, command->settings);
   options.footer(
-      "Settings apply to the runs called ours. Exit code 1: something happened that never may, "
-      "such as a contact.");
+      "Settings apply to the runs called ours. Exit code 1: a run broke a guarantee, for example "
+      "by "
+      "a contact.");
 }
 
 }  // namespace fairway::app

@@ -26,7 +26,7 @@ Expected<int> ServeCommand::run() const {
   for (const std::string& file : scenarios) {
     Expected<Scenario> scenario = load_scenario(file);
     if (!scenario) return tl::unexpected(scenario.error());
-    scenario->engine = Engine::Unicycle;  // MuJoCo's worlds cannot be changed while they run
+    scenario->engine = Engine::Unicycle;  // MuJoCo's worlds cannot change during a run
     maps.push_back({.name = scenario->name,
                     .make = [scenario = *scenario] { return scenario; },
                     .own_settings = true});
@@ -45,27 +45,25 @@ Expected<int> ServeCommand::run() const {
 void add_serve_command(CommandLine& tool) {
   const auto command = std::make_shared<ServeCommand>();
   const Options options =
-      tool.add_command("serve", "Show a world that can be played with, as a page", [command] {
+      tool.add_command("serve", "Serve a page with an interactive world", [command] {
         command->server.check.any_address = command->server.address != "127.0.0.1";
         return command->run();
       });
   options.add("SCENARIO", command->scenarios, "Scenario YAML files to choose from")
       .type_name("SCENARIO.yaml");
-  options.add("--port", command->server.port, "Port; 0 takes a free one")
+  options.add("--port", command->server.port, "Port; 0 selects a free one")
       .between(0, 65535)
       .shows_default();
   options
       .add("--address", command->server.address,
-           "Address to listen at; others than this machine's own reach the page only if it "
-           "is not 127.0.0.1")
+           "Address to listen on; other machines can reach the page only if it is not "
+           "127.0.0.1")
       .shows_default();
-  options
-      .add("--allow-host", command->server.check.hosts,
-           "Further name by which the page may be addressed")
+  options.add("--allow-host", command->server.check.hosts, "Additional host name of the page")
       .type_name("NAME");
   options
       .add("--allow-origin", command->server.check.origins,
-           "Further site whose pages may connect, as https://app.foxglove.dev")
+           "Additional site whose pages may connect, such as https://app.foxglove.dev")
       .type_name("ORIGIN");
 }
 

@@ -5,8 +5,7 @@
 namespace fairway::app {
 
 void add_serve_command(CommandLine& tool) {
-  add_left_out_command(tool, "serve", "Show a world that can be played with, as a page",
-                       "libboost-dev");
+  add_left_out_command(tool, "serve", "Serve a page with an interactive world", "libboost-dev");
 }
 
 }  // namespace fairway::app

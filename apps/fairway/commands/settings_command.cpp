@@ -36,7 +36,7 @@ void add_settings_command(CommandLine& tool) {
                        [command] { return command->run(); });
   add_settings_options(options, command->settings);
   options.add_flag("--essential", command->essential,
-                   "Print only those that every user has to check for the robot at hand");
+                   "Print only the settings that every user must check for the robot");
   options.add_flag("--markdown", command->markdown, "Print the page docs/settings.md instead");
 }
 

@@ -65,7 +65,7 @@ Expected<Scenario> SimulateCommand::scenario_of_options() const {
   Scenario result;
   result.name = map;
   result.map = *grid;
-  // Without a heading it looks towards its goal.
+  // Without a heading the robot starts towards its goal.
   const Eigen::Vector2d way = to->position - from->position;
   const double towards = way.isZero() ? 0.0 : std::atan2(way.y(), way.x());
   result.robots = {
@@ -77,7 +77,7 @@ Expected<Scenario> SimulateCommand::scenario_of_options() const {
 
 Expected<Scenario> SimulateCommand::scenario_of_swap() const {
   constexpr int kMostRobots = 1000;
-  constexpr double kWidest = 400.0;  // [m]; the ground is a map of 0.1 m
+  constexpr double kWidest = 400.0;  // [m]; the map of the ground has cells of 0.1 m
   const std::optional<std::vector<double>> numbers = parse_list(swap);
   const bool known =
       numbers && (numbers->size() == 1 || numbers->size() == 2) &&
@@ -144,7 +144,7 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
                             .settings = &world.settings});
     if (auto done = write_output(json, json_text(object)); !done) return done;
   }
-  // The table gives way to whatever was asked for on standard output.
+  // The table is omitted if another result was requested on standard output.
   if (json == "-" || trace == "-") return {};
   return print(episode_table(result));
 }
@@ -187,23 +187,24 @@ void add_simulate_command(CommandLine& tool) {
   const auto command = std::make_shared<SimulateCommand>();
   const Options options = tool.add_command("simulate", "Drive through a scenario and judge the run",
                                            [command] { return command->run(); });
-  options.add("SCENARIO", command->scenario, "Scenario YAML file; or give the three below");
+  options.add("SCENARIO", command->scenario,
+              "Scenario YAML file; or use --map, --start and --goal");
   options.add("--map", command->map, "map_server YAML file").type_name("FILE.yaml");
-  options.add("--start", command->start, "Where the robot starts [m, rad]")
+  options.add("--start", command->start, "Start pose of the robot [m, rad]")
       .type_name("X,Y[,HEADING]");
-  options.add("--goal", command->goal, "Where it shall go [m, rad]").type_name("X,Y[,HEADING]");
+  options.add("--goal", command->goal, "Goal [m, rad]").type_name("X,Y[,HEADING]");
   options
       .add("--swap", command->swap,
-           "Robots on a circle in the open exchange places with their opposites [-, m]; "
-           "--seed moves their starts a little, 0 not at all")
+           "Robots on a circle in open space swap places with the opposite robot [-, m]; "
+           "--seed shifts their starts slightly, 0 does not")
       .type_name("N[,RADIUS]");
-  options.add("--sensing", command->sensing, "What the robots know, whatever the scenario says")
+  options.add("--sensing", command->sensing, "What the robots know; overrides the scenario")
       .one_of({"map", "lidar"});
-  options.add("--noise", command->noise, "Errors of lidar and odometry, likewise")
+  options.add("--noise", command->noise, "Errors of lidar and odometry; overrides the scenario")
       .one_of({"none", "standard"});
-  options.add("--physics", command->physics, "What moves the robots, likewise")
+  options.add("--physics", command->physics, "What moves the robots; overrides the scenario")
       .one_of({"unicycle", "mujoco"});
-  options.add("--seed", command->seed, "Seed of everything random").not_negative();
+  options.add("--seed", command->seed, "Seed of all random numbers").not_negative();
   options.add("--time-limit", command->time_limit, "Longest run [s]")
       .check(number_between(0.001, 1e5));
   options.add("--json", command->json, "Write the result as JSON; - is standard output")

@@ -28,8 +28,8 @@ namespace {
 using io::OcpInstance;
 using io::OcpResult;
 
-// The guess for instance `index`: the result at the same place if it has the same id, else the
-// first result with this id; cold where there is none.
+// The guess for instance `index`: the result at this index if it has the same id. Otherwise it is
+// the first result with this id, or a cold start.
 InitialGuess guess_for(std::size_t index, int id, const std::vector<OcpResult>& results) {
   InitialGuess guess;
   auto found = results.end();
@@ -45,7 +45,7 @@ InitialGuess guess_for(std::size_t index, int id, const std::vector<OcpResult>& 
   return guess;
 }
 
-// A solver's word is not taken for it: its commands are rolled out and checked again.
+// Checks a solver's commands independently: rolls them out and evaluates the constraints again.
 SolveStatus checked_status(const ControlProblem& problem, const MpcSolution& solution) {
   if (solution.status != SolveStatus::Solved) return solution.status;
   MpcSolution again;
@@ -118,7 +118,7 @@ Expected<Settings> SolveCommand::load() const {
 Expected<int> SolveCommand::run() const {
   if (out.empty()) return fail("--out: expected a file name, found an empty one");
   if (out == "-" && json == "-")
-    return fail("--json: expected another place than --out, found standard output for both");
+    return fail("--json: expected another destination than --out, found standard output for both");
   const Expected<Settings> chosen = load();
   if (!chosen) return tl::unexpected(chosen.error());
   const auto instances = io::read_ocp_instances(instances_file);
@@ -171,18 +171,18 @@ void add_solve_command(CommandLine& tool) {
       [command] { return command->run(); });
   options
       .add("INSTANCES", command->instances_file,
-           "File with one instance a line: id class nobs pose targets rectangle obstacles")
+           "File with one instance per line: id class nobs pose targets rectangle obstacles")
       .required();
   options.add("--out", command->out, "Result file: id status iterations time_us u0 r0 ...")
       .required();
   options.add("--solver", command->solver, "interior_point or ipopt")
       .shows_default()
       .one_of({"interior_point", "ipopt"});
-  options.add("--warm", command->warm_file, "Result file whose commands to start from");
-  options.add("--starts", command->starts, "Different starts per instance; the best is kept")
+  options.add("--warm", command->warm_file, "Result file with commands for a warm start");
+  options.add("--starts", command->starts, "Number of starts per instance; the best result is kept")
       .shows_default()
       .between(1, 1000);
-  options.add("--repeat", command->repeat, "Solve as often and write the fastest time")
+  options.add("--repeat", command->repeat, "Number of repeats; the fastest time is written")
       .shows_default()
       .between(1, 1000000);
   options.add("--json", command->json, "Write a report as JSON; - is standard output")
@@ -190,8 +190,7 @@ void add_solve_command(CommandLine& tool) {
   add_settings_options(options, command->settings);
   options.footer(
       "Settings of the groups mpc and robot change the weights and limits of all instances; "
-      "without "
-      "any the problem is the paper's.");
+      "without any the problem is the paper's.");
 }
 
 }  // namespace fairway::app

@@ -41,7 +41,7 @@ std::string distance_text(double value) {
 
 const char* outcome(const RobotResult& robot) {
   if (robot.collided) return "contact";
-  return robot.reached ? "reached" : "not there";
+  return robot.reached ? "reached" : "not reached";
 }
 
 // The last cycle of a robot; none if it had none.
@@ -135,7 +135,7 @@ std::string failure_text(const Scenario& scenario, const EpisodeResult& result) 
   };
   if (auto text = failed([](const RobotResult& robot) { return robot.collided; })) return *text;
   if (auto text = failed([](const RobotResult& robot) { return !robot.reached; })) return *text;
-  return "the run was ended";
+  return "the run was stopped early";
 }
 
 Expected<std::string> world_picture(const Scenario& scenario,

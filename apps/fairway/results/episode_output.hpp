@@ -9,17 +9,17 @@
 
 namespace fairway::app {
 
-/// The result as INTERFACE.md's JSON object. An infinite distance is null.
+/// The result as the JSON object of the command-line interface. An infinite distance is null.
 [[nodiscard]] Json episode_json(const Scenario& scenario, const EpisodeResult& result);
 
-/// The result as a short table for a person.
+/// The result as a short table for the user.
 [[nodiscard]] std::string episode_table(const EpisodeResult& result);
 
-/// In one line, which robot failed first and why: where it is, what its plan lacks, and its last
-/// status. @pre the run was no success.
+/// Describes in one line which robot failed first and why: its position, the reason why there is no
+/// plan, or its last status. @pre the run was not successful.
 [[nodiscard]] std::string failure_text(const Scenario& scenario, const EpisodeResult& result);
 
-/// The bytes of the pictures of a run, in the format that the name ends in.
+/// The pictures of a run, in the format that the file name's suffix selects.
 [[nodiscard]] Expected<std::string> world_picture(const Scenario& scenario,
                                                   const EpisodeResult& result,
                                                   const std::string& file);

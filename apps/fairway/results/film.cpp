@@ -20,7 +20,7 @@ Expected<void> check_film() { return {}; }
 Expected<std::string> run_film(const Scenario& scenario,
                                const EpisodeResult& result,
                                const FilmProgress& progress) {
-  // Every picture costs some hundredths of a second: of a long run fewer are taken per second.
+  // Each picture takes some hundredths of a second, so long runs have fewer per second.
   constexpr double kMostFrames = 100.0;
   constexpr double kInterval = 0.2;  // [s]
   io::Film film{.width = 400,

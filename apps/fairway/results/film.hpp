@@ -10,14 +10,14 @@
 
 namespace fairway::app {
 
-/// Told how much of a film is drawn, from 0 to 1.
+/// Receives the finished share of a film, from 0 to 1.
 using FilmProgress = std::function<void(double share)>;
 
-/// Whether films can be made here at all; if not, which option was in vain and what is missing.
+/// Whether films can be made in this build; the error names the option and what is missing.
 [[nodiscard]] Expected<void> check_film();
 
-/// The bytes of a short film (GIF) of the first robot's run, seen by MuJoCo's camera from behind
-/// and above: five pictures a second, about a hundred of a run that is longer than 20 s.
+/// Makes a short film (GIF) of the first robot's run, seen by MuJoCo's camera from behind and
+/// above. It has five pictures per second, or about a hundred if the run is longer than 20 s.
 [[nodiscard]] Expected<std::string> run_film(const Scenario& scenario,
                                              const EpisodeResult& result,
                                              const FilmProgress& progress);

@@ -11,7 +11,7 @@
 
 namespace fairway::app {
 
-/// One of the solvers, with as many starts as it is given.
+/// A solver that runs once for each of the given initial guesses.
 class InstanceSolver {
  public:
   InstanceSolver() = default;
@@ -19,14 +19,14 @@ class InstanceSolver {
   InstanceSolver& operator=(const InstanceSolver&) = delete;
   virtual ~InstanceSolver() = default;
 
-  /// Solves from each guess (at least one) and keeps the best: solved before all else, then the
-  /// least cost plus price of violations. Valid until the next call.
+  /// Solves from each guess (at least one) and keeps the best result: a solved one first, then the
+  /// least cost plus penalty. Valid until the next call.
   [[nodiscard]] virtual const MpcSolution& solve(const ControlProblem& problem,
                                                  std::span<const InitialGuess> guesses) = 0;
 };
 
-/// `interior_point`, `ipopt` (the paper's method with soft constraints) or `ipopt_hard` (as the
-/// paper has it); an error where this build lacks it.
+/// Makes `interior_point`, `ipopt` (the paper's method with soft constraints) or `ipopt_hard` (the
+/// paper's method); an error if this build lacks it.
 [[nodiscard]] Expected<std::unique_ptr<InstanceSolver>> make_instance_solver(
     const std::string& name);
 

@@ -11,7 +11,7 @@
 
 namespace fairway::app {
 
-/// What `fairway plan` was asked.
+/// The input of `fairway plan`.
 struct PlanQuery {
   PointArgument start;
   PointArgument goal;
@@ -19,24 +19,24 @@ struct PlanQuery {
   PlannerHooks hooks;
 };
 
-/// What it found, with the fastest time of each stage.
+/// The answer of `fairway plan`, with the fastest time of each stage.
 struct PlanAnswer {
   Plan plan;
-  std::string reason;  ///< why there is none, with numbers; empty where there is one
-  std::optional<PathObstruction> obstruction;  ///< the same as numbers, where a path is missing
-  double prepare_seconds = 0.0;  ///< making obstacles and distances of the map's cells [s]
+  std::string reason;  ///< why there is no plan, with numbers; empty with a plan
+  std::optional<PathObstruction> obstruction;  ///< the same as numbers, if there is no path
+  double prepare_seconds = 0.0;  ///< computing obstacles and distances of the map's cells [s]
 };
 
-/// The plan as INTERFACE.md's JSON object, as text; `method` is the corridor's.
+/// The plan as the JSON object of the command-line interface; `method` is the corridor's.
 [[nodiscard]] std::string plan_json(const PlanAnswer& answer,
                                     const PlanQuery& query,
                                     const char* method,
                                     const Provenance& provenance);
 
-/// The plan in three lines for a person; empty when there is none.
+/// The plan in three lines for the user; empty without a plan.
 [[nodiscard]] std::string plan_summary(const PlanAnswer& answer);
 
-/// Draws the plan into a file; nothing without a name.
+/// Draws the plan into a file; does nothing without a file name.
 [[nodiscard]] Expected<void> write_plan_picture(const std::string& file,
                                                 const OccupancyGrid& grid,
                                                 const PlanQuery& query,

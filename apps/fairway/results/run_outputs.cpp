@@ -10,7 +10,7 @@ namespace fairway::app {
 
 namespace {
 
-// "films/run.html" of the run "world_000": "films/run_world_000.html".
+// Maps "films/run.html" and the run "world_000" to "films/run_world_000.html".
 std::string name_of_run(const std::string& file, const std::string& run) {
   if (file.empty() || run.empty()) return file;
   std::filesystem::path path(file);
@@ -53,9 +53,10 @@ Expected<void> RunOutputs::close() {
 }
 
 void add_run_options(const Options& options, RunOutputs& outputs) {
-  options.add("--log", outputs.log, "Record all of the run, for Foxglove and `replay`")
+  options.add("--log", outputs.log, "Record the whole run, for Foxglove and `replay`")
       .type_name("FILE.mcap");
-  options.add("--report", outputs.report, "Write a page that plays the run").type_name("FILE.html");
+  options.add("--report", outputs.report, "Write a page that replays the run")
+      .type_name("FILE.html");
 }
 
 }  // namespace fairway::app

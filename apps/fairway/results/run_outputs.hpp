@@ -13,7 +13,7 @@
 
 namespace fairway::app {
 
-/// What --log and --report ask for: files that are made while a run goes on.
+/// Writes the files of --log and --report during a run.
 ///
 ///     RunOutputs outputs;  add_run_options(options, outputs);
 ///     if (auto opened = outputs.open(); !opened) ...
@@ -24,22 +24,22 @@ class RunOutputs {
   std::string log;     ///< FILE.mcap; empty: none
   std::string report;  ///< FILE.html; empty: none
 
-  /// Begins the files that are asked for, so that one that cannot be written is told at once. After
-  /// `close` it can be called again, for the next run.
-  /// @param run  Of several: what tells it from the others, put before the files' endings.
+  /// Opens the requested files, so that an unwritable one is reported before the run. It can be
+  /// called again after `close`, for the next run.
+  /// @param run  Name of one of several runs, inserted before the files' suffixes.
   [[nodiscard]] Expected<void> open(const std::string& run = {});
 
-  /// Who has to watch the run; null when nothing was asked for.
+  /// The observer that the run needs; null if no file was requested.
   [[nodiscard]] EpisodeObserver* observer() noexcept;
 
   /// Finishes the files.
   [[nodiscard]] Expected<void> close();
 
-  /// Collects the page of a run even if it is not asked for, to be taken where the run turns out to
-  /// be worth it. To be called before `open`.
+  /// Collects the page of a run even without --report, so that the caller can store it later. Call
+  /// it before `open`.
   void keep_page() noexcept { keep_page_ = true; }
 
-  /// The page that plays the run. @pre keep_page was called, and since then open, not close.
+  /// The page that replays the run. @pre after keep_page, open was called and close was not.
   [[nodiscard]] const std::string& page();
 
  private:

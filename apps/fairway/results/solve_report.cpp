@@ -32,7 +32,7 @@ ClassSummary summary_of(const std::string& kind,
   return summary;
 }
 
-// Times to a nanosecond, without the noise of binary fractions.
+// Rounds times to a nanosecond, without the digits of binary fractions.
 double rounded(double time_us) { return std::round(1e3 * time_us) / 1e3; }
 
 Json as_json(const ClassSummary& summary) {

@@ -10,15 +10,15 @@
 
 namespace fairway::app {
 
-/// An instance and its answer.
+/// An instance and its result.
 struct SolvedInstance {
   int id = 0;
   std::string kind;      ///< its class: free, dyn, tight, ...
-  double time_us = 0.0;  ///< fastest repeat, CPU time of the thread, all starts together [us]
+  double time_us = 0.0;  ///< fastest repeat: CPU time of the thread for all starts [us]
   MpcSolution solution;
 };
 
-/// How many of a class were solved, and how fast.
+/// The number of solved instances of a class, and their times.
 struct ClassSummary {
   std::string kind;
   std::size_t count = 0;
@@ -28,16 +28,16 @@ struct ClassSummary {
   double max_us = 0.0;
 };
 
-/// One summary per class in order of appearance, and one for `all` where there are several.
+/// One summary per class in order of appearance, and one for `all` with several classes.
 [[nodiscard]] std::vector<ClassSummary> summarise(std::span<const SolvedInstance> instances);
 
-/// All of it as JSON.
+/// The results and summaries as JSON.
 [[nodiscard]] Json solve_report(const std::string& solver,
                                 int starts,
                                 int repeat,
                                 std::span<const SolvedInstance> instances);
 
-/// The summaries as a table for people.
+/// The summaries as a table for the user.
 [[nodiscard]] std::string solve_table(std::span<const SolvedInstance> instances);
 
 }  // namespace fairway::app

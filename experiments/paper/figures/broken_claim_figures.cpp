@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Kind = io::LegendEntry::Kind;
 
-// Around a rectangle's corners, a square.
+// A square around a rectangle's corners.
 io::Box square_around(const std::vector<OrientedRectangle>& rectangles, double room) {
   Vector2d low = rectangles.front().corners()[0];
   Vector2d high = low;
@@ -29,7 +29,7 @@ io::Box square_around(const std::vector<OrientedRectangle>& rectangles, double r
 
 using Cells = std::vector<OrientedRectangle>;
 
-// Every occupied cell of which a part lies in the rectangle.
+// The occupied cells that overlap the rectangle.
 Cells cells_inside(const OccupancyGrid& grid, const OrientedRectangle& rectangle) {
   constexpr double kLeastPart = 1e-5;  // [m^2]; a cell has 2.5e-3
   const GridFrame& frame = grid.frame();
@@ -90,7 +90,7 @@ std::optional<Broken> first_break(const std::vector<CorridorComparison>& maps) {
     for (std::size_t i = 1; i < chain.size(); ++i) {
       const OrientedRectangle a = chain[i - 1].shrunk(kContraction);
       const OrientedRectangle b = chain[i].shrunk(kContraction);
-      // Two that have room for the robot but no way from one to the other.
+      // Two neighbours that each fit the robot, without a passage between them.
       if (a.is_empty() || b.is_empty() || overlap(a, b).count > 0) continue;
       return Broken{.map = std::make_shared<CorridorComparison>(map), .first = i - 1};
     }

@@ -9,12 +9,12 @@
 
 namespace fairway::reproduction {
 
-/// A published rectangle that holds obstacles, close up; none when no map has one.
+/// A published rectangle that contains obstacles, with a close-up; none when no map has one.
 [[nodiscard]] std::optional<Figure> hopping_figure(MapKind kind,
                                                    const std::vector<CorridorComparison>& maps);
 
-/// Published neighbours that overlap but no longer do once contracted, close up; none when no
-/// map has such a pair.
+/// Published neighbours that overlap only before contraction, with a close-up; none when no map has
+/// such a pair.
 [[nodiscard]] std::optional<Figure> break_figure(MapKind kind,
                                                  const std::vector<CorridorComparison>& maps);
 

@@ -14,7 +14,7 @@ namespace fairway::reproduction {
                                      MapKind kind,
                                      const std::shared_ptr<const CorridorComparison>& map);
 
-/// On a map that is parallel to the axes: SRC, MDSRC and ours.
+/// On an axis-aligned map: SRC, MDSRC and ours.
 [[nodiscard]] Figure structured_figure(const std::shared_ptr<const CorridorComparison>& map,
                                        const std::string& caption);
 

@@ -18,7 +18,7 @@ using Kind = io::LegendEntry::Kind;
 
 constexpr std::array kShownDrivers = {DriverKind::Ismpc, DriverKind::Smpc, DriverKind::Ours};
 
-// Where the driver aims in turn: seeds, or centroids of overlaps.
+// The driver's successive targets: seeds, or centroids of overlaps.
 std::vector<Vector2d> targets_of(const Drive& drive, DriverKind kind) {
   std::vector<Vector2d> targets;
   const Corridor& corridor = drive.plan.corridor;
@@ -73,7 +73,7 @@ std::vector<io::LegendEntry> track_legend() {
   return entries;
 }
 
-// One speed of one driver over time, as a staircase since a command holds for its cycle.
+// One speed of one driver over time, as a staircase because a command is constant during its cycle.
 std::vector<Vector2d> speed_curve(const Drive& drive, double Twist2::*speed) {
   std::vector<Vector2d> curve;
   for (const TraceRow& row : drive.rows) {
@@ -159,8 +159,9 @@ Figure trajectory_figure(const std::shared_ptr<const DriveRuns>& runs) {
       .caption = fmt::format(
           "Figure 5: corridors, targets and driven trajectories in a structured, obstacle-dense "
           "map (seed {}). (a) ISMPC with dual targets at the seeds; (b) SMPC with one target at "
-          "the centroid of the next overlap; (c) our default, whose targets move along the taut "
-          "string (rectangles for the robot's centre, seeds shown); (d) the three trajectories.",
+          "the centroid of the next overlap; (c) our default, whose targets move along the "
+          "reference path (rectangles for the robot's centre, seeds shown); (d) the three "
+          "trajectories.",
           runs->maps.front().seed),
       .draw = [runs](io::PictureFormat format) {
         const auto grid = std::make_shared<const OccupancyGrid>(

@@ -11,10 +11,10 @@ namespace fairway::reproduction {
 /// The colour of a driver in every figure.
 [[nodiscard]] io::Color color_of(DriverKind kind);
 
-/// The line of a driver's trajectory; drivers are told apart without colour too.
+/// The line style of a driver's trajectory; styles differ so that colour is not needed.
 [[nodiscard]] io::Stroke track_stroke(DriverKind kind);
 
-/// The positions that a drive passed.
+/// The positions along a drive.
 [[nodiscard]] std::vector<Eigen::Vector2d> track_of(const Drive& drive);
 
 }  // namespace fairway::reproduction

@@ -23,7 +23,7 @@ const Exchange& first_run(const ExchangeRuns& runs, ExchangeKind kind) {
 
 const io::Stroke kPlanStroke{.color = io::palette::kPurple, .width = 1.6};
 
-// Robots are told apart without colour too.
+// Line styles differ between robots, so that colour is not needed.
 std::vector<double> dash_of(std::size_t robot) {
   constexpr std::array<double, kExchangeRobots> kLength = {0.0, 6.0, 3.0, 1.2};
   if (robot == 0) return {};

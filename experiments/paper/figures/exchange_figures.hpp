@@ -16,7 +16,7 @@ using ExchangeRuns = std::vector<ExchangeComparison>;
 [[nodiscard]] Figure snapshot_figure(const std::shared_ptr<const ExchangeRuns>& runs,
                                      ExchangeKind kind);
 
-/// From each robot to its nearest neighbour over time, in the first run.
+/// The distance from each robot to its nearest neighbour over time, in the first run.
 [[nodiscard]] Figure separation_figure(const std::shared_ptr<const ExchangeRuns>& runs);
 
 }  // namespace fairway::reproduction

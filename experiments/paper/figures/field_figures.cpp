@@ -27,7 +27,7 @@ io::Color color_of(RectangleKind kind) {
   return kOursColor;
 }
 
-// Beside each other, so that bars do not hide each other.
+// The bars are side by side so that they do not cover each other.
 double offset_of(RectangleKind kind) { return 0.6 * (static_cast<double>(kind) - 1.0); }
 
 std::vector<io::LegendEntry> method_legend() {
@@ -50,7 +50,7 @@ void draw_curves(io::Canvas& canvas, const io::PlotAxes& axes, const Sample& val
           canvas, axes,
           {.x = x, .low = e.mean - e.deviation, .middle = e.mean, .high = e.mean + e.deviation},
           color_of(kind));
-      // The interval of the mean, as a thick bar within the thin one.
+      // Draws the mean's interval as a thick bar within the thin one.
       canvas.line(axes.at(Vector2d(x, e.low)), axes.at(Vector2d(x, e.high)),
                   {.color = color_of(kind), .width = 3.2});
       curve.emplace_back(x, e.mean);
@@ -90,7 +90,7 @@ Panel value_panel(const char* title, const char* y_name, double top, const Sampl
           }};
 }
 
-// Room above the highest bar for the marks.
+// Space above the highest bar for the marks.
 template <typename Sample>
 double top_of(const Sample& values) {
   double top = 0.0;
@@ -132,8 +132,8 @@ Figure field_map_figure(const std::shared_ptr<const FieldSample>& sample) {
       .name = "case2_figure9_fields",
       .caption = fmt::format(
           "Figure 9: fields of 20 m \u00d7 20 m with 5, 10, 15 and 20 obstacles and 24 random "
-          "points (map seed {}), with the rectangles of MDSRC. A point that an earlier rectangle "
-          "holds gets none of its own.",
+          "points (map seed {}), with the rectangles of MDSRC. A point inside an earlier rectangle "
+          "gets none of its own.",
           sample->first_seed),
       .draw = [sample](io::PictureFormat format) {
         PanelPicture picture{

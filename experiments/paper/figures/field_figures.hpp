@@ -12,7 +12,7 @@ namespace fairway::reproduction {
 [[nodiscard]] Figure field_map_figure(const std::shared_ptr<const FieldSample>& sample);
 /// Figure 10: mean area and number over the number of obstacles.
 [[nodiscard]] Figure field_chart_figure(const std::shared_ptr<const FieldSample>& sample);
-/// By how much MDSRC exceeds SRC, field by field, over the number of obstacles.
+/// The gain of MDSRC over SRC, field by field, over the number of obstacles.
 [[nodiscard]] Figure field_gain_figure(const std::shared_ptr<const FieldSample>& sample);
 
 }  // namespace fairway::reproduction

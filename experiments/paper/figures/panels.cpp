@@ -27,7 +27,7 @@ Expected<std::string> draw_panels(const PanelPicture& picture, io::PictureFormat
   const auto rows = (picture.panels.size() + static_cast<std::size_t>(picture.columns) - 1) /
                     static_cast<std::size_t>(picture.columns);
   const double legend_width = kPageWidth - 2.0 * kMargin - kLeft;
-  // A canvas that is thrown away measures the legend's text.
+  // A temporary canvas measures the legend's text.
   const double legend =
       picture.legend.empty()
           ? 0.0
@@ -45,7 +45,7 @@ Expected<std::string> draw_panels(const PanelPicture& picture, io::PictureFormat
     const io::PlotAxes axes({.min = corner, .max = corner + Vector2d(width, height)}, panel.data);
     canvas.text(corner + Vector2d(0.5 * width, -5.0), panel.title,
                 {.size = 8.5, .anchor = {0.5, 1.0}, .bold = true});
-    // Grid lines belong below the data, the frame above it.
+    // Grid lines are drawn below the data, the frame above it.
     if (panel.grid) axes.draw(canvas, panel.x_name, panel.y_name, true);
     canvas.begin_clip(axes.area());
     panel.draw(canvas, axes);

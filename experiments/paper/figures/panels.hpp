@@ -23,7 +23,7 @@ struct Panel {
   std::function<void(io::Canvas&, const io::PlotAxes&)> draw;
 };
 
-/// Panels of equal size in rows, a legend above them.
+/// Panels of equal size in rows, with a legend above them.
 struct PanelPicture {
   int columns = 2;
   double ratio = 1.0;  ///< height of a plot over its width
@@ -31,7 +31,7 @@ struct PanelPicture {
   std::vector<Panel> panels;
 };
 
-/// The bytes of the picture file, as wide as both columns of a journal.
+/// The picture file's bytes; the picture is as wide as both columns of a journal.
 [[nodiscard]] Expected<std::string> draw_panels(const PanelPicture& picture,
                                                 io::PictureFormat format);
 
@@ -47,7 +47,7 @@ void draw_rectangles(io::Canvas& canvas,
 /// The positions of poses, for a line.
 [[nodiscard]] std::vector<Eigen::Vector2d> positions(const std::vector<Pose2>& poses);
 
-/// A bar from `low` to `high` at `x` with ends, and a dot at `middle`. [data units]
+/// Draws a bar from `low` to `high` at `x` with end marks, and a dot at `middle`. [data units]
 struct ErrorBar {
   double x = 0.0;
   double low = 0.0;
@@ -59,7 +59,7 @@ void draw_error_bar(io::Canvas& canvas,
                     const ErrorBar& bar,
                     const io::Color& color);
 
-/// The whole of a map [m].
+/// The area of a whole map [m].
 [[nodiscard]] io::Box bounds_of(const OccupancyGrid& map);
 
 /// Colours of the paper's methods and ours in every figure.

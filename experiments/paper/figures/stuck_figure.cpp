@@ -12,11 +12,11 @@ namespace {
 using Eigen::Vector2d;
 using Kind = io::LegendEntry::Kind;
 
-// What pulls a robot that stands where it should drive.
+// The targets that attract a robot that is stuck.
 struct Pull {
   Vector2d first;  // both targets
   Vector2d second;
-  Vector2d mean;  // what they amount to
+  Vector2d mean;  // their weighted mean
 };
 
 Pull pull_on(const Drive& drive, const MpcSettings& mpc) {

@@ -10,7 +10,8 @@
 
 namespace fairway::reproduction {
 
-/// Where dual targets leave the robot stuck: the first map of each course; none when it never was.
+/// Where dual targets leave the robot stuck, on the first such map of each course; none without
+/// one.
 [[nodiscard]] std::optional<Figure> stuck_figure(
     const std::vector<std::shared_ptr<const DriveRuns>>& courses);
 

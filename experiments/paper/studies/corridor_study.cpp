@@ -90,7 +90,7 @@ CorridorOutcome outcome_of(CorridorKind kind,
   const double clearance =
       corridor.space == CorridorSpace::Configuration ? corridor.robot_radius : 0.0;
   for (std::size_t i = 0; i < corridor.rectangles.size(); ++i) {
-    // An edge may lie along a wall; a millimetre inside there must be nothing.
+    // An edge may lie along a wall, so the test shrinks the rectangle by a millimetre.
     constexpr double kInside = 1e-3;
     const OrientedRectangle inside = corridor.rectangles[i].shrunk(kInside);
     if (!inside.is_empty() && !is_free(obstacles, inside, clearance)) ++outcome.holding;
@@ -143,7 +143,7 @@ CorridorComparison compare_corridors(MapKind kind,
   const Path points = resampled(found.path);
   for (std::size_t i = 0; i < kCorridorKinds; ++i) {
     const auto method = static_cast<CorridorKind>(i);
-    // The published methods take the points as seeds; ours place their own on the path.
+    // The published methods use the points as seeds; ours place seeds on the path.
     const bool published = method <= CorridorKind::MdsrcPublished;
     result.outcomes.at(i) = outcome_of(method, obstacles, published ? points : found.path, options);
   }
@@ -153,7 +153,7 @@ CorridorComparison compare_corridors(MapKind kind,
 std::vector<CorridorComparison> compare_corridors_on_maps(MapKind kind,
                                                           int maps,
                                                           const StudyOptions& options) {
-  constexpr std::size_t kMostTries = 50;  // per map wanted; nearly every map has a path
+  constexpr std::size_t kMostTries = 50;  // per requested map; nearly every map has a path
   const auto wanted = static_cast<std::size_t>(maps);
   std::vector<CorridorComparison> all;
   for (std::size_t tried = 0; all.size() < wanted && tried < kMostTries * wanted;) {

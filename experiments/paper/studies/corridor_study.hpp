@@ -13,16 +13,16 @@
 
 namespace fairway::reproduction {
 
-/// How a corridor is built along a path, in the rows' order of Table II.
+/// How a corridor is built along a path, in the order of Table II.
 enum class CorridorKind : std::uint8_t {
   SrcPublished,    ///< SRC [13]: every strip sampled
   FsrcPublished,   ///< FSRC [14]: only the new edge sampled
   MdsrcPublished,  ///< the paper's: ten orientations, only the new edge sampled
-  SrcSound,        ///< the three again, every strip tested exactly, contracted rectangles chained
+  SrcSound,        ///< the same three with exact tests of every strip and chained rectangles
   FsrcSound,
   MdsrcSound,
-  Fewest,               ///< ours, for the same rule: the body stays Delta_s inside
-  FewestConfiguration,  ///< ours as it is by default: rectangles for the robot's centre
+  Fewest,               ///< ours, for the same rule: the body keeps Delta_s inside
+  FewestConfiguration,  ///< our default: rectangles for the robot's centre
 };
 inline constexpr std::size_t kCorridorKinds = 8;
 
@@ -33,15 +33,15 @@ struct CorridorOutcome {
   std::vector<OrientedRectangle> rectangles;
   bool complete = false;   ///< it reaches from start to goal
   double mean_area = 0.0;  ///< [m^2]
-  int holding = 0;         ///< rectangles that hold a part of an obstacle
-  int breaks = 0;          ///< neighbours that do not meet after contraction by Delta_s
-  double seconds = 0.0;    ///< to build it: the fastest of three runs [s]
+  int holding = 0;         ///< rectangles that contain a part of an obstacle
+  int breaks = 0;          ///< neighbours that do not overlap after contraction by Delta_s
+  double seconds = 0.0;    ///< to build it, the fastest of three runs [s]
 };
 
 /// A map, the path through it, and every kind of corridor along that path.
 struct CorridorComparison {
   std::uint64_t seed = 0;
-  bool found = false;  ///< whether there is a path; without one there is nothing else
+  bool found = false;  ///< whether there is a path; otherwise all else is empty
   Path path;
   std::array<CorridorOutcome, kCorridorKinds> outcomes;
 
@@ -50,21 +50,21 @@ struct CorridorComparison {
   }
 };
 
-/// Delta_s, which is the robot's radius too [m].
+/// Delta_s, which is also the robot's radius [m].
 inline constexpr double kContraction = 0.3;
-/// Room that the path keeps: enough for a contracted square around each of its points [m].
+/// Clearance of the path: enough for a contracted square around each of its points [m].
 inline constexpr double kPathClearance = 0.45;
 
-/// One map of a kind, from corner to corner.
+/// Compares all kinds on one map, from corner to corner.
 [[nodiscard]] CorridorComparison compare_corridors(MapKind kind,
                                                    std::uint64_t seed,
                                                    const StudyOptions& options);
 
-/// `maps` maps that have a path, the first with `options.seed` if that has one. @pre maps > 0.
+/// Compares `maps` maps that have a path, starting at `options.seed`. @pre maps > 0.
 [[nodiscard]] std::vector<CorridorComparison> compare_corridors_on_maps(
     MapKind kind, int maps, const StudyOptions& options);
 
-/// One number of every map.
+/// One value of every map.
 template <typename Value>
 [[nodiscard]] std::vector<double> column(const std::vector<CorridorComparison>& maps,
                                          CorridorKind kind,

@@ -15,24 +15,24 @@ struct DriveRuns {
   DriveCourse course = DriveCourse::Structured;
   std::vector<DriveComparison> maps;
 
-  /// The maps on which all drivers reached the goal: only these can be compared.
+  /// The maps on which all drivers reached the goal; only these are compared.
   [[nodiscard]] std::vector<const DriveComparison*> comparable() const;
   [[nodiscard]] int reached(DriverKind kind) const;
   [[nodiscard]] int collided(DriverKind kind) const;
 };
 
-/// What is compared of runs.
+/// The measures that are compared.
 enum class DriveMeasure : std::uint8_t { Length, Time, Smoothness, Switches };
 inline constexpr std::array kDriveMeasures = {DriveMeasure::Length, DriveMeasure::Time,
                                               DriveMeasure::Smoothness, DriveMeasure::Switches};
 
-/// Its name with its unit.
+/// The name of a measure with its unit.
 [[nodiscard]] const char* to_text(DriveMeasure measure) noexcept;
 
-/// The number of one drive.
+/// The value of a measure for one drive.
 [[nodiscard]] double value_of(const Drive& drive, DriveMeasure measure);
 
-/// One number of every comparable map.
+/// The values of every comparable map.
 [[nodiscard]] std::vector<double> values(const DriveRuns& runs,
                                          DriverKind kind,
                                          DriveMeasure measure);

@@ -118,7 +118,7 @@ Drive drive(const Scenario& scenario, const StudyOptions& options) {
 std::vector<DriveComparison> compare_drivers(DriveCourse course,
                                              int maps,
                                              const StudyOptions& options) {
-  constexpr std::size_t kMostTries = 50;  // per map wanted; most maps have a way
+  constexpr std::size_t kMostTries = 50;  // per requested map; most maps have a path
   const auto wanted = static_cast<std::size_t>(maps);
   std::vector<DriveComparison> all;
   for (std::size_t tried = 0; all.size() < wanted && tried < kMostTries * wanted;) {

@@ -12,7 +12,7 @@
 
 namespace fairway::reproduction {
 
-/// Who drives in Case 1.
+/// The drivers of Case 1.
 enum class DriverKind : std::uint8_t {
   Smpc,   ///< SMPC [17]: one target, the centroid of the next overlap
   Ismpc,  ///< the paper's: two targets, the next two seeds
@@ -22,7 +22,7 @@ inline constexpr std::size_t kDriverKinds = 3;
 
 [[nodiscard]] const char* to_text(DriverKind kind) noexcept;
 
-/// Where the drivers of Case 1 drive.
+/// The courses of Case 1.
 enum class DriveCourse : std::uint8_t {
   Structured,       ///< structured, obstacle-dense: the paper's Case 1
   Unstructured,     ///< Environment 2 of Case 2
@@ -34,10 +34,10 @@ inline constexpr std::size_t kDriveCourses = 3;
 [[nodiscard]] MapKind map_kind(DriveCourse course) noexcept;
 
 /// Settings of a driver. The body is a disc of 0.25 m, so that the paper's Delta_s = 0.3 m leaves
-/// room for the error of its Euler step. Our recovery is off for the paper's two, which have none;
-/// our check of the stop stays on: it can only brake.
+/// clearance for the error of its Euler step. Our recovery is off for the paper's two methods,
+/// which have none. Our stop check is on, because it can only brake.
 ///
-/// @param ours  Settings of DriverKind::Ours, but for the body.
+/// @param ours  Settings of DriverKind::Ours, apart from the body.
 [[nodiscard]] Settings driver_settings(DriveCourse course,
                                        DriverKind kind,
                                        const Settings& ours = {});
@@ -47,11 +47,11 @@ struct Drive {
   RobotSettings robot;  ///< of its settings
   bool reached = false;
   bool collided = false;
-  double time = 0.0;           ///< until it stood at the goal, or the limit [s]
-  double length = 0.0;         ///< of the way driven [m]
+  double time = 0.0;           ///< when it stopped at the goal, or the limit [s]
+  double length = 0.0;         ///< of the driven path [m]
   double smoothness = 0.0;     ///< integral of the squared rates of change of both speeds
   int switches = 0;            ///< changes of the current rectangle
-  int stop_cycles = 0;         ///< in which the check of the stop overruled the solver
+  int stop_cycles = 0;         ///< in which the stop check overruled the solver
   double min_clearance = 0.0;  ///< from the body to obstacles [m]
   Twist2 least;                ///< commanded or driven
   Twist2 greatest;
@@ -64,7 +64,7 @@ struct Drive {
 /// One map with all drivers.
 struct DriveComparison {
   std::uint64_t seed = 0;
-  bool possible = false;  ///< whether there is a way; without one nothing else is filled
+  bool possible = false;  ///< whether there is a path; otherwise nothing else is filled
   std::array<Drive, kDriverKinds> drives;
 
   [[nodiscard]] const Drive& of(DriverKind kind) const {
@@ -73,7 +73,7 @@ struct DriveComparison {
   [[nodiscard]] bool all_reached() const;
 };
 
-/// The task of a driver on the map of a seed: from corner to corner.
+/// The scenario of a driver on the map of a seed, from corner to corner.
 [[nodiscard]] Scenario drive_scenario(DriveCourse course,
                                       std::uint64_t seed,
                                       DriverKind kind,
@@ -82,7 +82,7 @@ struct DriveComparison {
 /// Runs a scenario of one robot.
 [[nodiscard]] Drive drive(const Scenario& scenario, const StudyOptions& options);
 
-/// `maps` maps that have a plan for every driver, the first with `options.seed` if that has one.
+/// Compares `maps` maps on which every driver has a plan, starting at `options.seed`.
 /// @pre maps > 0.
 [[nodiscard]] std::vector<DriveComparison> compare_drivers(DriveCourse course,
                                                            int maps,

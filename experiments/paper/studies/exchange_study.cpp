@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 
 constexpr double kExchangeBody = 0.25;       // [m]
 constexpr double kPaperKeepOut = 0.8;        // R_o [m]
-constexpr double kExchangeTimeLimit = 90.0;  // some ten times what the straight way takes [s]
+constexpr double kExchangeTimeLimit = 90.0;  // about ten times the time of the straight path [s]
 
 Settings exchange_settings(ExchangeKind kind, const Settings& ours) {
   Settings settings = kind == ExchangeKind::Ismpc ? paper_settings() : ours;
@@ -28,7 +28,7 @@ Settings exchange_settings(ExchangeKind kind, const Settings& ours) {
   return settings;
 }
 
-// Keeps where everybody was and meant to go.
+// Records the positions and predicted trajectories of all robots.
 class MomentRecorder final : public EpisodeObserver {
  public:
   explicit MomentRecorder(std::vector<ExchangeMoment>& moments) : moments_(moments) {}
@@ -88,7 +88,7 @@ Scenario exchange_scenario(std::uint64_t seed, ExchangeKind kind, const Settings
   Scenario scenario = swap_scenario(static_cast<int>(kExchangeRobots), kExchangeRadius,
                                     exchange_settings(kind, ours), seed + 1);
   scenario.time_limit = kExchangeTimeLimit;
-  // The paper's robots share positions and speeds, which everybody here sees anyhow.
+  // The paper's robots share positions and speeds, which every robot sees here anyway.
   scenario.radio.on = kind == ExchangeKind::Ours;
   return scenario;
 }

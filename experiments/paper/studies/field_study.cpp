@@ -20,8 +20,8 @@ using Eigen::Vector2d;
 constexpr double kPointRoom = 0.3;  // around each point: Delta_s [m]
 constexpr double kReach = 8.0;      // L_max [m]
 
-// Uniform over the map, where a robot of radius Delta_s could stand. The engine's numbers are
-// fixed by the standard; its distributions are not.
+// Draws points uniformly where a robot of radius Delta_s fits. The standard defines the engine's
+// numbers, but not those of its distributions.
 std::vector<Vector2d> random_points(const BitGrid& obstacles, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
   const GridFrame& frame = obstacles.frame();

@@ -25,8 +25,8 @@ inline constexpr std::size_t kRectangleKinds = 3;
 
 [[nodiscard]] const char* to_text(RectangleKind kind) noexcept;
 
-/// One field: rectangles around its points in turn, none for a point that an earlier one holds. The
-/// rectangles are free by the exact test (no samples), so that areas are comparable.
+/// One field: a rectangle around each point that no earlier rectangle contains. The rectangles are
+/// free by the exact test (no samples), so that areas are comparable.
 struct Field {
   std::vector<Eigen::Vector2d> points;
   std::array<std::vector<OrientedRectangle>, kRectangleKinds> rectangles;
@@ -40,7 +40,7 @@ using FieldSeries = std::array<Field, kFieldObstacles.size()>;
 
 [[nodiscard]] FieldSeries make_fields(std::uint64_t seed);
 
-/// The first with `options.seed`.
+/// Makes `count` series, starting at `options.seed`.
 [[nodiscard]] std::vector<FieldSeries> make_field_series(int count, const StudyOptions& options);
 
 }  // namespace fairway::reproduction

@@ -16,8 +16,9 @@
 
 namespace fairway::reproduction {
 
-/// `task(0)` to `task(count - 1)`, in order, computed by `options.threads` threads. The tasks must
-/// not share what they change; then the answer does not depend on the number of threads.
+/// Runs `task(0)` to `task(count - 1)` in `options.threads` threads, and returns their results in
+/// order. The tasks must not share state that they change; then the result does not depend on the
+/// number of threads.
 template <typename Task>
 auto run_all(std::size_t count,
              const StudyOptions& options,

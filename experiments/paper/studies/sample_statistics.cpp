@@ -32,7 +32,7 @@ double variance_of(std::span<const double> sample, double mean) {
   return sum / static_cast<double>(sample.size() - 1);
 }
 
-// Both samples are constant: nothing is left to chance.
+// Both samples are constant, so the result is certain.
 TestResult certain(double difference) {
   if (difference == 0.0) return {};
   return {.t = std::copysign(std::numeric_limits<double>::max(), difference), .p = 0.0};

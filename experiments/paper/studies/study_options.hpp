@@ -11,17 +11,17 @@
 
 namespace fairway::reproduction {
 
-/// What a study is run with.
+/// The inputs of a study.
 struct StudyOptions {
-  std::uint64_t seed = 0;  ///< of the map that the figures show; see map_seed for the others
-  int maps = 0;     ///< how many maps the means are taken over; 0: as many as the study likes
-  int threads = 1;  ///< results do not depend on it
-  Settings ours{};  ///< of the runs called "ours"; each case sets the body
+  std::uint64_t seed = 0;  ///< of the map in the figures; see map_seed for the others
+  int maps = 0;            ///< number of maps for the means; 0: the study's default
+  int threads = 1;         ///< number of threads; it does not change the results
+  Settings ours{};         ///< of the runs called "ours"; each case sets the body
   /// A new solver for each run; null makes the default.
   std::function<std::unique_ptr<ControlSolver>()> make_solver;
   /// Thread CPU time [s]; must work in every thread.
   std::function<double()> clock;
-  /// Told what is being done; called by one thread at a time.
+  /// Receives the current state of work; called by one thread at a time.
   std::function<void(const std::string&)> progress;
 };
 

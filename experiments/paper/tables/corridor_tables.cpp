@@ -28,7 +28,7 @@ constexpr std::array<PaperRow, 3> kPaper = {PaperRow{{52, 6.94, 0.002}, {17, 7.5
                                             PaperRow{{52, 6.94, 0.001}, {17, 7.59, 0.0002}},
                                             PaperRow{{30, 12.80, 0.004}, {12, 11.92, 0.002}}};
 
-// What the paper prints for a method and an environment, or nothing.
+// The printed values of a method and an environment, or null.
 const std::array<double, 3>* printed(CorridorKind method, MapKind environment) {
   const auto row = static_cast<std::size_t>(method);
   if (row >= kPaper.size()) return nullptr;
@@ -158,9 +158,9 @@ Table gain_table(const std::vector<CorridorEnvironment>& environments) {
 
 Table soundness_table(const std::vector<CorridorEnvironment>& environments) {
   Table table{.caption =
-                  "What the numbers above do not show: rectangles that hold a part of an "
+                  "Not visible in the numbers above: rectangles that contain a part of an "
                   "obstacle (more than 1 mm deep), and chains in which neighbours, contracted by "
-                  "\u0394s, do not meet.",
+                  "\u0394s, do not overlap.",
               .header = {"method"},
               .rows = {}};
   for (const CorridorEnvironment& e : environments) {
@@ -184,11 +184,12 @@ Table soundness_table(const std::vector<CorridorEnvironment>& environments) {
 }
 
 Table corridor_times(const std::vector<CorridorEnvironment>& environments) {
-  Table table{.caption =
-                  "Total generation time TS of a path's corridors [ms]: the fastest of three "
-                  "runs, thread CPU time, mean over maps. The paper's on an i7-14650HX.",
-              .header = {"method"},
-              .rows = {}};
+  Table table{
+      .caption =
+          "Total generation time TS of a path's corridors [ms]: the fastest of three "
+          "runs, thread CPU time, mean over maps. The paper's times are from an i7-14650HX.",
+      .header = {"method"},
+      .rows = {}};
   for (const CorridorEnvironment& e : environments) {
     table.header.push_back(e.name + ": TS paper");
     table.header.push_back(e.name + ": TS ours");

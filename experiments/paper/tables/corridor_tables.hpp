@@ -10,14 +10,14 @@
 
 namespace fairway::reproduction {
 
-/// All maps of one kind, with its name for people.
+/// All maps of one kind, with its name for the reader.
 struct CorridorEnvironment {
   MapKind kind = MapKind::UnstructuredLarge;
   std::string name;
   std::vector<CorridorComparison> maps;
 };
 
-/// How one method compares with another on the same maps.
+/// The comparison of one method with another on the same maps.
 struct CorridorGain {
   Estimate fewer;           ///< change of the number of rectangles, per map [%]
   Estimate larger;          ///< change of the mean area relative to the other's, per map [%]
@@ -34,9 +34,9 @@ struct CorridorGain {
 
 /// Table II with the paper's columns; times are in corridor_times.
 [[nodiscard]] Table table_two(const std::vector<CorridorEnvironment>& environments);
-/// The percentages, with their bases.
+/// The percentages, with their reference values.
 [[nodiscard]] Table gain_table(const std::vector<CorridorEnvironment>& environments);
-/// Which rectangles touch obstacles and which chains break.
+/// The numbers of rectangles that touch obstacles and of broken chains.
 [[nodiscard]] Table soundness_table(const std::vector<CorridorEnvironment>& environments);
 /// Column TS of Table II [s].
 [[nodiscard]] Table corridor_times(const std::vector<CorridorEnvironment>& environments);

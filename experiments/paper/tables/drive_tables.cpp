@@ -24,7 +24,7 @@ std::string pair_name(const DriverPair& pair) {
   return std::string(to_text(pair.kind)) + " against " + to_text(pair.base);
 }
 
-// Its name in results.json; units there are m and s.
+// The name of a measure in results.json; units are m and s.
 const char* key_of(DriveMeasure measure) {
   switch (measure) {
     case DriveMeasure::Length:
@@ -50,7 +50,7 @@ double least_clearance(const DriveRuns& runs, DriverKind kind) {
   return least;
 }
 
-// Extremes over all maps of a course.
+// The extremes over all maps of a course.
 struct SpeedRange {
   Twist2 least;
   Twist2 greatest;
@@ -181,8 +181,7 @@ Table drive_change_table(const DriveRuns& runs) {
 }
 
 Table arrival_table(const std::vector<DriveRuns>& courses) {
-  Table table{
-      .caption = "Who arrives within 120 s, and contacts.", .header = {"method"}, .rows = {}};
+  Table table{.caption = "Arrivals within 120 s, and contacts.", .header = {"method"}, .rows = {}};
   for (const DriveRuns& runs : courses) {
     table.header.push_back(std::string(to_text(runs.course)) + ": arrived");
     table.header.emplace_back("contacts");

@@ -14,7 +14,7 @@ namespace fairway::reproduction {
 [[nodiscard]] Table drive_example_table(const DriveComparison& map);
 /// Changes between drivers with the test.
 [[nodiscard]] Table drive_change_table(const DriveRuns& runs);
-/// Who arrives where.
+/// The arrivals of every driver on every course.
 [[nodiscard]] Table arrival_table(const std::vector<DriveRuns>& courses);
 /// Times per solve.
 [[nodiscard]] Table solve_times(const std::vector<DriveRuns>& courses);

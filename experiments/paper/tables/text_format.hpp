@@ -18,18 +18,18 @@ namespace fairway::reproduction {
   return fmt::format("{}{}", value < 0.0 && !zero ? "\u2212" : "", digits);
 }
 
-/// Mean and half width of the 95 % interval; the mean alone where there is no interval.
+/// Mean and half width of the 95 % interval; only the mean if there is no interval.
 [[nodiscard]] inline std::string with_interval(const Estimate& e, int decimals) {
   if (e.count < 2) return fixed(e.mean, decimals);
   return fmt::format("{} \u00b1 {}", fixed(e.mean, decimals), fixed(e.half_width(), decimals));
 }
 
-/// The same as a signed percentage.
+/// Formats the same as a signed percentage.
 [[nodiscard]] inline std::string percent_interval(const Estimate& e) {
   return fmt::format("{}{} %", e.mean > 0.0 ? "+" : "", with_interval(e, 1));
 }
 
-/// A p-value as papers print it.
+/// Formats a p-value as in papers.
 [[nodiscard]] inline std::string p_text(double p) {
   return p < 0.0001 ? std::string("p < 0.0001") : fmt::format("p = {:.4f}", p);
 }

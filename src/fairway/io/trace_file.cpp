@@ -9,7 +9,7 @@ namespace fairway::io {
 
 namespace {
 
-// A field in quotes where it needs them (RFC 4180).
+// Puts a field in quotes where necessary (RFC 4180).
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

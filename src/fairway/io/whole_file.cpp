@@ -41,7 +41,7 @@ Expected<void> write_all(const std::string& path, std::string_view content) {
   File file(std::fopen(path.c_str(), "wb"));
   if (!file) return fail(fmt::format("{}: cannot be written: {}", path, reason(errno)));
   const bool written = std::fwrite(content.data(), 1, content.size(), file.get()) == content.size();
-  // A full disk may show only when the buffer is flushed.
+  // A full disk may become visible only when the buffer is flushed.
   if (!written || std::fflush(file.get()) != 0) {
     return fail(fmt::format("{}: cannot be written: {}", path, reason(errno)));
   }
@@ -79,7 +79,7 @@ Expected<void> write_file_atomically(const std::string& path, std::string_view c
   if (auto writable = check_writable(path); !writable) return writable;
   std::error_code error;
   if (is_device_or_pipe(fs::status(path, error))) return write_all(path, content);
-  // A link stays a link: the file that it names is the one to replace.
+  // A symbolic link stays; the file behind it is replaced.
   const fs::path target =
       fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
   const std::string part = fmt::format("{}.{}.part", target.string(), ::getpid());

@@ -38,7 +38,7 @@ class Episode final : public EpisodeControl {
       head_for_goal(i);
   }
 
-  // Sense, control, move: until all stand at their goals, or the time is up.
+  // Senses, controls and moves until every robot has stopped at its goal or the time is up.
   EpisodeResult run() {
     for (int cycle = 0;; ++cycle) {
       const bool time_left = cycle * settings_.navigation.control_period < scenario_.time_limit;
@@ -99,7 +99,7 @@ class Episode final : public EpisodeControl {
   }
 
  private:
-  // One for every robot, which goes on as it moves now, but without a plan.
+  // Makes a driver without a plan for every robot; the robot keeps its current motion.
   void make_drivers() {
     if (hooks_.solver == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings_.mpc);
     ControlSolver* solver = hooks_.solver == nullptr ? own_solver_.get() : hooks_.solver;
@@ -133,7 +133,7 @@ class Episode final : public EpisodeControl {
       driver->measure(world_);
   }
 
-  // Lets the world go on for one cycle, with stops where something is measured in between.
+  // Advances the world by one cycle, and pauses at each time at which a driver measures.
   void advance(double dt) {
     constexpr double kSameTime = 1e-9;  // [s]
     const double end = world_.time() + dt;

@@ -14,26 +14,27 @@
 
 namespace fairway {
 
-/// How one robot fared.
+/// The result of one robot.
 struct RobotResult {
   std::string name;
-  bool reached = false;         ///< stands at its goal
-  bool collided = false;        ///< touched something, as the simulator judges
-  double approach = 0.0;        ///< of its own then; see Encounter::approach [m/s]
-  double time = 0.0;            ///< until it stood at the goal, or until the end [s]
-  double length = 0.0;          ///< of the way driven [m]
-  double min_clearance = 0.0;   ///< from the body to static obstacles [m]
-  double min_separation = 0.0;  ///< to other bodies; infinite when alone [m]
+  bool reached = false;         ///< has stopped at its goal
+  bool collided = false;        ///< touched something, judged by the simulator
+  double approach = 0.0;        ///< own speed at the contact, see Encounter::approach [m/s]
+  double time = 0.0;            ///< when it stopped at the goal, or when the run ended [s]
+  double length = 0.0;          ///< of the driven path [m]
+  double min_clearance = 0.0;   ///< least distance from the body to static obstacles [m]
+  double min_separation = 0.0;  ///< least distance to other bodies; infinite when alone [m]
   int cycles = 0;
-  std::vector<int> status_counts{};     ///< cycles per NavigationStatus, by its number
-  std::vector<double> cycle_seconds{};  ///< per cycle, when a clock was given [s]
-  std::vector<double> solve_seconds{};  ///< of these in the solver, when a clock was given [s]
-  std::vector<double> plan_seconds{};   ///< per plan made, when a clock was given [s]
-  std::vector<double> sense_seconds{};  ///< per cycle with a lidar, when a clock was given [s]
-  Plan plan{};                          ///< the last one followed
+  std::vector<int> status_counts{};     ///< number of cycles per NavigationStatus
+  std::vector<double> cycle_seconds{};  ///< computing time of each cycle, with a clock [s]
+  std::vector<double> solve_seconds{};  ///< of these, the time in the solver, with a clock [s]
+  std::vector<double> plan_seconds{};   ///< computing time of each plan, with a clock [s]
+  std::vector<double> sense_seconds{};  ///< computing time of each scan's processing, with a clock
+                                        ///< [s]
+  Plan plan{};                          ///< the last plan that the robot followed
 };
 
-/// A whole run.
+/// The result of a whole run.
 struct EpisodeResult {
   bool success = false;  ///< every robot reached its goal and none touched anything
   double time = 0.0;     ///< simulated [s]
@@ -41,24 +42,24 @@ struct EpisodeResult {
   Trace trace;
 };
 
-/// What a caller can watch and lend.
+/// What a caller can observe and provide.
 struct EpisodeHooks {
   /// A clock for timing [s]; without one nothing is timed. (src/ reads no clock of its own.)
   std::function<double()> clock;
   /// Called after every cycle with the simulated time [s]; returning false ends the run.
   std::function<bool(double)> on_cycle;
-  /// Makes the engine that moves the robots; the unicycle when empty.
+  /// Makes the engine that moves the robots; empty for the unicycle.
   PhysicsMaker physics{};
-  /// The solver for all robots; the structured one when null.
+  /// The solver for all robots; null for the structured solver.
   ControlSolver* solver = nullptr;
-  /// Told all that happens; may be null.
+  /// Receives all events; may be null.
   EpisodeObserver* observer = nullptr;
-  /// For someone who plays with a run: called after every cycle, may change the run, and ends it by
-  /// returning false. The run then goes on at the goals and has no time limit and no trace.
+  /// For interactive runs: called after every cycle, may change the run, and ends it by returning
+  /// false. The run then continues after the goals are reached, without a time limit or a trace.
   std::function<bool(EpisodeControl&)> play;
 };
 
-/// Runs a scenario until every robot stands at its goal or has collided, or the time is up.
+/// Runs a scenario until every robot has stopped at its goal or collided, or the time is up.
 [[nodiscard]] EpisodeResult run_episode(const Scenario& scenario, const EpisodeHooks& hooks = {});
 
 }  // namespace fairway

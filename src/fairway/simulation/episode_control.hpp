@@ -7,7 +7,7 @@
 
 namespace fairway {
 
-/// What can be changed in a run between two cycles, by someone who plays with it.
+/// What a caller can change in a run between two cycles.
 class EpisodeControl {
  public:
   EpisodeControl() = default;
@@ -17,20 +17,20 @@ class EpisodeControl {
 
   [[nodiscard]] virtual const World& world() const = 0;
 
-  /// Sends a robot somewhere else. One that has collided stays where it is. @pre robot exists.
+  /// Gives a robot a new goal. A robot that has collided does not move. @pre robot exists.
   virtual void set_goal(std::size_t robot, const Goal& goal) = 0;
 
-  /// Makes cells obstacles, or free. Cells outside the map are skipped, and cells that a robot
-  /// stands on are not made obstacles. Every robot under way gets a new plan.
+  /// Makes cells obstacles, or free. Cells outside the map are skipped, and cells under a robot do
+  /// not become obstacles. Every robot that has not arrived plans again.
   virtual void set_cells(std::span<const CellIndex> cells, bool blocked) = 0;
 
-  /// Gives a body another way to go; index `world().num_bodies()` adds it.
+  /// Replaces the motion of a body; index `world().num_bodies()` adds a body.
   virtual void set_body(std::size_t index, const MovingBody& body) = 0;
 
-  /// Takes a body away; those behind it move up. @pre it exists.
+  /// Removes a body; the indices after it decrease by one. @pre it exists.
   virtual void remove_body(std::size_t index) = 0;
 
-  /// Drives on with other settings. @pre validate(settings) holds.
+  /// Continues with other settings. @pre validate(settings) holds.
   virtual void set_settings(const Settings& settings) = 0;
 };
 

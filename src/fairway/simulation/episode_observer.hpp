@@ -11,45 +11,45 @@
 
 namespace fairway {
 
-/// One control cycle of one robot: all that its navigator got and gave. What it points to lives
-/// through the call only.
+/// One control cycle of one robot: all inputs and outputs of its navigator. Pointers are valid
+/// during the call only.
 struct NavigationCycle {
   std::size_t robot = 0;
   NavigationInput input;
   NavigationStep step;
-  Twist2 twist;            ///< actual, at `input.time`
+  Twist2 twist;            ///< actual twist at `input.time`
   double clearance = 0.0;  ///< from the body to static obstacles, as in TraceRow [m]
-  double seconds = 0.0;    ///< that the cycle took; 0 without a clock
-  LimitMark mark;          ///< where the limiting row lies
-  /// Of a robot with a lidar: what of `input.map` was seen to be occupied; nobody has seen the rest
-  /// of it. Null for a robot that knows the map.
+  double seconds = 0.0;    ///< computing time of the cycle; 0 without a clock
+  LimitMark mark;          ///< where the limiting constraint lies
+  /// For a robot with a lidar: the cells of `input.map` seen as occupied; the other occupied cells
+  /// are unknown. Null for a robot that knows the map.
   const BitGrid* occupied = nullptr;
 };
 
-/// How a navigator begins.
+/// The state in which a navigator starts.
 struct NavigatorStart {
-  Pose2 pose;    ///< of its robot, truly
-  Twist2 twist;  ///< likewise
+  Pose2 pose;    ///< true pose of the robot
+  Twist2 twist;  ///< true twist of the robot
 };
 
-/// A scan that a robot with a lidar takes in. It lives through the call only.
+/// A scan that a robot with a lidar receives. It is valid during the call only.
 struct ObservedScan {
   std::size_t robot = 0;
   LidarScan scan;            ///< in the frame of the robot's odometry
   Eigen::Vector2d position;  ///< of the robot at the scan's time, in the same frame [m]
 };
 
-/// The true world at the start of a time step. What it points to lives through the call only.
+/// The true world at the start of a time step. Pointers are valid during the call only.
 struct WorldView {
   double time = 0.0;  ///< [s]
   const BitGrid* obstacles = nullptr;
   std::span<const MovingObstacle> bodies;
   std::span<const UnicycleRobot> robots;
-  std::span<const Encounter> encounters;  ///< of each robot, so far
+  std::span<const Encounter> encounters;  ///< of each robot, up to now
 };
 
-/// Someone who watches a run and is told everything that the navigators get and give: who keeps all
-/// of it can run them again. Calls come in the order of events.
+/// Observes a run and receives all inputs and outputs of the navigators, so that a recording of
+/// them can be run again. Calls come in the order of events.
 class EpisodeObserver {
  public:
   EpisodeObserver() = default;
@@ -60,24 +60,24 @@ class EpisodeObserver {
   /// A run begins.
   virtual void on_start(const Scenario& scenario) = 0;
 
-  /// Every navigator is made anew with `settings`, and told the twist of its robot by `reset`. Once
-  /// at the start of a run, and when someone changes the settings while it runs. A robot with a
+  /// Every navigator is made with `settings` and receives its robot's twist by `reset`. This
+  /// happens at the start of a run, and again when the settings change during it. A robot with a
   /// lidar (`Scenario::sensing`) has a MaplessNavigator, the others a Navigator.
   virtual void on_navigators(double time,
                              const Settings& settings,
                              std::span<const NavigatorStart> starts) = 0;
 
-  /// A robot is sent somewhere.
+  /// A robot receives a goal.
   virtual void on_goal(double /*time*/, std::size_t /*robot*/, const Goal& /*goal*/) {}
 
-  /// A robot takes in a scan, before its next cycle.
+  /// A robot receives a scan, before its next cycle.
   virtual void on_scan(const ObservedScan& /*scan*/) {}
 
-  /// A navigator follows a plan from now on. One of a robot with a lidar has made it itself, in the
-  /// cycle that is told next.
+  /// A navigator follows a new plan from now on. A robot with a lidar has made it itself, in the
+  /// cycle that `on_cycle` reports next.
   virtual void on_plan(double time, std::size_t robot, const Plan& plan) = 0;
 
-  /// A time step begins: before the cycles of all robots that are under way.
+  /// A time step begins, before the cycles of all robots that have not arrived.
   virtual void on_world(const WorldView& world) = 0;
 
   virtual void on_cycle(const NavigationCycle& cycle) = 0;

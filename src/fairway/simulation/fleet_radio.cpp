@@ -6,7 +6,7 @@ namespace fairway {
 namespace {
 
 constexpr double kSameTime = 1e-9;       // [s]
-constexpr std::size_t kRemembered = 64;  // messages of a robot, where they can be late or lost
+constexpr std::size_t kRemembered = 64;  // messages kept per robot when they can be late or lost
 
 }  // namespace
 

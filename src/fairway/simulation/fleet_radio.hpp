@@ -9,36 +9,36 @@
 
 namespace fairway {
 
-/// How the robots of a scenario hear each other.
+/// How the robots of a scenario communicate.
 struct RadioModel {
-  bool on = true;       ///< off: a robot knows of others what it sees, as of anything that moves
-  double delay = 0.0;   ///< of every message [s]; 0: who is controlled next has heard it already
-  double loss = 0.0;    ///< share of messages that a robot does not hear, each for itself
-  double range = 15.0;  ///< within which robots hear each other [m]
+  bool on = true;       ///< off: a robot only sees other robots, as any moving obstacle
+  double delay = 0.0;   ///< of every message [s]; 0: the robot controlled next has received it
+  double loss = 0.0;    ///< share of messages that a robot misses, drawn for each receiver
+  double range = 15.0;  ///< distance within which robots receive each other [m]
 };
 
-/// Carries what robots tell each other, late and with gaps as the model says.
+/// Carries the messages between robots, with the delay and losses of the model.
 ///
-/// With neither delay nor loss the robots are controlled in turn and each knows all that was told
-/// before: nothing is unseen. Otherwise a message is as old as it is, and what its robot has told
-/// since is unseen.
+/// With neither delay nor loss the robots are controlled in turn and each knows all earlier
+/// messages, so no motion is unseen. Otherwise a robot knows the newest message that it has
+/// received, and the motion since then is unseen.
 class FleetRadio {
  public:
   FleetRadio(const RadioModel& model, std::size_t robots, std::uint64_t seed);
 
   [[nodiscard]] const RadioModel& model() const noexcept { return model_; }
 
-  /// A robot tells all others. The first thing that it tells is heard by all at once.
+  /// Publishes a motion to all other robots. The first message of a robot reaches all at once.
   void tell(std::size_t robot, const SharedMotion& motion);
 
-  /// What robot `robot` knows at `time` [s] of those in range; valid until the next call of either
-  /// function.
+  /// The motions that robot `robot` knows at `time` [s] of the robots in range; valid until the
+  /// next call of either function.
   [[nodiscard]] Fleet hear(std::size_t robot, const Eigen::Vector2d& position, double time);
 
  private:
   struct Message {
     SharedMotion motion;
-    std::vector<bool> lost;  // per receiver; empty: heard by all
+    std::vector<bool> lost;  // per receiver; empty: received by all
   };
 
   [[nodiscard]] const Message* newest(std::size_t from, std::size_t to, double time) const;

@@ -8,8 +8,8 @@
 
 namespace fairway {
 
-/// The lidar and the odometry of one robot in a world: they measure at their times, and what they
-/// measured becomes known after the latency.
+/// The lidar and the odometry of one robot in a world. They measure at their times, and a
+/// measurement becomes available after the latency.
 class LidarSenses {
  public:
   LidarSenses(const SensingModel& model, const World& world, std::size_t robot, std::uint64_t seed);
@@ -17,14 +17,14 @@ class LidarSenses {
   /// When the next scan is due [s].
   [[nodiscard]] double next_scan() const noexcept { return next_scan_; }
 
-  /// Looks at the world as it is now: follows the wheels, and takes a scan if one is due.
+  /// Measures the world now: updates the odometry, and takes a scan if one is due.
   void measure(const World& world);
 
-  /// Where the wheels say that the robot is now.
+  /// The robot's current pose by odometry.
   [[nodiscard]] const Pose2& pose() const noexcept { return odometry_.pose(); }
 
-  /// The scans that have become known since the last call, oldest first, each with the pose at
-  /// which it was taken. `take(scan, position)` is called for each.
+  /// Passes on the scans that became available since the last call, oldest first. Calls `take(scan,
+  /// position)` for each, with the position at which it was taken.
   template <typename Take>
   void deliver(double time, Take&& take) {
     while (!pending_.empty() && pending_.front().known <= time + 1e-9) {
@@ -46,7 +46,7 @@ class LidarSenses {
   struct Pending {
     double taken = 0.0;
     double known = 0.0;
-    Pose2 sensor;  // as the wheels say
+    Pose2 sensor;  // by odometry
     Eigen::Vector2d robot = Eigen::Vector2d::Zero();
     std::vector<float> ranges;
   };

@@ -7,12 +7,12 @@
 
 namespace fairway {
 
-/// Where the row that holds a plan back lies in the world, so that it can be shown.
+/// Where the constraint that limits a plan lies in the world, for display.
 struct LimitMark {
   enum class Shape : std::uint8_t {
-    None,  ///< it has no place: a speed, an acceleration, or nothing limits
+    None,  ///< no place: a speed or acceleration limit, or no limit is active
     Side,  ///< a side of a rectangle, from `a` to `b`
-    Disc,  ///< what to keep out of: centre `a`, `radius`
+    Disc,  ///< a keep-out disc: centre `a`, `radius`
   };
 
   Shape shape = Shape::None;
@@ -22,12 +22,11 @@ struct LimitMark {
   double radius = 0.0;  ///< [m]
 };
 
-/// The mark of the step that `navigator` has just answered with.
+/// The mark of the step that `navigator` returned last.
 ///
-/// A row knows its side or obstacle only by a number within its problem, and of the two problems of
-/// a cycle the other one may have been kept. So the side is looked for among the rectangles from
-/// the current one on, and the obstacle among the predictions: the one that is nearest at that
-/// step.
+/// A constraint knows its side or obstacle only by its number in its problem, and a cycle may have
+/// kept either of two problems. So the side is searched among the rectangles from the current one
+/// on. The obstacle is the one whose prediction is nearest at that step.
 [[nodiscard]] LimitMark limit_mark(const Navigator& navigator, const NavigationStep& step) noexcept;
 
 }  // namespace fairway

@@ -15,7 +15,7 @@ namespace {
 
 double now(const DriverContext& context) { return context.clock ? context.clock() : 0.0; }
 
-// Knows its pose, the map and what moves.
+// Knows its pose, the map and all moving obstacles.
 class MapDriver final : public RobotDriver {
  public:
   MapDriver(const DriverContext& context,
@@ -111,7 +111,7 @@ class MapDriver final : public RobotDriver {
   std::vector<MovingObstacle> seen_;
 };
 
-// Knows what its lidar and its wheels tell. Its cycle is all from the scans to the command.
+// Knows only its lidar scans and odometry. Its cycle covers all work from scans to command.
 class LidarDriver final : public RobotDriver {
  public:
   LidarDriver(const DriverContext& context,
@@ -154,7 +154,7 @@ class LidarDriver final : public RobotDriver {
   }
 
  private:
-  // Takes in the scans that have become known.
+  // Takes over the scans that have become available.
   void look_around(double time) {
     senses_.deliver(time, [this](const LidarScan& scan, const Eigen::Vector2d& position) {
       navigator_.observe(scan, position);

@@ -32,18 +32,18 @@ enum class Engine : std::uint8_t {
   return {"unicycle", "mujoco"};
 }
 
-/// Everything that a simulated run depends on: the same scenario gives the same bits.
+/// Everything that a simulated run depends on: equal scenarios give equal bits.
 struct Scenario {
   std::string name;
   OccupancyGrid map{GridFrame{.width = 1, .height = 1, .resolution = 1.0, .origin = {}}};
   Settings settings;  ///< of every robot
   std::vector<RobotTask> robots;
   std::vector<MovingBody> bodies;
-  SensingModel sensing;              ///< what each robot knows of all this
+  SensingModel sensing;              ///< what each robot knows of the world
   Engine engine = Engine::Unicycle;  ///< the caller of run_episode makes it (EpisodeHooks::physics)
-  RadioModel radio;                  ///< what robots tell each other
+  RadioModel radio;                  ///< how robots communicate
   double time_limit = 120.0;         ///< [s]
-  std::uint64_t seed = 1;            ///< of everything random
+  std::uint64_t seed = 1;            ///< of all random numbers
 };
 
 }  // namespace fairway

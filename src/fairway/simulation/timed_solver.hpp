@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-/// A solver that adds up what another one takes, on a lent clock. Both outlive it.
+/// Measures the time of another solver with a given clock. Both must outlive it.
 class TimedSolver final : public ControlSolver {
  public:
   TimedSolver(ControlSolver& solver, const std::function<double()>& clock)
@@ -23,7 +23,7 @@ class TimedSolver final : public ControlSolver {
     return solution;
   }
 
-  /// What was taken since the last call [s].
+  /// The solver's time since the last call [s].
   [[nodiscard]] double take_seconds() noexcept { return std::exchange(seconds_, 0.0); }
 
  private:

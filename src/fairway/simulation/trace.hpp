@@ -21,7 +21,7 @@ struct TraceRow {
       0.0;  ///< from the body to the nearest static obstacle at `time`, at most 2 [m]
 };
 
-/// A run, cycle by cycle; rows of one time are ordered by robot.
+/// A run, cycle by cycle; entries of one time are ordered by robot.
 struct Trace {
   std::vector<TraceRow> rows;
 };

@@ -58,7 +58,7 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
     bodies_now_.clear();
     for (const MovingBody& body : bodies_) {
       bodies_now_.push_back(body.at(time_));
-      // An engine has its bodies all the time: who is not there is far away.
+      // An engine cannot remove bodies, so an absent body is placed far away.
       if (!body.is_there(time_)) bodies_now_.back().position.x() += kFarAway;
     }
     commands_now_ = commands;
@@ -73,8 +73,8 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
   }
 }
 
-// From the robot's footprint to the nearest body or other robot; another robot counts as the disc
-// that covers it.
+// The distance from the robot's footprint to the nearest body or other robot. Another robot counts
+// as its circumscribed disc.
 World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
   Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};

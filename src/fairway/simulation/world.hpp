@@ -12,19 +12,19 @@
 
 namespace fairway {
 
-/// What the simulator has seen happen to one robot, at its own fine steps.
+/// What the simulator observed of one robot, at its own fine steps.
 struct Encounter {
   bool collided = false;
   double collision_time = 0.0;  ///< of the first contact [s]
-  /// How fast the robot then went by itself towards what moves and was touched, or at all where it
-  /// touched what stands [m/s]; not above 0: it was run over while standing or going away.
+  /// The robot's own speed towards the moving obstacle at the contact, or its speed at a static
+  /// obstacle [m/s]. Not above 0: the robot was hit at standstill or while it moved away.
   double approach = 0.0;
   double min_clearance;   ///< least distance from the body to a static obstacle [m]
   double min_separation;  ///< least distance to another body, infinite without any [m]
 };
 
-/// The true world: robots and bodies that move, obstacles that stand. It judges contact, with the
-/// robots' true footprints (or the engine's, where one moves them); no controller does.
+/// The true world: robots, bodies that move, and static obstacles. It judges contact with the true
+/// footprints (or the engine's, if one is used); controllers do not.
 class World {
  public:
   /// The integration and contact step; a control cycle is cut into whole steps of at most this [s].
@@ -36,7 +36,7 @@ class World {
   explicit World(const Scenario& scenario, std::unique_ptr<Physics> physics = nullptr);
 
   /// Moves everything for `dt` [s] while each robot executes its command. A robot that has touched
-  /// something stays where it is.
+  /// an obstacle does not move any more.
   void advance(const std::vector<Twist2>& commands, double dt);
 
   [[nodiscard]] double time() const noexcept { return time_; }
@@ -47,33 +47,33 @@ class World {
   [[nodiscard]] std::size_t num_bodies() const noexcept { return bodies_.size(); }
   [[nodiscard]] const MovingBody& body(std::size_t index) const { return bodies_.at(index); }
 
-  /// Makes a cell an obstacle, or free. Refuses cells outside the map and, for an obstacle, cells
-  /// that touch a robot. @return whether the cell is now as wanted.
+  /// Makes a cell an obstacle, or free. Refuses cells outside the map and obstacles that touch a
+  /// robot. @return whether the cell now has the requested state.
   bool set_blocked(CellIndex cell, bool blocked);
 
-  /// Gives a body another way to go; index `num_bodies()` adds it. @pre it has a key frame.
+  /// Replaces the motion of a body; index `num_bodies()` adds a body. @pre it has a key frame.
   void set_body(std::size_t index, const MovingBody& body);
 
-  /// Takes a body away; those behind it move up. @pre it exists.
+  /// Removes a body; the indices after it decrease by one. @pre it exists.
   void remove_body(std::size_t index);
 
-  /// Takes over the radius and the acceleration limits of the robots.
+  /// Applies the radius and the acceleration limits of the robots.
   void set_robots(const Settings& settings);
 
   [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
 
-  /// Every body that is there, as it moves now.
+  /// All present bodies with their current motion.
   void moving_bodies(std::vector<MovingObstacle>& seen) const;
 
-  /// What robot `robot` sees moving: every body, and every other robot.
+  /// The moving obstacles that robot `robot` sees: all bodies and all other robots.
   void moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const;
 
  private:
   void move(const std::vector<Twist2>& commands, double dt);
   void judge(std::size_t robot);
   struct Gap {
-    double length;             // infinite without anything that moves [m]
-    Eigen::Vector2d position;  // of the centre of what is behind it
+    double length;             // infinite without moving obstacles [m]
+    Eigen::Vector2d position;  // centre of the nearest body or robot
   };
   [[nodiscard]] Gap gap_to_moving(std::size_t robot) const;
 
@@ -83,9 +83,9 @@ class World {
   std::vector<Encounter> encounters_;
   std::vector<MovingBody> bodies_;
   std::unique_ptr<Physics> physics_;
-  std::vector<std::uint8_t> touched_;       // per robot, as the engine says
+  std::vector<std::uint8_t> touched_;       // per robot, reported by the engine
   std::vector<MovingObstacle> bodies_now_;  // for the engine
-  std::vector<Twist2> commands_now_;        // likewise
+  std::vector<Twist2> commands_now_;        // for the engine
   double time_ = 0.0;
 };
 

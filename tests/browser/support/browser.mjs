@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A headless Chromium that talks to nobody but the page under test.
+// A headless Chromium that connects only to the page under test.
 import { chromium } from 'playwright-core';
 
 export const executablePath = process.env.FAIRWAY_CHROMIUM ?? '/usr/bin/chromium';
@@ -11,10 +11,10 @@ export const launch = () => chromium.launch({
     '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
-/** A page whose errors fail the test that asks for them. */
+/** A page whose errors fail the test that checks them. */
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
-  // Generous: other work on the machine must not decide a test.
+  // The limit is large, so that other programs do not decide a test.
   context.setDefaultTimeout(180_000);
   const page = await context.newPage();
   const errors = [];

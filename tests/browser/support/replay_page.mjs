@@ -7,10 +7,10 @@ import { pathToFileURL } from 'node:url';
 import { launch, openPage } from './browser.mjs';
 import { syntheticRun } from './runs.mjs';
 
-/** What the tests of a file share: `run`, `url` and `browser` are there once they begin. */
+/** The shared state of a file's tests: `run`, `url` and `browser` exist when they begin. */
 export const shared = { browser: null, run: null, url: '' };
 
-/** @param makeRun gives {folder, page}. */
+/** @param makeRun returns {folder, page}. */
 export function useRun(makeRun = syntheticRun) {
   before(async () => {
     shared.run = await makeRun();
@@ -30,7 +30,7 @@ export const camera = (page) => page.evaluate(() => {
   return { x, y, scale };
 });
 
-/** A sum over the map's pixels, after all that is due has been drawn. */
+/** A sum over the map's pixels, after all pending drawing. */
 export const picture = async (page) => {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   return page.evaluate(() => {

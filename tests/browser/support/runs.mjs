@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings and replay pages to look at, made by the programs under test.
+// Recordings and replay pages from the programs under test.
 import { execFile } from 'node:child_process';
 import { mkdtemp } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -11,7 +11,7 @@ const programs = process.env.FAIRWAY_BIN ?? new URL('../../../build/release/bin'
 
 export const program = (name) => join(programs, name);
 
-/** A run of the scenario `name` with further options, whether it succeeds or not. */
+/** Runs the scenario `name` with further options, whether it succeeds or not. */
 export async function simulatedRun(name, options) {
   const folder = await mkdtemp(join(tmpdir(), 'fairway-'));
   const recording = join(folder, 'run.mcap');
@@ -22,7 +22,7 @@ export async function simulatedRun(name, options) {
   return { folder, recording, page };
 }
 
-/** A synthetic run; every field has something in it. */
+/** A synthetic run in which every field has content. */
 export async function syntheticRun({ robots = 3, seconds = 60, side = 240 } = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'fairway-'));
   const recording = join(folder, 'run.mcap');

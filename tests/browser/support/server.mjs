@@ -4,7 +4,7 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { program } from './runs.mjs';
 
-/** Starts `fairway serve`; `stop` ends it as Ctrl+C would and gives its exit code. */
+/** Starts `fairway serve`; `stop` ends it like Ctrl+C and returns its exit code. */
 export async function serve(...scenarios) {
   const child = spawn(program('fairway'), ['serve', '--port', '0', ...scenarios], { stdio: ['ignore', 'pipe', 'inherit'] });
   const url = await new Promise((resolve, reject) => {

@@ -13,12 +13,12 @@ TEST(CycleClock, KeepsThePeriodWithoutScans) {
   EXPECT_TRUE(clock.due(10.1001, 0.1, false));
 }
 
-TEST(CycleClock, FallsIntoStepWithAFasterLidar) {
+TEST(CycleClock, SynchronisesWithAFasterLidar) {
   CycleClock clock(true);
   const double period = 0.1;
-  double last = 0.033;  // out of step with scans at 0.05 k
+  double last = 0.033;  // out of phase with the scans at 0.05 k
   clock.begin(last);
-  double wait = 1.0;  // from the scan before a cycle to the cycle
+  double wait = 1.0;  // from the last scan before a cycle to the cycle
   for (int ms = 34; ms < 3000; ++ms) {
     const double now = 0.001 * ms;
     if (!clock.due(now, period, ms % 50 == 0)) continue;
@@ -31,7 +31,7 @@ TEST(CycleClock, FallsIntoStepWithAFasterLidar) {
   EXPECT_EQ(wait, 0.0);
 }
 
-TEST(CycleClock, GoesOnWithoutScansAndAfterTheClockWasSetBack) {
+TEST(CycleClock, ContinuesWithoutScansAndAfterTheClockWasSetBack) {
   CycleClock clock(true);
   clock.begin(10.0);
   EXPECT_FALSE(clock.due(10.105, 0.1, false));

@@ -16,7 +16,7 @@ TEST(FleetBoard, NumbersRobotsByTheirNames) {
   EXPECT_NE(robot_number("robot_1"), robot_number("robot_2"));
 }
 
-TEST(FleetBoard, TellsHowOldItsNewsIs) {
+TEST(FleetBoard, ReportsTheAgeOfItsMessages) {
   FleetBoard board;
   board.hear("b", motion_at(3.0, 10.0));
   const Fleet fleet = board.around({0, 0}, 10.25);
@@ -25,7 +25,7 @@ TEST(FleetBoard, TellsHowOldItsNewsIs) {
   EXPECT_DOUBLE_EQ(fleet[0].unseen, 0.25);
 }
 
-TEST(FleetBoard, PrefersTheNewestNews) {
+TEST(FleetBoard, PrefersTheNewestMessage) {
   FleetBoard board;
   board.hear("b", motion_at(3.0, 10.0));
   board.hear("b", motion_at(2.0, 9.9));
@@ -34,7 +34,7 @@ TEST(FleetBoard, PrefersTheNewestNews) {
   EXPECT_EQ(board.around({0, 0}, 10.1)[0].motion->position.x(), 4.0);
 }
 
-TEST(FleetBoard, KeepsWhoIsSilentAndForgetsOnlyWhoLeaves) {
+TEST(FleetBoard, KeepsSilentRobotsAndRemovesOnlyThoseThatLeave) {
   FleetBoard board;
   board.hear("b", motion_at(3.0, 10.0));
   EXPECT_EQ(board.around({0, 0}, 1000.0).size(), 1U);
@@ -42,7 +42,7 @@ TEST(FleetBoard, KeepsWhoIsSilentAndForgetsOnlyWhoLeaves) {
   EXPECT_TRUE(board.around({0, 0}, 1000.0).empty());
 }
 
-TEST(FleetBoard, LeavesOutWhoIsFarAwayUntilTheyCanHaveCome) {
+TEST(FleetBoard, OmitsDistantRobotsUntilTheyCanHaveComeNear) {
   FleetBoard board;
   board.hear("b", motion_at(20.0, 10.0));
   EXPECT_TRUE(board.around({0, 0}, 10.0).empty());

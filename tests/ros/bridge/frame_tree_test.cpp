@@ -22,15 +22,15 @@ FrameTree robot() {
   return tree;
 }
 
-TEST(FrameTree, ComposesDownwards) {
+TEST(FrameTree, ComposesFromParentToChild) {
   const auto found = robot().find("map", "laser");
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->pose.position.isApprox(Eigen::Vector2d(10, 1.5)));
   EXPECT_NEAR(found->pose.heading, kQuarter, 1e-12);
-  EXPECT_EQ(found->time, 5.0) << "the oldest on the way";
+  EXPECT_EQ(found->time, 5.0) << "the oldest stamp of the chain";
 }
 
-TEST(FrameTree, InvertsUpwardsAndGoesAcross) {
+TEST(FrameTree, InvertsFromChildToParentAndConnectsBranches) {
   const auto up = robot().find("base_link", "odom");
   ASSERT_TRUE(up);
   EXPECT_TRUE(up->pose.position.isApprox(Eigen::Vector2d(-1, 0)));
@@ -46,7 +46,7 @@ TEST(FrameTree, KnowsEveryFrameInItself) {
   EXPECT_EQ(found->pose.position, Eigen::Vector2d::Zero());
 }
 
-TEST(FrameTree, SaysNothingOfFramesApartAndEndsInCycles) {
+TEST(FrameTree, GivesNoPoseBetweenUnconnectedFramesAndEndsInCycles) {
   FrameTree tree = robot();
   EXPECT_FALSE(tree.find("map", "elsewhere"));
   tree.set("b", "a", {}, 0.0);

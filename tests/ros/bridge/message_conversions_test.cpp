@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conversions are templates over messages of any middleware: here over plain structs with the
-// same fields.
+// The conversions are templates over the messages of any middleware; here they run on plain structs
+// with the same fields.
 #include "bridge/message_conversions.hpp"
 
 #include <numbers>
@@ -41,7 +41,7 @@ TEST(MessageConversions, KeepPosesBothWays) {
   }
 }
 
-TEST(MessageConversions, TakeTheHeadingOfATiltedRobot) {
+TEST(MessageConversions, GiveTheHeadingOfATiltedRobot) {
   // Turned by 0.7 about z, then tilted by 0.2 about its own y axis.
   const Quaternion q{.x = -std::sin(0.35) * std::sin(0.1),
                      .y = std::cos(0.35) * std::sin(0.1),
@@ -50,7 +50,7 @@ TEST(MessageConversions, TakeTheHeadingOfATiltedRobot) {
   EXPECT_NEAR(heading_of(q), 0.7, 1e-12);
 }
 
-TEST(MessageConversions, HaveNoHeadingForWhatIsNoRotation) {
+TEST(MessageConversions, GiveNoHeadingForAnInvalidRotation) {
   EXPECT_TRUE(std::isnan(heading_of(Quaternion{.x = 0, .y = 0, .z = 0, .w = 0})));
   EXPECT_TRUE(std::isnan(heading_of(Quaternion{.x = 0, .y = 0, .z = NAN, .w = 1})));
   PoseMessage message;
@@ -86,7 +86,7 @@ TEST(MessageConversions, ReadGridsRowByRowFromTheLowerLeft) {
   EXPECT_EQ(grid->at({2, 1}), CellState::Occupied);
 }
 
-TEST(MessageConversions, RefuseGridsThatCannotBe) {
+TEST(MessageConversions, RefuseInvalidGrids) {
   const std::vector<std::int8_t> cells(6);
   MapMetaData info;
   info.width = 3;
@@ -115,7 +115,7 @@ TEST(MessageConversions, WriteCellsAsTheyAreRead) {
     EXPECT_EQ(cell_of_percent(percent_of_cell(state)), state);
 }
 
-TEST(MessageConversions, LookAlongThePath) {
+TEST(MessageConversions, GiveHeadingsAlongThePath) {
   const Path path{.waypoints = {{0, 0}, {0, 2}, {-1, 2}}};
   EXPECT_DOUBLE_EQ(waypoint_pose(path, 0).heading, 0.5 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(waypoint_pose(path, 1).heading, std::numbers::pi);

@@ -10,7 +10,7 @@ MovingObstacle moving(double x, double speed) {
   return {.position = {x, 0.0}, .velocity = {speed, 0.0}, .radius = 0.3};
 }
 
-TEST(ObstacleBoard, BringsAllDetectionsToTheOldestTime) {
+TEST(ObstacleBoard, ExtrapolatesAllDetectionsToTheOldestTime) {
   ObstacleBoard board;
   board.set_detections("camera", {.obstacles = {moving(1.0, 2.0)}, .time = 10.0});
   board.set_detections("lidar", {.obstacles = {moving(5.0, 1.0)}, .time = 10.2});

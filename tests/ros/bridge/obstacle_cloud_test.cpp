@@ -29,7 +29,7 @@ TEST(ObstacleCloud, ReadsWhatItWrites) {
   }
 }
 
-TEST(ObstacleCloud, ReadsDoublesInAnyOrderAndObstaclesThatStand) {
+TEST(ObstacleCloud, ReadsDoublesInAnyOrderAndStaticObstacles) {
   const std::array<CloudField, 3> fields{
       {{"radius", 0, kFloat64}, {"y", 8, kFloat64}, {"x", 16, kFloat64}}};
   const std::array<double, 3> values{0.4, 2.0, 1.0};
@@ -42,7 +42,7 @@ TEST(ObstacleCloud, ReadsDoublesInAnyOrderAndObstaclesThatStand) {
   EXPECT_EQ(read->at(0).radius, 0.4);
 }
 
-TEST(ObstacleCloud, NamesWhatItCannotRead) {
+TEST(ObstacleCloud, NamesTheFieldThatItCannotRead) {
   const std::vector<std::uint8_t> data = write_obstacles(kTwo);
   const auto message_of = [](const CloudView& cloud) {
     const auto read = read_obstacles(cloud);
@@ -58,7 +58,8 @@ TEST(ObstacleCloud, NamesWhatItCannotRead) {
   EXPECT_NE(message_of(cloud), "");
   cloud = view_of(data);
   cloud.point_step = 22;
-  EXPECT_NE(message_of(cloud).find("radius: expected it inside a point of 22"), std::string::npos);
+  EXPECT_NE(message_of(cloud).find("radius: expected an offset inside a point of 22"),
+            std::string::npos);
   cloud = view_of(data);
   cloud.big_endian = true;
   EXPECT_NE(message_of(cloud), "");

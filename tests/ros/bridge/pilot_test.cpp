@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way from measurements to commands and back, in simulated time, without a middleware.
+// Tests the pilot from measurements to commands, in simulated time, without a middleware.
 #include "bridge/pilot.hpp"
 
 #include <cmath>
@@ -23,7 +23,7 @@ Scenario room() {
   return scenario;
 }
 
-// One robot, its base and sensors in a true world, and a pilot that knows only what they send.
+// One robot, its base and sensors in a true world, and a pilot that only receives their messages.
 struct Rig {
   explicit Rig(const PilotOptions& options, const Scenario& truth = room())
       : scenario(truth),
@@ -52,7 +52,7 @@ struct Rig {
     return answer;
   }
 
-  // Steps until the goal ended or `seconds` have passed.
+  // Runs cycles until the goal ends or `seconds` have passed.
   PilotStep drive(double seconds) {
     const double until = world.time() + seconds;
     PilotStep last;
@@ -61,7 +61,7 @@ struct Rig {
     return last;
   }
 
-  // The goal as a robot without a map is told it.
+  // The goal in the frame of a robot without a map.
   [[nodiscard]] Goal in_odometry(const Goal& goal) const {
     return {.position = inverse_transform(odometry_in_map, goal.position), .heading = {}};
   }
@@ -89,7 +89,7 @@ TEST(Pilot, SendsNothingWithoutAGoal) {
     EXPECT_FALSE(rig.step().send);
 }
 
-TEST(Pilot, ReachesAGoalOnTheMapWithOdometryInAFrameOfItsOwn) {
+TEST(Pilot, ReachesAGoalOnTheMapWithASeparateOdometryFrame) {
   for (const PilotOptions& options : {kMapAndScan, kMapOnly}) {
     Rig rig(options);
     rig.pilot.set_goal(kBehindTheWall);
@@ -104,7 +104,7 @@ TEST(Pilot, ReachesAGoalOnTheMapWithOdometryInAFrameOfItsOwn) {
   }
 }
 
-TEST(Pilot, GoesRoundWhatTheMapDoesNotHave) {
+TEST(Pilot, AvoidsObstaclesThatAreNotOnTheMap) {
   Scenario changed = room();
   for (int y = 85; y < 105; ++y) {
     for (int x = 60; x < 90; ++x)
@@ -129,7 +129,7 @@ TEST(Pilot, ReachesAGoalWithoutAMap) {
   EXPECT_FALSE(rig.world.encounters()[0].collided);
 }
 
-// Drives off, then takes one input away, and looks that the robot stands when it must.
+// Starts to drive, then removes one input, and checks that the robot stops in time.
 void expect_stop_without(bool Rig::*input,
                          const PilotOptions& options,
                          double age_limit,
@@ -142,14 +142,14 @@ void expect_stop_without(bool Rig::*input,
   const double braking = rig.speed() / rig.scenario.settings.robot.linear_acceleration_max;
   const PilotStep answer =
       rig.drive(age_limit + braking + 3.0 * rig.scenario.settings.navigation.control_period);
-  EXPECT_TRUE(answer.send) << "zero commands go on";
+  EXPECT_TRUE(answer.send) << "zero commands continue";
   EXPECT_EQ(answer.command.linear, 0.0);
   EXPECT_EQ(answer.command.angular, 0.0);
   EXPECT_EQ(answer.status, NavigationStatus::Stale);
   EXPECT_EQ(answer.limit, limit) << to_text(answer.limit);
   EXPECT_LT(rig.speed(), 0.01);
   rig.*input = true;
-  EXPECT_EQ(rig.drive(40.0).end, GoalEnd::Reached) << "goes on when the input is back";
+  EXPECT_EQ(rig.drive(40.0).end, GoalEnd::Reached) << "continues when the input is back";
 }
 
 TEST(Pilot, StopsWithoutScans) {
@@ -166,7 +166,7 @@ TEST(Pilot, StopsWithoutLocalisation) {
   expect_stop_without(&Rig::localisation_alive, kMapOnly, 2.0, LimitingFactor::StalePose);
 }
 
-TEST(Pilot, StopsWhenADetectorThatSawNothingFallsSilent) {
+TEST(Pilot, StopsWhenADetectorWithoutDetectionsFallsSilent) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal(kBehindTheWall);
   rig.pilot.board().set_detections("camera", {.obstacles = {}, .time = 0.0});
@@ -192,7 +192,7 @@ TEST(Pilot, BrakesWhenTheGoalIsCancelled) {
   EXPECT_FALSE(rig.step().send);
 }
 
-TEST(Pilot, GivesUpAGoalThatCannotBeReachedAndSaysWhy) {
+TEST(Pilot, GivesUpAnUnreachableGoalWithAReason) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal({.position = {5.02, 1.0}, .heading = {}});  // in the wall
   const PilotStep answer = rig.drive(60.0);
@@ -202,7 +202,7 @@ TEST(Pilot, GivesUpAGoalThatCannotBeReachedAndSaysWhy) {
   EXPECT_NEAR(rig.world.time(), rig.pilot.options().patience, 0.5);
 }
 
-TEST(Pilot, TakesANewGoalOnTheWay) {
+TEST(Pilot, AcceptsANewGoalDuringADrive) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal(kBehindTheWall);
   rig.drive(2.0);
@@ -211,7 +211,7 @@ TEST(Pilot, TakesANewGoalOnTheWay) {
   EXPECT_LT((rig.world.robots()[0].pose.position - Eigen::Vector2d(2.0, 4.5)).norm(), 0.15);
 }
 
-TEST(Pilot, DrivesOnWithOtherSettings) {
+TEST(Pilot, ContinuesWithOtherSettings) {
   Rig rig(kMapOnly);
   rig.pilot.set_goal(kBehindTheWall);
   rig.drive(2.0);

@@ -8,17 +8,17 @@
 namespace fairway::bridge {
 namespace {
 
-TEST(PoseHistory, LiesStraightBetweenTwoPosesAcrossTheWrap) {
+TEST(PoseHistory, InterpolatesBetweenTwoPosesAcrossTheWrap) {
   PoseHistory history;
   history.add(1.0, {.position = {0, 0}, .heading = 3.1}, {});
   history.add(2.0, {.position = {2, 4}, .heading = -3.1}, {});
   const auto pose = history.at(1.5);
   ASSERT_TRUE(pose);
   EXPECT_TRUE(pose->position.isApprox(Eigen::Vector2d(1, 2)));
-  EXPECT_NEAR(std::cos(pose->heading), -1.0, 1e-12) << "the short way round";
+  EXPECT_NEAR(std::cos(pose->heading), -1.0, 1e-12) << "the shorter turn";
 }
 
-TEST(PoseHistory, FollowsTheTwistALittleBeyondTheNewestPose) {
+TEST(PoseHistory, ExtrapolatesBrieflyBeyondTheNewestPose) {
   PoseHistory history;
   history.add(1.0, {.position = {1, 1}, .heading = 0.0}, {.linear = 2.0, .angular = 1.0});
   const auto pose = history.at(1.1);
@@ -28,7 +28,7 @@ TEST(PoseHistory, FollowsTheTwistALittleBeyondTheNewestPose) {
   EXPECT_FALSE(history.at(1.0 + PoseHistory::kBeyond + 0.01));
 }
 
-TEST(PoseHistory, KnowsNothingOutsideItsTimes) {
+TEST(PoseHistory, HasNoPoseOutsideItsTimes) {
   PoseHistory history;
   EXPECT_FALSE(history.at(0.0));
   for (int i = 0; i <= 30; ++i)
@@ -38,7 +38,7 @@ TEST(PoseHistory, KnowsNothingOutsideItsTimes) {
   EXPECT_FALSE(history.at(std::nan("")));
 }
 
-TEST(PoseHistory, IgnoresOldNewsAndSurvivesAClockThatWasSetBack) {
+TEST(PoseHistory, IgnoresOldPosesAndSurvivesAClockThatWasSetBack) {
   PoseHistory history;
   history.add(10.0, {.position = {1, 0}, .heading = 0}, {});
   history.add(9.5, {.position = {7, 7}, .heading = 0}, {});

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Robots on a network of their own, over DDS: dds_test.py BIN SCENARIOS.
+"""Robots that communicate over DDS in network namespaces: dds_test.py BIN SCENARIOS.
 
 Each robot has a network namespace with its base and its navigation node; a bridge in one more
-namespace joins them. Where namespaces cannot be made (no root) the test is skipped.
+namespace connects them. The test is skipped where namespaces cannot be made (no root).
 """
 
 import csv
@@ -19,7 +19,7 @@ import unittest
 
 SKIPPED = 77
 BIN, SCENARIOS = (pathlib.Path(argument) for argument in sys.argv[1:3])
-RADIUS = 0.25        # [m], of every robot: the settings' default
+RADIUS = 0.25        # [m], of every robot: the default setting
 PREFIX = f"fw{os.getpid() % 10000}"
 
 
@@ -28,7 +28,7 @@ def run(*command, check=True):
 
 
 def why_no_networks():
-    """Empty where network namespaces and bridges can be made, else why not."""
+    """Why network namespaces and bridges cannot be made; empty if they can."""
     space = f"{PREFIX}-probe"
     try:
         run("ip", "netns", "add", space)
@@ -44,7 +44,7 @@ def why_no_networks():
 
 
 class Network:
-    """A bridge, and a namespace per robot that is joined to it."""
+    """A bridge, and a namespace per robot that is connected to it."""
 
     def __init__(self, names):
         self.spaces = [f"{PREFIX}-switch"] + [f"{PREFIX}-{name}" for name in names]
@@ -130,7 +130,7 @@ class DdsTest(unittest.TestCase):
         self.start(name, "fairway_dds_goal", "--namespace", name, f"--goal={x},{y}")
 
     def track(self, name):
-        """[(time, x, y)] as the robot's own world has it."""
+        """The true track [(time, x, y)] from the robot's simulator."""
         rows = []
         if not os.path.exists(self.path(f"{name}.csv")):
             return rows
@@ -138,7 +138,7 @@ class DdsTest(unittest.TestCase):
             for row in csv.reader(file):
                 try:
                     time_, x, y, _ = (float(value) for value in row)
-                except ValueError:  # the header, and a line that is being written
+                except ValueError:  # the header, or an incomplete line
                     continue
                 rows.append((time_, x, y))
         return rows
@@ -156,7 +156,7 @@ class DdsTest(unittest.TestCase):
         self.fail(f"waited {seconds} s for {what}")
 
     def least_room(self):
-        """Between any two bodies, over all tracks [m]; negative: they met."""
+        """The least distance between any two bodies over all tracks [m]; negative: contact."""
         tracks = [self.track(name) for name in self.names]
         least = math.inf
         for one, other in itertools.combinations(tracks, 2):
@@ -174,7 +174,7 @@ class DdsTest(unittest.TestCase):
 
 
 class FleetTest(DdsTest):
-    """Robots in an open hall that know of each other what they tell."""
+    """Robots in an open hall that know each other only by their messages."""
 
     def begin(self, starts):
         self.prepare(list(starts))
@@ -186,17 +186,17 @@ class FleetTest(DdsTest):
             self.start(name, "fairway_dds_node", "--namespace", name, "--name", name,
                        "--base-frame", f"{name}/base_link", "--no-scan", "--patience", "60")
         self.wait_for(lambda: all(self.track(name) for name in self.names), 30, "the simulators")
-        time.sleep(2.0)  # for all to have heard of each other
+        time.sleep(2.0)  # until all robots have received each other's messages
 
     def finish(self, goals):
         for name, goal in goals.items():
             self.wait_for(lambda name=name, goal=goal: self.distance(name, goal) < 0.2, 90,
                           f"{name} to arrive")
         room = self.least_room()
-        print(f"least room between two bodies: {room:.2f} m")
+        print(f"least distance between two bodies: {room:.2f} m")
         self.assertGreater(room, 0.0)
 
-    def test_two_exchange_places_though_one_is_cut_off_for_a_while(self):
+    def test_two_exchange_places_although_one_is_disconnected_for_a_while(self):
         goals = {"red": (8.0, 4.0), "blue": (2.0, 4.3)}
         self.begin({"red": (2.0, 4.0, 0.0), "blue": (8.0, 4.3, math.pi)})
         for name, goal in goals.items():
@@ -206,7 +206,7 @@ class FleetTest(DdsTest):
         self.network.cut("blue")
         time.sleep(4.0)
         for name, goal in goals.items():
-            self.assertLess(self.speed(name), 0.05, f"{name} drives though it knows of nobody")
+            self.assertLess(self.speed(name), 0.05, f"{name} drives without messages")
             self.assertGreater(self.distance(name, goal), 1.0, name)
         self.network.join("blue")
         self.finish(goals)
@@ -226,7 +226,7 @@ class FleetTest(DdsTest):
 
 
 class DriveTest(DdsTest):
-    """One robot with a lidar in a map of the project's, at ROS 2's default names."""
+    """One robot with a lidar in a map of the project, with ROS 2's default names."""
 
     GOAL = (-5.0, 0.0)
 
@@ -247,7 +247,7 @@ class DriveTest(DdsTest):
         self.wait_for(lambda: self.track("solo") and self.distance("solo", self.GOAL) < 0.15, 40,
                       "the robot to arrive")
 
-    def test_the_robot_brakes_when_the_node_is_told_to_end(self):
+    def test_the_robot_brakes_when_the_node_is_terminated(self):
         node = self.drive("--no-map")
         self.wait_for(lambda: self.track("solo") and self.speed("solo") > 0.5, 20,
                       "the robot to drive")

@@ -11,7 +11,7 @@
 namespace fairway::nav2 {
 namespace {
 
-// What to_obstacles asks of a nav2_costmap_2d::Costmap2D.
+// The part of nav2_costmap_2d::Costmap2D that to_obstacles uses.
 struct Costmap {
   unsigned int width = 0;
   unsigned int height = 0;
@@ -47,7 +47,7 @@ struct PathMessage {
   std::vector<StampedPose> poses;
 };
 
-TEST(CostmapConversion, TakesLethalCellsAndLeavesInflationToFairway) {
+TEST(CostmapConversion, BlocksLethalCellsAndIgnoresInflation) {
   Costmap costmap{.width = 3,
                   .height = 2,
                   .origin_x = 1.0,
@@ -78,7 +78,7 @@ TEST(CostmapConversion, FillsPathsDenselyAndEndsWithTheGoalsHeading) {
   EXPECT_EQ(message.poses.size(), 16U);
 }
 
-// A hall of 12 m x 6 m with two posts, and a path of other make that goes round them.
+// A hall of 12 m x 6 m with two posts, and a path of another planner around them.
 struct Rig {
   Rig() : world(hall()), follower(Settings{}) {}
 
@@ -101,7 +101,7 @@ struct Rig {
     return to_path(dense);
   }
 
-  // The window of 6 m around the robot that a rolling costmap shows.
+  // The window of 6 m around the robot, as in a rolling costmap.
   [[nodiscard]] BitGrid window() const {
     const Eigen::Vector2d center = world.robots()[0].pose.position;
     const Eigen::Vector2d corner =
@@ -158,7 +158,7 @@ TEST(PathFollower, FollowsAPathThroughAMovingWindowToItsEnd) {
   EXPECT_FALSE(rig.world.encounters()[0].collided);
 }
 
-TEST(PathFollower, GoesRoundAnObstacleOnThePath) {
+TEST(PathFollower, AvoidsAnObstacleOnThePath) {
   Rig rig;
   Path straight{.waypoints = {}};
   for (int i = 20; i <= 220; ++i)
@@ -169,7 +169,7 @@ TEST(PathFollower, GoesRoundAnObstacleOnThePath) {
   EXPECT_FALSE(rig.world.encounters()[0].collided);
 }
 
-TEST(PathFollower, HonoursASpeedLimitOnTheWay) {
+TEST(PathFollower, RespectsASpeedLimitDuringADrive) {
   Rig rig;
   rig.follower.set_path(Rig::path(), {});
   rig.drive(2.0);
@@ -182,7 +182,7 @@ TEST(PathFollower, HonoursASpeedLimitOnTheWay) {
   EXPECT_GT(rig.world.robots()[0].twist.linear, 0.6);
 }
 
-TEST(PathFollower, BrakesWhenTheCostmapIsOldAndThenSaysSo) {
+TEST(PathFollower, BrakesWhenTheCostmapIsOldAndThenReportsIt) {
   Rig rig;
   rig.follower.set_path(Rig::path(), {});
   rig.drive(2.0);
@@ -195,7 +195,7 @@ TEST(PathFollower, BrakesWhenTheCostmapIsOldAndThenSaysSo) {
   EXPECT_NE(step.reason.find("stale map"), std::string::npos) << step.reason;
 }
 
-TEST(PathFollower, BrakesToAStandWhenCancelled) {
+TEST(PathFollower, BrakesToStandstillWhenCancelled) {
   Rig rig;
   rig.follower.set_path(Rig::path(), {});
   rig.drive(2.0);
@@ -205,7 +205,7 @@ TEST(PathFollower, BrakesToAStandWhenCancelled) {
   EXPECT_EQ(rig.world.robots()[0].twist.linear, 0.0);
 }
 
-TEST(PathFollower, KeepsAwayFromSomeoneWhoStandsOnThePathAndGoesOnWhenTheyLeave) {
+TEST(PathFollower, WaitsForAPersonOnThePathAndContinuesWhenTheyLeave) {
   Rig rig;
   rig.follower.set_path(Rig::path(), {});
   const MovingObstacle person{.position = {6.0, 3.0}, .velocity = {0.0, 0.0}, .radius = 0.3};

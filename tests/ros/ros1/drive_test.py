@@ -29,7 +29,7 @@ except ImportError as missing:
 
 PACKAGE, SCENARIOS, SHARED_DATA = sys.argv[1:4]
 DEPOT = pathlib.Path(SHARED_DATA) / "maps" / "depot.yaml"
-# A real map where it is; else one of the project's. Start, and goals that are reached from there.
+# A real map if it is available, else one of the project's; a start, and goals that can be reached.
 if DEPOT.exists():
     WORLD = [f"_map:={DEPOT}", "_start:=2.2,1.5,1.57"]
     GOALS = [(6.0, 3.0), (2.2, 4.5)]
@@ -40,12 +40,12 @@ else:
     FAR = (5.0, 3.0)
 
 AGE_LIMIT = 0.3      # [s], the longest of the pose's and the scans'
-BRAKING = 0.6        # [s], from 1 m/s at 2 m/s^2, and a cycle
-SYSTEM_SLACK = 0.7   # [s], what a loaded machine may add to any of this
+BRAKING = 0.6        # [s], from 1 m/s at 2 m/s^2, plus a cycle
+SYSTEM_SLACK = 0.7   # [s], delay of a loaded machine
 
 
 class Robot:
-    """What the robot is told and what it truly does, as topics say."""
+    """The robot's commands and its true motion, from topics."""
 
     def __init__(self):
         self.lock = threading.Lock()
@@ -128,10 +128,10 @@ class DriveTest(unittest.TestCase):
         self.ros.wait_for(self.robot.drives, 20, "the robot to drive")
 
     def expect_stand(self, begin, seconds):
-        """From `seconds` after `begin` on the commands are exactly zero."""
+        """Checks that all commands later than `seconds` after `begin` are exactly zero."""
         time.sleep(max(0.0, begin + seconds + 0.5 - time.monotonic()))
         late = self.robot.commands_since(begin + seconds)
-        self.assertEqual([c for c in late if c[1] or c[2]], [], "moves on")
+        self.assertEqual([c for c in late if c[1] or c[2]], [], "it still moves")
         return late
 
     def settle(self):
@@ -178,12 +178,12 @@ class DriveTest(unittest.TestCase):
             begin = time.monotonic()
             self.mute.publish(sensor)
             late = self.expect_stand(begin, AGE_LIMIT + BRAKING + SYSTEM_SLACK)
-            self.assertGreater(len(late), 2, "zero commands go on")
+            self.assertGreater(len(late), 2, "zero commands continue")
             status = self.robot.statuses[-1]
             self.assertEqual(status.message, "stale")
             self.assertEqual({v.key: v.value for v in status.values}["limit"], limit)
             self.mute.publish("")
-            self.ros.wait_for(self.robot.drives, 10, "it to go on")
+            self.ros.wait_for(self.robot.drives, 10, "it to continue")
             self.settle()
 
     def test_6_a_killed_goal_client_stops_the_robot(self):
@@ -217,7 +217,7 @@ class DriveTest(unittest.TestCase):
 
     def test_9a_the_recording_holds_everything(self):
         self.assertEqual(self.ros.end(self.recorder), 0)
-        # `rosbag` can end before the program that it started has given the file its name.
+        # `rosbag` may end before the program that it started has renamed the file.
         self.ros.wait_for(lambda: os.path.exists(self.bag), 10, "the recording")
         linear, scan_to_command, cycle = [], [], []
         topics = set()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sends one goal by the action, then waits: the test kills it on the way."""
+"""Sends one goal by the action, then waits; the test kills it during the drive."""
 
 import sys
 

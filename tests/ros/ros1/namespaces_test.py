@@ -61,7 +61,7 @@ class NamespacesTest(unittest.TestCase):
             self.assertTrue(clients[name].wait_for_server(rospy.Duration(30)), name)
         self.ros.wait_for(lambda: len(truth) == len(LANES), 20, "the simulator")
 
-        # Only one is sent: the others do not move.
+        # Only one robot has a goal; the others do not move.
         self.send(clients, "green")
         self.finish(clients, truth, "green")
         for name in ("red", "blue"):

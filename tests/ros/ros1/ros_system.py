@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A ROS 1 system of a test's own: a master on a free port, and processes that end with it."""
+"""A ROS 1 system for one test: a master on a free port, and processes that end with it."""
 
 import os
 import pathlib

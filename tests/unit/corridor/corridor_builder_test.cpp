@@ -26,7 +26,7 @@ constexpr std::array<CorridorMethod, 2> kMethods = {CorridorMethod::Mdsrc, Corri
 constexpr std::array<CorridorSpace, 2> kSpaces = {CorridorSpace::Workspace,
                                                   CorridorSpace::Configuration};
 
-TEST(CorridorBuilder, AnEmptyHallTakesOneRectangle) {
+TEST(CorridorBuilder, AnEmptyHallNeedsOneRectangle) {
   const Path path{.waypoints = {{5, 5}, {9, 6}, {15, 4}}};
   const CorridorResult result = build_corridor(hall(), path, 0.3, {});
   ASSERT_EQ(result.status, CorridorStatus::Built);
@@ -34,7 +34,7 @@ TEST(CorridorBuilder, AnEmptyHallTakesOneRectangle) {
   EXPECT_EQ(result.corridor.rectangles[0].seed, path.waypoints[0]);
 }
 
-TEST(CorridorBuilder, ACornerTakesTwo) {
+TEST(CorridorBuilder, ACornerNeedsTwoRectangles) {
   BitGrid obstacles = hall();
   for (int y = 40; y < 200; ++y) {
     for (int x = 0; x < 360; ++x)
@@ -49,9 +49,9 @@ TEST(CorridorBuilder, ACornerTakesTwo) {
   test::expect_a_sound_chain(obstacles, path, result.corridor, settings, true);
 }
 
-// Found by tests/fuzz: Mdsrc asked for a point every 0.1 m, and Fewest went on along the last one
-// without end.
-TEST(CorridorBuilder, APathThatLeavesTheMapForFarAwayIsCutOffThere) {
+// Found by tests/fuzz: Mdsrc requested a point every 0.1 m, and Fewest continued along the last one
+// endlessly.
+TEST(CorridorBuilder, APathThatLeavesTheMapFarIsCutAtTheBorder) {
   for (const CorridorMethod method : kMethods) {
     const CorridorSettings settings = with(method, CorridorSpace::Configuration);
     for (const double far : {1e3, 1e9, 1e100, 1e300}) {
@@ -64,7 +64,7 @@ TEST(CorridorBuilder, APathThatLeavesTheMapForFarAwayIsCutOffThere) {
   }
 }
 
-TEST(CorridorBuilder, APathTooLongToBeMeasuredIsNone) {
+TEST(CorridorBuilder, APathOfInfiniteLengthIsInvalid) {
   for (const CorridorMethod method : kMethods) {
     const Path path{.waypoints = {{5, 5}, {1.7e308, 5}, {-1.7e308, 5}}};
     const CorridorSettings settings = with(method, CorridorSpace::Configuration);
@@ -86,7 +86,7 @@ TEST(CorridorBuilder, APathOfOnePointIsCovered) {
   }
 }
 
-TEST(CorridorBuilder, PathsThatAreNoneAreAnsweredByStatus) {
+TEST(CorridorBuilder, InvalidPathsGiveAStatus) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const CorridorMethod method : kMethods) {
@@ -104,7 +104,7 @@ TEST(CorridorBuilder, PathsThatAreNoneAreAnsweredByStatus) {
   }
 }
 
-TEST(CorridorBuilder, MapsWithoutRoomAreAnsweredByStatus) {
+TEST(CorridorBuilder, MapsWithoutFreeSpaceGiveAStatus) {
   const Path path{.waypoints = {{5, 5}, {9, 5}}};
   const BitGrid full(hall().frame(), true);
   for (const CorridorMethod method : kMethods) {
@@ -116,7 +116,7 @@ TEST(CorridorBuilder, MapsWithoutRoomAreAnsweredByStatus) {
   }
 }
 
-TEST(CorridorBuilder, SaysHowFarAlongThePathIsBlocked) {
+TEST(CorridorBuilder, ReportsWhereThePathIsBlocked) {
   BitGrid obstacles = hall();
   for (int y = 0; y < 200; ++y)
     obstacles.set({200, y}, true);
@@ -132,8 +132,9 @@ TEST(CorridorBuilder, SaysHowFarAlongThePathIsBlocked) {
   }
 }
 
-TEST(CorridorBuilder, SaysWhenOnlyThePatchDoesNotFit) {
-  // A bent passage, hardly wider than the robot: rectangles hold it, but not the patch asked for.
+TEST(CorridorBuilder, ReportsWhenOnlyThePatchDoesNotFit) {
+  // A bent passage, slightly wider than the robot: rectangles contain it, but not the requested
+  // patch.
   BitGrid obstacles(hall().frame(), true);
   for (int y = 94; y < 107; ++y) {
     for (int x = 20; x < 207; ++x)

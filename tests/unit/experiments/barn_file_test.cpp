@@ -35,7 +35,7 @@ TEST(BarnFile, ReadsTheSharedMovingWorlds) {
   EXPECT_TRUE(world.map.frame().contains(world.map.frame().cell_at(world.start.position)));
 }
 
-TEST(BarnFile, AWorldThatIsNotThereIsNamed) {
+TEST(BarnFile, AMissingWorldIsNamed) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write(
       "d.json", R"({"start":[0,0,0],"goal":[5,0],"goal_radius":1,"timeout_s":100,"worlds":[]})");
@@ -44,7 +44,7 @@ TEST(BarnFile, AWorldThatIsNotThereIsNamed) {
   EXPECT_NE(worlds.error().message.find("a world 4"), std::string::npos);
 }
 
-TEST(BarnFile, WhatIsWrongIsAnErrorThatNamesFileAndKey) {
+TEST(BarnFile, AnErrorNamesFileAndKey) {
   const test::TemporaryFolder folder;
   const auto message = [&](const std::string& text) {
     const auto worlds = read_dynabarn(folder.write("d.json", text), {});

@@ -31,7 +31,7 @@ EpisodeResult straight_run(double speed, double end) {
   return result;
 }
 
-TEST(Barn, TheClockStartsAfterTenCentimetresAndStopsAMetreBeforeTheGoal) {
+TEST(Barn, TheClockRunsFromTenCentimetresToOneMetreBeforeTheGoal) {
   const BarnScore score = barn_score(ten_metres(), 3, straight_run(0.5, 10.0));
   EXPECT_TRUE(score.success);
   EXPECT_EQ(score.world, 7);
@@ -45,7 +45,7 @@ TEST(Barn, TheScoreIsAtMostAHalfAndAtLeastAnEighth) {
   EXPECT_NEAR(barn_score(ten_metres(), 0, straight_run(0.1, 10.0)).score, 0.125, 1e-12);
 }
 
-TEST(Barn, NotArrivingIsNoSuccess) {
+TEST(Barn, ARunThatDoesNotArriveIsNoSuccess) {
   const BarnScore score = barn_score(ten_metres(), 0, straight_run(1.0, 8.0));
   EXPECT_FALSE(score.success);
   EXPECT_FALSE(score.collided);
@@ -63,13 +63,13 @@ TEST(Barn, AContactBeforeTheGoalIsAFailureAndOneAfterItIsNot) {
   EXPECT_FALSE(barn_score(ten_metres(), 0, result).collided);
 }
 
-TEST(Barn, TooLateIsNoSuccess) {
+TEST(Barn, ALateArrivalIsNoSuccess) {
   BarnWorld world = ten_metres();
   world.timeout = 5.0;
   EXPECT_FALSE(barn_score(world, 0, straight_run(1.0, 10.0)).success);
 }
 
-TEST(Barn, TrialsDifferInTheirSeedOnly) {
+TEST(Barn, TrialsDifferOnlyInTheirSeed) {
   const BarnWorld world = ten_metres();
   const Scenario first = barn_scenario(world, {}, 0);
   const Scenario second = barn_scenario(world, {}, 1);

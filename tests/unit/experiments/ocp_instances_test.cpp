@@ -45,13 +45,13 @@ TEST(OcpInstances, BecomeThePapersProblem) {
   EXPECT_FALSE(problem.penalise_first_change);
 }
 
-TEST(OcpInstances, PassesOverEmptyLinesAndCarriageReturns) {
+TEST(OcpInstances, SkipsEmptyLinesAndCarriageReturns) {
   const auto instances = parse_ocp_instances("\n\r\n" + kLine + "\t \n" + kLine, "f");
   ASSERT_TRUE(instances);
   EXPECT_EQ(instances->size(), 2U);
 }
 
-TEST(OcpInstances, SaysFileLineAndFieldOfWhatIsWrong) {
+TEST(OcpInstances, AnErrorNamesFileLineAndField) {
   struct Case {
     std::string text;
     std::string message;
@@ -103,7 +103,7 @@ TEST(OcpResults, AreReadBackToTheBit) {
   }
 }
 
-TEST(OcpResults, SayFileLineAndFieldOfWhatIsWrong) {
+TEST(OcpResults, AnErrorNamesFileLineAndField) {
   const std::string good = format_ocp_results(std::vector{some_result(1)});
   const std::string one_less = good.substr(0, good.rfind(' '));
   EXPECT_EQ(parse_ocp_results(good + one_less, "f").error().message,
@@ -114,7 +114,7 @@ TEST(OcpResults, SayFileLineAndFieldOfWhatIsWrong) {
             "f: expected at least one line, found none");
 }
 
-TEST(OcpResults, AreWrittenWholeOrNotAtAll) {
+TEST(OcpResults, AreWrittenCompletelyOrNotAtAll) {
   const test::TemporaryFolder folder;
   const std::vector<OcpResult> results{some_result(1)};
   ASSERT_TRUE(write_ocp_results(folder.path("a.res"), results));

@@ -44,7 +44,7 @@ TEST(PassingPlace, ADoorIsNarrowAndARoomIsNot) {
   EXPECT_EQ(NarrowPlaces(straight_path({1, 2}, {4, 2}), kRadius, grid).count, 0);
 }
 
-TEST(PassingPlace, OnlyWhoComesTheOtherWayIsMet) {
+TEST(PassingPlace, OnlyOncomingRobotsAreMet) {
   const BitGrid grid = two_rooms();
   const NarrowPlaces narrow(straight_path({2, 2}, {8, 2}), kRadius, grid);
   EXPECT_NEAR(narrow.length_to_meeting(coming({8, 2}, {1, 2}), kRadius), 3.0, 0.6);
@@ -52,7 +52,7 @@ TEST(PassingPlace, OnlyWhoComesTheOtherWayIsMet) {
   EXPECT_TRUE(std::isinf(narrow.length_to_meeting(coming({8, 1}, {6, 1}), kRadius)));
 }
 
-TEST(PassingPlace, OnlyWhoEntersTheSameWayAtTheSameTimeMerges) {
+TEST(PassingPlace, OnlyRobotsThatEnterTheSamePathTogetherMerge) {
   const BitGrid grid = two_rooms();
   const NarrowPlaces narrow(straight_path({3.5, 2.5}, {8, 2}), kRadius, grid);
   EXPECT_TRUE(std::isfinite(narrow.length_to_merging(coming({3.5, 1.5}, {8, 2.6}), kRadius)));
@@ -61,7 +61,7 @@ TEST(PassingPlace, OnlyWhoEntersTheSameWayAtTheSameTimeMerges) {
   EXPECT_TRUE(std::isinf(narrow.length_to_merging(coming({6.5, 2}, {1, 2}), kRadius))) << "meets";
 }
 
-TEST(PassingPlace, AGoalInANarrowPlaceShutsIn) {
+TEST(PassingPlace, AGoalInANarrowPassageBlocksIt) {
   const BitGrid grid = two_rooms();
   const NarrowPlaces narrow(straight_path({2, 2}, {8, 2}), kRadius, grid);
   EXPECT_TRUE(narrow.hold_goal_of(coming({8, 2}, {5, 2}), kRadius));
@@ -69,7 +69,7 @@ TEST(PassingPlace, AGoalInANarrowPlaceShutsIn) {
   EXPECT_FALSE(narrow.hold_goal_of(SharedMotion{}, kRadius)) << "no goal";
 }
 
-TEST(PassingPlace, IsTheNearestThatLetsThePassingPass) {
+TEST(PassingPlace, IsTheNearestThatLetsTheOthersPass) {
   const BitGrid grid = two_rooms();
   const SharedMotion other = coming({7, 2}, {1, 2});
   const FleetMember member{.motion = &other};
@@ -80,7 +80,7 @@ TEST(PassingPlace, IsTheNearestThatLetsThePassingPass) {
   ASSERT_TRUE(place);
   EXPECT_TRUE(lets_pass(*place, other, kRadius));
   EXPECT_LT((*place - Vector2d(3, 2)).norm(), 1.3);
-  EXPECT_EQ(passing_place({3, 3.5}, around), std::optional(Vector2d(3, 3.5))) << "out of the way";
+  EXPECT_EQ(passing_place({3, 3.5}, around), std::optional(Vector2d(3, 3.5))) << "outside its path";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ SharedMotion robot_at(const Vector2d& position, const Vector2d& goal) {
   return motion;
 }
 
-class WayBackTest : public testing::Test {
+class RetreatPathTest : public testing::Test {
  protected:
   PassingEnvironment around() {
     return {.obstacles = &grid_, .fleet = fleet_, .passing = passing_, .radius = kRobotRadius};
@@ -45,7 +45,7 @@ class WayBackTest : public testing::Test {
   std::vector<const SharedMotion*> passing_{&coming_};
 };
 
-TEST_F(WayBackTest, LeadsOutOfThePassageToAPlaceThatLetsPass) {
+TEST_F(RetreatPathTest, LeadsOutOfThePassageToAPassingPlace) {
   const RetreatPath way = find_retreat_path({8, 3}, around());
   ASSERT_TRUE(way.exists());
   EXPECT_TRUE(lets_pass(way.place(), coming_, kRobotRadius));
@@ -60,27 +60,27 @@ TEST_F(WayBackTest, LeadsOutOfThePassageToAPlaceThatLetsPass) {
   }
 }
 
-TEST_F(WayBackTest, DoesNotExistWhereThePassageEndsBehindTheRobot) {
+TEST_F(RetreatPathTest, DoesNotExistWhereThePassageEndsBehindTheRobot) {
   coming_ = robot_at({6, 3}, {13, 3});
   EXPECT_FALSE(find_retreat_path({12, 3}, around()).exists());
   EXPECT_TRUE(std::isinf(RetreatPath{}.length({12, 3})));
 }
 
-TEST_F(WayBackTest, DoesNotLeadThroughARobotThatStandsAtItsGoal) {
+TEST_F(RetreatPathTest, DoesNotLeadThroughARobotAtItsGoal) {
   SharedMotion arrived{.position = {6, 3}, .radius = kRobotRadius};
   fleet_.push_back({.motion = &arrived});
   EXPECT_FALSE(find_retreat_path({8, 3}, around()).exists());
 }
 
-TEST_F(WayBackTest, DoesNotLeadPastTheGoalOfWhoPasses) {
-  // Further in there would be a place behind the goal, and no way out of it ever after.
+TEST_F(RetreatPathTest, DoesNotLeadPastTheGoalOfThePassingRobot) {
+  // Further in there is a place behind the goal, but it would block the robot indefinitely.
   coming_ = robot_at({6, 3}, {10, 3});
   EXPECT_FALSE(find_retreat_path({9, 3}, around()).exists());
   coming_ = robot_at({12, 3}, {1, 3});
   EXPECT_TRUE(find_retreat_path({9, 3}, around()).exists());
 }
 
-TEST_F(WayBackTest, LeavesRoomForThoseWhoComeAfter) {
+TEST_F(RetreatPathTest, LeavesSpaceForFollowers) {
   const RetreatPath alone = find_retreat_path({6, 3}, around());
   SharedMotion between = robot_at({8, 3}, {13, 3});
   fleet_.push_back({.motion = &between});
@@ -90,7 +90,7 @@ TEST_F(WayBackTest, LeavesRoomForThoseWhoComeAfter) {
   EXPECT_GT(followed.length({6, 3}), alone.length({6, 3}) + kRobotRadius);
 }
 
-TEST_F(WayBackTest, IsShortenedByWhatIsPassed) {
+TEST_F(RetreatPathTest, IsShortenedAsItIsDriven) {
   RetreatPath way = find_retreat_path({8, 3}, around());
   const int before = way.count;
   const Vector2d place = way.place();
@@ -99,7 +99,7 @@ TEST_F(WayBackTest, IsShortenedByWhatIsPassed) {
   EXPECT_EQ(way.place(), place);
 }
 
-TEST_F(WayBackTest, NoLongerLeadsAsideWhenItIsBlocked) {
+TEST_F(RetreatPathTest, NoLongerLeadsAsideWhenItIsBlocked) {
   const RetreatPath way = find_retreat_path({8, 3}, around());
   for (int y = 26; y < 34; ++y)
     grid_.set({60, y}, true);

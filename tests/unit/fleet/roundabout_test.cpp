@@ -32,7 +32,7 @@ TEST(Roundabout, IsPassedWithItsCentreOnTheLeft) {
   EXPECT_LT(bent.at(0.5 * bent.length()).y(), -0.9) << "driving along x, right is below";
 }
 
-TEST(Roundabout, AWayThatPassesItOnTheRightSideIsLeftAlone) {
+TEST(Roundabout, APathOnTheCorrectSideIsUnchanged) {
   ReferencePath bent;
   EXPECT_FALSE(
       lead_round(straight({-4, -1.1}, {4, -1.1}), {.center = {0, 0}, .radius = 1.0}, bent));
@@ -40,7 +40,7 @@ TEST(Roundabout, AWayThatPassesItOnTheRightSideIsLeftAlone) {
   EXPECT_FALSE(lead_round(straight({2, 0}, {4, 0}), {.center = {0, 0}, .radius = 1.0}, bent));
 }
 
-TEST(Roundabout, TheWayRoundStaysOutsideAndNeverTurnsBack) {
+TEST(Roundabout, TheDetourStaysOutsideAndNeverTurnsBack) {
   test::Random random(3);
   int led = 0;
   for (int trial = 0; trial < 2000; ++trial) {
@@ -55,7 +55,7 @@ TEST(Roundabout, TheWayRoundStaysOutsideAndNeverTurnsBack) {
     ++led;
     for (int i = 0; i <= 50; ++i) {
       const Vector2d point = bent.at(bent.length() * i / 50.0);
-      // A chord of 0.35 rad comes nearer than its circle by 1.5 %.
+      // A chord of 0.35 rad is up to 1.5 % closer than its circle.
       EXPECT_GE((point - roundabout.center).norm(), 0.984 * roundabout.radius);
     }
     for (std::size_t i = 1; i < static_cast<std::size_t>(bent.count); ++i) {

@@ -19,13 +19,13 @@ TEST(BodyDiscs, AreReadAsTheyAreWritten) {
   EXPECT_EQ(to_text(*parse_body_discs(" [] ")), "[]");
 }
 
-TEST(BodyDiscs, TextGivesTheSameNumbersBack) {
+TEST(BodyDiscs, TextReadsBackAsTheSameNumbers) {
   BodyDiscs discs;
   ASSERT_TRUE(discs.add({1.0 / 3.0, -2.0 / 7.0}, std::sqrt(0.1)));
   EXPECT_TRUE(parse_body_discs(to_text(discs)) == discs);
 }
 
-TEST(BodyDiscs, WhatIsWrittenOtherwiseIsNone) {
+TEST(BodyDiscs, OtherTextGivesNone) {
   for (const char* text :
        {"", "0.2", "[", "]", "[0.2, 0, 0.25]", "[[0.2, 0]]", "[[0.2, 0, 0.25, 1]]",
         "[[0.2, 0, 0.25]", "[[0.2, 0, 0.25]]]", "[[0.2 0 0.25]]", "[[0.2, 0, 0.25],]",

@@ -22,7 +22,7 @@ TEST(Footprint, RadiiOfARectangle) {
   EXPECT_TRUE(jackal.is_rectangle());
   EXPECT_NEAR(jackal.circumscribed_radius(), 0.309, 5e-4);
   EXPECT_NEAR(jackal.inscribed_radius(), 0.208, 1e-12);
-  // Driven by its rear axle: the centre lies outside.
+  // A robot driven by its rear axle: the centre lies outside.
   const Footprint car = Footprint::rectangle(2.0, 1.0, {1.2, 0.0});
   EXPECT_EQ(car.inscribed_radius(), 0.0);
   EXPECT_NEAR(car.circumscribed_radius(), std::hypot(2.2, 0.5), 1e-12);
@@ -52,7 +52,7 @@ TEST(Footprint, ShrinkingEndsAtAPoint) {
   EXPECT_EQ(Footprint::disc(0.3).shrunk(0.5).circumscribed_radius(), 0.0);
 }
 
-TEST(Footprint, ItsRectangleStandsWhereTheRobotStands) {
+TEST(Footprint, ItsRectangleHasTheRobotsPose) {
   const OrientedRectangle at = Footprint::rectangle(1.0, 0.5, {0.2, 0.0})
                                    .rectangle_at({.position = {3, 4}, .heading = M_PI_2});
   EXPECT_TRUE(at.contains({3.0, 4.65}));

@@ -30,7 +30,7 @@ TEST(OrientedRectangle, ContainsItsBoundary) {
   EXPECT_FALSE(r.contains({std::nan(""), 0}));
 }
 
-TEST(OrientedRectangle, ShrinkingPastItsWidthEmptiesIt) {
+TEST(OrientedRectangle, ShrinkingBeyondItsWidthMakesItEmpty) {
   const OrientedRectangle r{.seed = {0, 0}, .orientation = 0.3, .min = {-1, -0.2}, .max = {1, 0.2}};
   EXPECT_NEAR(r.shrunk(0.1).area(), 1.8 * 0.2, 1e-12);
   EXPECT_TRUE(r.shrunk(0.3).is_empty());
@@ -63,7 +63,7 @@ TEST(OrientedRectangle, OverlapAreaAgreesWithCounting) {
       }
     }
     const double counted = a.area() * both / (kSide * kSide);
-    // Counting errs by about a cell along the outline of the patch.
+    // Counting has an error of about a cell along the outline of the patch.
     EXPECT_NEAR(overlap(a, b).area(), counted, 0.02 * (1.0 + a.area()) / 2.0);
     EXPECT_NEAR(overlap(a, b).area(), overlap(b, a).area(), 1e-9);
   }

@@ -32,7 +32,7 @@ TEST(Base64, KeepsAllBytes) {
   }
 }
 
-TEST(Base64, RefusesWhatIsNone) {
+TEST(Base64, RefusesInvalidText) {
   for (const char* text : {"Z", "Zg=", "Zg", "Z===", "====", "Zm9v*mFy", "Zg==Zg==", "Zm 9"})
     EXPECT_FALSE(from_base64(text)) << text;
 }

@@ -13,7 +13,7 @@ TEST(NumberText, ReadsWhatPeopleWrite) {
   EXPECT_EQ(parse_integer("-7"), -7);
 }
 
-TEST(NumberText, RefusesWhatIsNoFiniteNumber) {
+TEST(NumberText, RefusesTextThatIsNoFiniteNumber) {
   for (const char* text : {"", " 1", "1 ", "nan", "inf", "-inf", ".nan", "1e400", "0x10", "1,5",
                            "1_000", "+-1", "--1", "1.2.3", "e5"}) {
     EXPECT_FALSE(parse_number(text)) << text;
@@ -23,7 +23,7 @@ TEST(NumberText, RefusesWhatIsNoFiniteNumber) {
   }
 }
 
-TEST(NumberText, ComesBackToTheSameBits) {
+TEST(NumberText, ReadsBackToTheSameBits) {
   for (const double value : {0.1, 1.0 / 3.0, 1e-300, -12345678.9, 5e-324}) {
     EXPECT_EQ(parse_number(number_text(value)), value);
   }

@@ -21,7 +21,7 @@ TEST(WholeFile, ReadsEveryByte) {
   EXPECT_EQ(read_whole_file(folder.write("f", bytes), 4).value(), bytes);
 }
 
-TEST(WholeFile, RefusesWhatIsNoFileOrTooLarge) {
+TEST(WholeFile, RefusesAnythingButAFileWithinTheLimit) {
   const TemporaryFolder folder;
   const auto message = [](const std::string& path) {
     const auto result = read_whole_file(path, 3);
@@ -35,7 +35,7 @@ TEST(WholeFile, RefusesWhatIsNoFileOrTooLarge) {
   EXPECT_NE(message(""), "");
 }
 
-TEST(WholeFile, ReplacesAFileAndLeavesNothingBeside) {
+TEST(WholeFile, ReplacesAFileAndLeavesNoTemporaryFile) {
   const TemporaryFolder folder;
   const std::string path = folder.write("f", "old");
   ASSERT_TRUE(write_file_atomically(path, "new"));
@@ -43,7 +43,7 @@ TEST(WholeFile, ReplacesAFileAndLeavesNothingBeside) {
   EXPECT_EQ(folder.count_files(), 1U);
 }
 
-TEST(WholeFile, WritesThroughALink) {
+TEST(WholeFile, WritesThroughASymbolicLink) {
   const TemporaryFolder folder;
   const std::string path = folder.write("f", "old");
   std::filesystem::create_symlink(path, folder.path("link"));
@@ -52,7 +52,7 @@ TEST(WholeFile, WritesThroughALink) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link")));
 }
 
-TEST(WholeFile, SaysWhyItCannotWrite) {
+TEST(WholeFile, ReportsWhyItCannotWrite) {
   const TemporaryFolder folder;
   EXPECT_FALSE(write_file_atomically(folder.path("no/such/folder"), "x"));
   EXPECT_FALSE(write_file_atomically(folder.path(""), "x"));

@@ -52,7 +52,7 @@ TEST(BitGrid, SetChangesOneCellOnly) {
     for (int x = 0; x < 130; ++x)
       EXPECT_EQ(bits.blocked({x, y}), !(x == 64 && y == 1));
   }
-  EXPECT_EQ(bits.row(0).back(), 0x3U) << "bits past the width stay 0";
+  EXPECT_EQ(bits.row(0).back(), 0x3U) << "bits beyond the width stay 0";
 }
 
 void expect_bands_to_be_their_rows(const BitGrid& bits) {
@@ -68,7 +68,7 @@ void expect_bands_to_be_their_rows(const BitGrid& bits) {
   }
 }
 
-TEST(BitGrid, BandsAreTheirRowsTogetherHoweverTheGridIsWritten) {
+TEST(BitGrid, BandsAreTheUnionOfTheirRowsAfterAnyWrite) {
   test::Random random(3);
   for (int trial = 0; trial < 10; ++trial) {
     const OccupancyGrid world = test::random_world(random, 150);

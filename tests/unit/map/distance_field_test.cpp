@@ -14,7 +14,7 @@
 namespace fairway {
 namespace {
 
-constexpr double kRounding = 1.5e-7;  // relative; what the header promises
+constexpr double kRounding = 1.5e-7;  // relative; the header's guarantee
 
 void expect_exact(const BitGrid& obstacles, const DistanceField& field) {
   const GridFrame& frame = obstacles.frame();
@@ -86,7 +86,7 @@ TEST(DistanceField, AWindowUpdateGivesTheBitsOfAFullOne) {
       const CellIndex first{random.integer(-5, frame.width - 1),
                             random.integer(-5, frame.height - 1)};
       const CellIndex last{first.x + random.integer(0, 30), first.y + random.integer(0, 30)};
-      const double density = random.uniform(-0.3, 0.5);  // often none: obstacles vanish
+      const double density = random.uniform(-0.3, 0.5);  // often none, so that obstacles disappear
       for (int y = std::max(0, first.y); y <= std::min(last.y, frame.height - 1); ++y) {
         for (int x = std::max(0, first.x); x <= std::min(last.x, frame.width - 1); ++x)
           obstacles.set({x, y}, random.chance(density));

@@ -31,7 +31,7 @@ double slow_clearance(const BitGrid& obstacles, const Footprint& footprint, cons
   return least;
 }
 
-TEST(FootprintClearance, AgreesWithALookAtEveryCell) {
+TEST(FootprintClearance, AgreesWithATestOfEveryCell) {
   test::Random random(1);
   int touching = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -49,7 +49,7 @@ TEST(FootprintClearance, AgreesWithALookAtEveryCell) {
     const double limit = 1.0;
     const double slow = std::min(limit, slow_clearance(obstacles, footprint, pose));
     const double fast = footprint_clearance(obstacles, footprint, pose, limit);
-    // The slow one samples cells at a tenth of their side.
+    // The slow version samples cells at a tenth of their side.
     EXPECT_NEAR(std::max(0.0, fast), slow, 0.12 * frame.resolution);
     EXPECT_EQ(fast > 0.0, is_free(obstacles, footprint, pose, 0.0));
     if (fast >= 0.0) continue;

@@ -37,7 +37,7 @@ TEST(FreeSpace, AgreesWithTheDistanceToEveryCell) {
     for (int i = 0; i < 40; ++i) {
       const OrientedRectangle r = random_region(random, obstacles.frame());
       const double room = test::clearance(obstacles, r);
-      // Ask just below and just above the true clearance: the sharpest question there is.
+      // Test just below and just above the true clearance, which is hardest.
       if (room > 3.0 * kFreeSpaceSkin) {
         EXPECT_TRUE(is_free(obstacles, r, room - 2.0 * kFreeSpaceSkin));
         ++free;
@@ -53,8 +53,8 @@ TEST(FreeSpace, AgreesWithTheDistanceToEveryCell) {
   EXPECT_GT(blocked, 200);
 }
 
-// How far the nearest cell of row `y` that is at most `radius` [cells] from `region` is from column
-// `middle`; -1 when there is none. Cell by cell.
+// The distance from column `middle` to the nearest cell of row `y` that is at most `radius` [cells]
+// from `region`; -1 when there is none. Tests cell by cell.
 int nearest_in_row(
     const BitGrid& obstacles, const OrientedRectangle& region, double radius, int y, int middle) {
   const GridFrame& frame = obstacles.frame();
@@ -106,7 +106,7 @@ TEST(FreeSpace, FindsTheNearestBlockedCellOfEveryRow) {
   EXPECT_GT(rows, 500);
 }
 
-TEST(FreeSpace, SeesASinglePostAndADiagonalLineOfCells) {
+TEST(FreeSpace, DetectsASinglePostAndADiagonalLineOfCells) {
   BitGrid obstacles(GridFrame{.width = 100, .height = 100, .resolution = 0.05, .origin = {}},
                     false);
   const OrientedRectangle r{.seed = {2.5, 2.5}, .orientation = 0.7, .min = {-1, -1}, .max = {1, 1}};
@@ -118,7 +118,7 @@ TEST(FreeSpace, SeesASinglePostAndADiagonalLineOfCells) {
     obstacles.set({i, i}, true);
   EXPECT_FALSE(is_free(obstacles, Vector2d(2.0, 3.0), Vector2d(3.0, 2.0), 0.0));
   EXPECT_FALSE(is_free(obstacles, Vector2d(2.0, 2.98), Vector2d(2.98, 2.02), 0.0))
-      << "no slipping between two cells that touch at a corner";
+      << "two cells that touch at a corner leave no gap";
 }
 
 TEST(FreeSpace, TouchingIsNotFree) {

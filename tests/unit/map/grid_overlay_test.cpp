@@ -33,7 +33,7 @@ TEST(GridOverlay, KeepsCellsOfTheSameRaster) {
   EXPECT_EQ(num_blocked(onto), 2);
 }
 
-TEST(GridOverlay, KeepsWhatWasThere) {
+TEST(GridOverlay, KeepsEarlierCells) {
   BitGrid onto = free_grid(10, 10, 0.1, {});
   onto.set({1, 1}, true);
   add_obstacles(free_grid(10, 10, 0.1, {}), onto);
@@ -52,7 +52,7 @@ TEST(GridOverlay, LeavesNoHoleUnderLargerCells) {
   EXPECT_FALSE(onto.blocked({40, 39}));
 }
 
-TEST(GridOverlay, FollowsTurnedGridsAndDropsWhatLiesOutside) {
+TEST(GridOverlay, FollowsTurnedGridsAndDropsOutsideCells) {
   BitGrid onto = free_grid(40, 40, 0.1, {});
   BitGrid from =
       free_grid(30, 30, 0.1, {.position = {2.0, 1.0}, .heading = 0.5 * std::numbers::pi});
@@ -63,7 +63,7 @@ TEST(GridOverlay, FollowsTurnedGridsAndDropsWhatLiesOutside) {
   EXPECT_EQ(num_blocked(onto), 1);
 }
 
-TEST(GridOverlay, LeavesAnEmptyGridAlone) {
+TEST(GridOverlay, DoesNotChangeAnEmptyGrid) {
   BitGrid nothing;
   BitGrid onto = free_grid(3, 3, 0.1, {});
   add_obstacles(nothing, onto);

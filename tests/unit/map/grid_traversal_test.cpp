@@ -77,7 +77,7 @@ TEST(GridTraversal, EveryCellIsANeighbourOfTheOneBefore) {
   }
 }
 
-TEST(GridTraversal, StopsWhenToldTo) {
+TEST(GridTraversal, StopsOnRequest) {
   int count = 0;
   walk_cells({0.5, 0.5}, {9.5, 0.5}, [&](CellIndex, double) { return ++count < 3; });
   EXPECT_EQ(count, 3);

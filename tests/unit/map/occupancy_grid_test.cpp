@@ -18,7 +18,7 @@ TEST(OccupancyGrid, OutsideIsOccupied) {
   EXPECT_EQ(grid.at({0, -1}), CellState::Occupied);
 }
 
-TEST(OccupancyGrid, RefusesSizesAndNumbersThatMakeNoSense) {
+TEST(OccupancyGrid, RefusesInvalidSizesAndNumbers) {
   const GridFrame good{.width = 2, .height = 2, .resolution = 0.5, .origin = {}};
   for (const double resolution : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     GridFrame bad = good;

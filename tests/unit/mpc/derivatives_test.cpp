@@ -19,7 +19,7 @@ constexpr double kTolerance = 1e-7;  // rounding over a step of 1e-6, for values
 
 constexpr std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
 
-// (x, y, heading, linear, angular) to the pose after one step.
+// Maps (x, y, heading, linear, angular) to the pose after one step.
 VectorXd stepped(const VectorXd& z, double dt, Integration integration) {
   const Pose2 next = step({.position = z.head<2>(), .heading = z[2]},
                           {.linear = z[3], .angular = z[4]}, dt, integration);

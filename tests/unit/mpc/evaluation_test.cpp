@@ -43,7 +43,7 @@ TEST(Evaluation, EulerMovesAlongTheHeadingAtTheStartOfTheStep) {
   EXPECT_DOUBLE_EQ(poses[2].position.y(), std::sin(0.5));
 }
 
-TEST(Evaluation, MidpointIsNearerToTheExactArcThanEuler) {
+TEST(Evaluation, MidpointIsCloserToTheExactArcThanEuler) {
   const Twist2 command{.linear = 1.0, .angular = 1.5};
   const double dt = 0.1;
   const double radius = command.linear / command.angular;
@@ -56,7 +56,7 @@ TEST(Evaluation, MidpointIsNearerToTheExactArcThanEuler) {
   EXPECT_GT(error(Integration::Euler), 50.0 * error(Integration::Midpoint));
 }
 
-// Written out from Eq. (15a) term by term, both targets apart.
+// Eq. (15a) written out term by term, with both targets separate.
 double paper_cost(const PaperScene& scene, std::span<const Twist2> nu, std::span<const Pose2> eta) {
   double sum = 0.0;
   const auto pull = [](const Pose2& pose, const Pose2& target, double q, double q_heading) {
@@ -104,7 +104,7 @@ TEST(Evaluation, DualTargetWithOneWeightZeroIsTheOtherTarget) {
   EXPECT_EQ(both.offset, 0.0);
 }
 
-TEST(Evaluation, FirstChangeCostsOnlyWhenAskedFor) {
+TEST(Evaluation, FirstChangeCostsOnlyWithAWeight) {
   ControlProblem problem;
   problem.horizon = 1;
   problem.previous_command = {.linear = 0.5, .angular = -1.0};
@@ -115,7 +115,7 @@ TEST(Evaluation, FirstChangeCostsOnlyWhenAskedFor) {
   EXPECT_DOUBLE_EQ(cost(problem, commands, poses), 0.1 + 0.1 * 0.25 + 0.1);
 }
 
-TEST(Evaluation, CorridorRowsAreDistancesToTheSides) {
+TEST(Evaluation, CorridorConstraintsAreDistancesToTheSides) {
   ControlProblem problem;
   problem.horizon = 1;
   problem.regions[1].count = 2;
@@ -131,7 +131,7 @@ TEST(Evaluation, CorridorRowsAreDistancesToTheSides) {
   }
 }
 
-TEST(Evaluation, BarrierRowIsEquation14) {
+TEST(Evaluation, BarrierConstraintIsEquation14) {
   ControlProblem problem;
   problem.horizon = 1;
   problem.num_obstacles = 1;
@@ -148,7 +148,7 @@ TEST(Evaluation, BarrierRowIsEquation14) {
 }
 
 TEST(Evaluation, ABarrierKeptAtEveryStepNeverTurnsNegative) {
-  // What dt gamma in (0, 1] is for: h_{k+1} >= retention h_k >= 0.
+  // The purpose of dt gamma in (0, 1]: h_{k+1} >= retention h_k >= 0.
   Random random(12);
   int kept = 0;
   for (int trial = 0; trial < 2000; ++trial) {
@@ -170,7 +170,7 @@ TEST(Evaluation, ABarrierKeptAtEveryStepNeverTurnsNegative) {
   EXPECT_GT(kept, 1000);
 }
 
-TEST(Evaluation, ViolationIsTheSumOverRowsAndNamesTheWorst) {
+TEST(Evaluation, ViolationIsTheSumOverConstraintsAndNamesTheWorst) {
   ControlProblem problem;
   problem.horizon = 2;
   for (std::size_t k : {1U, 2U}) {
@@ -186,7 +186,7 @@ TEST(Evaluation, ViolationIsTheSumOverRowsAndNamesTheWorst) {
   EXPECT_EQ(violation.worst.index, 3);
 }
 
-TEST(Evaluation, HardViolationSeesRangeChangeAndStop) {
+TEST(Evaluation, BoundViolationIncludesRangeChangeAndStop) {
   ControlProblem problem;
   problem.horizon = 2;
   problem.max_change = {.linear = 0.5, .angular = 10.0};
@@ -215,7 +215,7 @@ TEST(Evaluation, ClippedCommandsObeyEveryBound) {
   }
 }
 
-TEST(Evaluation, AGuessIsShiftedInAndItsLastCommandRepeated) {
+TEST(Evaluation, AGuessIsExtendedWithItsLastCommand) {
   ControlProblem problem;
   problem.horizon = 4;
   InitialGuess guess;

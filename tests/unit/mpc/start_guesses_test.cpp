@@ -11,7 +11,7 @@
 namespace fairway {
 namespace {
 
-TEST(StartGuesses, BeginWithTheGivenOneThenLeftRightAndStraight) {
+TEST(StartGuesses, AreTheGivenOneThenLeftRightAndStraight) {
   ControlProblem problem;
   problem.command_min = {.linear = -0.5, .angular = -2.0};
   problem.command_max = {.linear = 1.5, .angular = 2.0};

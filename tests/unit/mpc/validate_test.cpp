@@ -33,7 +33,7 @@ ControlProblem sound_problem() {
   return problem;
 }
 
-TEST(Validate, NamesWhatIsWrong) {
+TEST(Validate, NamesTheFault) {
   const std::vector<Case> cases{
       {"nothing", [](auto&) {}, ProblemFault::None},
       {"no step", [](auto& p) { p.horizon = 0; }, ProblemFault::Horizon},
@@ -111,7 +111,7 @@ TEST(Validate, AcceptsThePapersProblemForDtGammaUpToOne) {
   EXPECT_EQ(validate(paper_problem(settings, paper_robot_settings(), {})), ProblemFault::Retention);
 }
 
-TEST(PaperProblem, HoldsTableOne) {
+TEST(PaperProblem, HasTheValuesOfTableOne) {
   const std::array<MovingObstacle, 1> obstacles{
       MovingObstacle{.position = {1.0, 2.0}, .velocity = {0.5, -1.0}, .radius = 0.5}};
   PaperScene scene;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDt = 0.1;
 
-TEST(DeadReckoning, LeadsAnOldPoseToWhereTheRobotIsNow) {
+TEST(DeadReckoning, ExtrapolatesAnOldPoseToThePresent) {
   test::Random random(5);
   UnicycleRobot robot{.pose = {.position = {1, 2}, .heading = 0.3}};
   DeadReckoning reckoning;
@@ -25,10 +25,10 @@ TEST(DeadReckoning, LeadsAnOldPoseToWhereTheRobotIsNow) {
     for (int age = 1; age <= std::min(k, 3); ++age) {
       const Pose2& old = poses[static_cast<std::size_t>(k - age)];
       const Pose2 led = reckoning.advanced(old, (k - age) * kDt, k * kDt);
-      // Quarters of a cycle are taken as straight.
+      // Quarters of a cycle are approximated as straight.
       EXPECT_NEAR((led.position - robot.pose.position).norm(), 0.0, 3e-3) << age << " cycles old";
     }
-    // Each change takes the whole cycle, as the reckoning assumes.
+    // Each change takes the whole cycle, as dead reckoning assumes.
     const Twist2 command{.linear = robot.twist.linear + (random.chance(0.5) ? 0.2 : -0.2),
                          .angular = robot.twist.angular + (random.chance(0.5) ? 0.4 : -0.4)};
     reckoning.sent(k * kDt, command, kDt);
@@ -37,7 +37,7 @@ TEST(DeadReckoning, LeadsAnOldPoseToWhereTheRobotIsNow) {
   }
 }
 
-TEST(DeadReckoning, APoseOfNowIsLeftAsItIs) {
+TEST(DeadReckoning, ACurrentPoseIsUnchanged) {
   DeadReckoning reckoning;
   reckoning.reset({.linear = 1.0, .angular = 1.0});
   const Pose2 pose{.position = {1, 2}, .heading = 3};
@@ -46,7 +46,7 @@ TEST(DeadReckoning, APoseOfNowIsLeftAsItIs) {
   EXPECT_EQ(same.heading, pose.heading);
 }
 
-TEST(DeadReckoning, AJumpDoesNotFitUntilItLastsAndTheRobotStands) {
+TEST(DeadReckoning, AJumpIsAcceptedOnlyAfterAWhileAtStandstill) {
   DeadReckoning reckoning;
   reckoning.reset({});
   const Pose2 here{.position = {0, 0}, .heading = 0};
@@ -61,14 +61,14 @@ TEST(DeadReckoning, AJumpDoesNotFitUntilItLastsAndTheRobotStands) {
   EXPECT_TRUE(see(here)) << "the first fits";
   EXPECT_TRUE(see({.position = {0.1, 0}, .heading = 0})) << "within the tolerance";
   EXPECT_FALSE(see(there));
-  EXPECT_TRUE(see(here)) << "back again";
+  EXPECT_TRUE(see(here)) << "back at the old pose";
   for (int k = 0; k < 5; ++k)
     EXPECT_FALSE(see(there));
-  EXPECT_TRUE(see(there)) << "for half a second already";
+  EXPECT_TRUE(see(there)) << "after half a second";
   EXPECT_FALSE(see(here));
 }
 
-TEST(DeadReckoning, AJumpNeverFitsWhileTheRobotMoves) {
+TEST(DeadReckoning, AJumpIsNeverAcceptedWhileTheRobotMoves) {
   DeadReckoning reckoning;
   reckoning.reset({.linear = 1.0});
   ASSERT_TRUE(reckoning.fits({.position = {0, 0}, .heading = 0}, 0.0, 0.2));

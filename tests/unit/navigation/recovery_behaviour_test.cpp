@@ -11,7 +11,7 @@ namespace {
 constexpr double kCycleTime = 0.1;
 constexpr double kPatience = 0.4;
 
-TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
+TEST(RecoveryBehaviour, IsIdleWhileTheRobotMakesProgressOrHasJustStopped) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(recovery.update(20.0 - 0.1 * i, false, false, true, kCycleTime, kPatience),
@@ -23,7 +23,7 @@ TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
   }
 }
 
-TEST(RecoveryBehaviour, StandingGoesThroughAllThatCanBeTried) {
+TEST(RecoveryBehaviour, StandstillLeadsThroughAllActions) {
   for (const bool can_back : {false, true}) {
     RecoveryBehaviour recovery;
     std::set<RecoveryAction> seen;
@@ -38,7 +38,7 @@ TEST(RecoveryBehaviour, StandingGoesThroughAllThatCanBeTried) {
   }
 }
 
-TEST(RecoveryBehaviour, WhatIsRefusedGivesWayToTheNextThingSoon) {
+TEST(RecoveryBehaviour, ARefusedActionIsSoonFollowedByTheNext) {
   RecoveryBehaviour recovery;
   std::set<RecoveryAction> seen;
   int cycles = 0;
@@ -53,7 +53,7 @@ TEST(RecoveryBehaviour, WhatIsRefusedGivesWayToTheNextThingSoon) {
     EXPECT_TRUE(seen.contains(action));
 }
 
-TEST(RecoveryBehaviour, TwoRefusalsAreNoReasonToGiveUp) {
+TEST(RecoveryBehaviour, TwoRefusalsDoNotEndAnAction) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 5; ++i)
     (void)recovery.update(5.0, true, false, true, kCycleTime, kPatience);
@@ -65,14 +65,14 @@ TEST(RecoveryBehaviour, TwoRefusalsAreNoReasonToGiveUp) {
   }
 }
 
-TEST(RecoveryBehaviour, AnAlignedRobotThatStandsIsPlannedForAtOnce) {
+TEST(RecoveryBehaviour, AnAlignedRobotAtStandstillPlansAtOnce) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 3; ++i)
     (void)recovery.update(5.0, true, true, false, kCycleTime, kPatience);
   EXPECT_EQ(recovery.update(5.0, true, true, false, kCycleTime, kPatience), RecoveryAction::Plan);
 }
 
-TEST(RecoveryBehaviour, SwingingOnTheSpotIsNoProgress) {
+TEST(RecoveryBehaviour, OscillationOnTheSpotIsNoProgress) {
   RecoveryBehaviour recovery;
   int plans = 0;
   for (int i = 0; i < 100; ++i) {
@@ -82,13 +82,13 @@ TEST(RecoveryBehaviour, SwingingOnTheSpotIsNoProgress) {
   EXPECT_GE(plans, 3);
 }
 
-TEST(RecoveryBehaviour, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
-  for (const double step : {0.1, 0.0}) {  // [m] per cycle: driving on, and not
+TEST(RecoveryBehaviour, AChangeOfPathLengthIsNeitherProgressNorItsLack) {
+  for (const double step : {0.1, 0.0}) {  // [m] per cycle: progress, or none
     RecoveryBehaviour recovery;
     double remaining = 10.0;
     int actions = 0;
     for (int i = 0; i < 100; ++i) {
-      if (i % 10 == 9) {  // the way changes to and fro
+      if (i % 10 == 9) {  // the path length changes back and forth
         const double longer = i % 20 == 9 ? 5.0 : -5.0;
         recovery.change_way(longer);
         remaining += longer;

@@ -37,7 +37,7 @@ TEST(Settings, AnErrorNamesTheSettingTheRangeAndTheNumber) {
   EXPECT_FALSE(validate(settings).has_value());
 }
 
-TEST(Settings, ABarrierThatCouldJumpIsRefused) {
+TEST(Settings, ADecayRateAboveTheInverseStepIsRefused) {
   Settings settings;
   settings.mpc.decay_rate = 11.0;
   settings.mpc.step_length = 0.1;

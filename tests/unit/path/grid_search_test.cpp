@@ -30,7 +30,7 @@ struct Tally {
   int none = 0;
 };
 
-// One search against the oracle on the same grid; the grid must have begun.
+// Compares one search with the oracle on the same grid, which must have been started.
 template <typename Grid>
 void expect_cheapest(Grid& grid, GridSearch& search, Terminal start, Terminal goal, Tally& tally) {
   const bool found = search.find(grid, {&start, 1}, {&goal, 1});
@@ -60,7 +60,7 @@ void expect_cheapest(Grid& grid, GridSearch& search, Terminal start, Terminal go
     sum +=
         (d % 2 == 0 ? 29U : 41U) * static_cast<std::uint64_t>(cost(nodes[i - 1]) + cost(nodes[i]));
   }
-  EXPECT_EQ(sum, search.cost()) << "the way found costs what it says";
+  EXPECT_EQ(sum, search.cost()) << "the reported cost is that of the path";
 }
 
 PathSettings random_settings(test::Random& random) {
@@ -70,7 +70,7 @@ PathSettings random_settings(test::Random& random) {
   return settings;
 }
 
-TEST(GridSearch, CostsWhatDijkstrasAlgorithmFinds) {
+TEST(GridSearch, HasTheCostOfDijkstrasAlgorithm) {
   test::Random random(21);
   GridSearch search;
   BlockGrid blocks;
@@ -94,7 +94,7 @@ TEST(GridSearch, CostsWhatDijkstrasAlgorithmFinds) {
   EXPECT_GT(tally.none, 50);
 }
 
-TEST(GridSearch, TakesTheBestOfSeveralStartsAndGoals) {
+TEST(GridSearch, FindsTheBestOfSeveralStartsAndGoals) {
   const BitGrid obstacles({.width = 60, .height = 20, .resolution = 1.0, .origin = {}}, false);
   const DistanceField distances(obstacles);
   PathSettings settings;
@@ -114,7 +114,7 @@ TEST(GridSearch, TakesTheBestOfSeveralStartsAndGoals) {
   EXPECT_EQ(search.cost(), steps(33));
 }
 
-TEST(GridSearch, NothingToStartFromOrToReachIsNoWay) {
+TEST(GridSearch, GivesNoPathWithoutStartOrGoal) {
   const BitGrid obstacles({.width = 9, .height = 9, .resolution = 1.0, .origin = {}}, false);
   const DistanceField distances(obstacles);
   const TravelCost costs(obstacles, distances, 0.0, {});
@@ -128,7 +128,7 @@ TEST(GridSearch, NothingToStartFromOrToReachIsNoWay) {
   EXPECT_EQ(search.cost(), 0U);
 }
 
-TEST(GridSearch, AGoalInASmallPocketIsFoundOutWithoutSearchingTheMap) {
+TEST(GridSearch, AGoalInASmallPocketIsDetectedWithoutSearchingTheMap) {
   BitGrid obstacles({.width = 400, .height = 400, .resolution = 0.05, .origin = {}}, false);
   for (int i = 0; i <= 20; ++i) {
     for (const CellIndex cell : {CellIndex{300 + i, 300}, CellIndex{300 + i, 320},

@@ -15,14 +15,14 @@ TEST(BeginningOf, EndsOnThePathAfterItsLength) {
   EXPECT_NEAR(part.length(), 5.0, 1e-12);
 }
 
-TEST(BeginningOf, IsAllOfAPathThatIsNotLonger) {
+TEST(BeginningOf, IsTheWholeOfAShorterPath) {
   const Path path{.waypoints = {{0, 0}, {3, 0}, {3, 4}}};
   EXPECT_EQ(beginning_of(path, 7.0).waypoints, path.waypoints);
   EXPECT_EQ(beginning_of(path, 1e9).waypoints, path.waypoints);
   EXPECT_TRUE(beginning_of(Path(), 1.0).waypoints.empty());
 }
 
-TEST(BeginningOf, NothingIsItsStart) {
+TEST(BeginningOf, OfLengthZeroIsTheStart) {
   const Path path{.waypoints = {{1, 2}, {1, 2}, {3, 4}}};
   EXPECT_EQ(beginning_of(path, 0.0).length(), 0.0);
   EXPECT_EQ(beginning_of(path, 0.0).waypoints.front(), path.waypoints.front());

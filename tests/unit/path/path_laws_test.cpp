@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds for every path on every map, tried on random worlds.
+// Properties of every path on every map, tested on random worlds.
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +56,7 @@ TEST(PathLaws, FindsAPathExactlyWhereTheCellsConnect) {
   EXPECT_GT(none, 10);
 }
 
-TEST(PathLaws, EveryPathKeepsItsClearanceFromAnywhereToAnywhere) {
+TEST(PathLaws, EveryPathKeepsItsClearance) {
   test::Random random(42);
   PathPlanner planner;
   int found = 0;
@@ -86,7 +86,7 @@ TEST(PathLaws, EveryPathKeepsItsClearanceFromAnywhereToAnywhere) {
   EXPECT_GT(tight, 10);
 }
 
-TEST(PathLaws, CostsHardlyMoreThanTheCheapestWayOverAllCells) {
+TEST(PathLaws, CostsLittleMoreThanTheCheapestPathOverAllCells) {
   test::Random random(43);
   PathPlanner planner;
   int compared = 0;
@@ -126,7 +126,7 @@ TEST(PathLaws, CostsHardlyMoreThanTheCheapestWayOverAllCells) {
   EXPECT_LT(sum / compared, 1.01);
 }
 
-TEST(PathLaws, StraightensWithoutGivingUpWhatTheSearchPaidFor) {
+TEST(PathLaws, StraighteningNeverCostsMoreThanTheSearch) {
   test::Random random(44);
   PathPlanner planner;
   int turns = 0;
@@ -161,7 +161,7 @@ TEST(PathLaws, StraightensWithoutGivingUpWhatTheSearchPaidFor) {
     cells += static_cast<int>(chain.path.waypoints.size());
   }
   EXPECT_GT(cells, 1000);
-  EXPECT_LT(turns * 8, cells) << "the grid's wiggle is gone";
+  EXPECT_LT(turns * 8, cells) << "the path does not follow the grid";
 }
 
 TEST(PathLaws, ShiftingTheWorldShiftsThePath) {
@@ -173,7 +173,7 @@ TEST(PathLaws, ShiftingTheWorldShiftsThePath) {
     GridFrame frame = grid.frame();
     frame.origin = {};
     frame.resolution = 0.0625;  // sums of cells are exact
-    // The same obstacles in a frame of blocked cells, moved by whole blocks of the search.
+    // The same obstacles in a frame of blocked cells, shifted by whole blocks of the search.
     const int dx = BlockGrid::kSide * random.integer(0, 4);
     const int dy = BlockGrid::kSide * random.integer(0, 4);
     BitGrid first(frame, false);
@@ -206,7 +206,7 @@ TEST(PathLaws, ShiftingTheWorldShiftsThePath) {
   EXPECT_GT(found, 10);
 }
 
-TEST(PathLaws, EqualInputGivesEqualBitsWhateverWasPlannedBefore) {
+TEST(PathLaws, EqualInputGivesEqualBitsAfterAnyEarlierPlan) {
   test::Random random(46);
   PathPlanner used;
   for (int trial = 0; trial < 60; ++trial) {

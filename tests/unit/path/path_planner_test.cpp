@@ -28,7 +28,7 @@ World walled_world(int middle, int width) {
   return World(std::move(grid));
 }
 
-TEST(PathPlanner, AnOpenWayIsOneStraightLine) {
+TEST(PathPlanner, FreeSpaceGivesOneStraightLine) {
   const World world(empty_grid(200, 200));
   const Vector2d start(1.013, 1.507);
   const Vector2d goal(8.71, 6.23);
@@ -46,7 +46,7 @@ TEST(PathPlanner, StartIsGoal) {
   EXPECT_EQ(result.path.length(), 0.0);
 }
 
-TEST(PathPlanner, KeepsAwayFromACornerThatTheShortestWayTouches) {
+TEST(PathPlanner, KeepsADistanceFromACornerThatTheShortestPathTouches) {
   BitGrid grid = empty_grid(200, 200);
   for (int y = 0; y < 100; ++y)
     grid.set({100, y}, true);
@@ -74,7 +74,7 @@ TEST(PathPlanner, KeepsAwayFromACornerThatTheShortestWayTouches) {
   EXPECT_LT(shortest.path.length(), careful.path.length());
 }
 
-TEST(PathPlanner, TellsWhatIsOutsideTheMap) {
+TEST(PathPlanner, ReportsEndsOutsideTheMap) {
   const World world(empty_grid(40, 40));
   const Vector2d inside(1.0, 1.0);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -88,7 +88,7 @@ TEST(PathPlanner, TellsWhatIsOutsideTheMap) {
   EXPECT_EQ(nothing.find(inside, inside, 0.1).status, PathStatus::StartOutsideMap);
 }
 
-TEST(PathPlanner, TellsWhatIsBlocked) {
+TEST(PathPlanner, ReportsBlockedEnds) {
   BitGrid grid = empty_grid(100, 100);
   grid.set({50, 50}, true);
   const World world(std::move(grid));
@@ -100,7 +100,7 @@ TEST(PathPlanner, TellsWhatIsBlocked) {
       << "the outside is an obstacle";
 }
 
-TEST(PathPlanner, TellsThatThereIsNoWay) {
+TEST(PathPlanner, ReportsThatThereIsNoPath) {
   const World closed = walled_world(100, 0);
   EXPECT_EQ(closed.find({2, 2}, {8, 2}, 0.3).status, PathStatus::NoConnection);
   const World gap = walled_world(100, 12);  // 0.6 m
@@ -149,7 +149,7 @@ TEST(PathPlanner, LeadsOutOfACornerOfARoom) {
 }
 
 TEST(PathPlanner, JoinsPointsAnywhereInTheirCells) {
-  // A corridor so narrow that only the cells of its middle row have room.
+  // A passage so narrow that only the cells of its middle row have enough clearance.
   BitGrid grid = empty_grid(100, 60);
   for (int x = 0; x < 100; ++x) {
     grid.set({x, 20}, true);
@@ -167,8 +167,8 @@ TEST(PathPlanner, JoinsPointsAnywhereInTheirCells) {
   }
 }
 
-TEST(PathPlanner, BetweenRowsOfCellsOnlyTheStraightLineHasRoom) {
-  // 8 free rows: the middle lies on an edge between cells, no centre has room.
+TEST(PathPlanner, BetweenRowsOfCellsOnlyTheStraightLineHasClearance) {
+  // 8 free rows: the middle lies on an edge between cells, and no centre has enough clearance.
   BitGrid grid = empty_grid(100, 60);
   for (int x = 0; x < 100; ++x) {
     grid.set({x, 20}, true);

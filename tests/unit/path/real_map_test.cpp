@@ -76,9 +76,9 @@ INSTANTIATE_TEST_SUITE_P(Shared,
                            return name;
                          });
 
-// The pair of FIELD_NOTES section 2. "Grown by 0.3 m" there counts from cell centre to cell centre;
-// that leaves free the cells at least 0.2755 m from every occupied square.
-TEST(Willow, TheLongestPairIsShorterThanAnEightConnectedWay) {
+// A start and goal in Willow Garage. "Grown by 0.3 m" counts from cell centre to cell centre; this
+// leaves the cells free that are at least 0.2755 m from every occupied square.
+TEST(Willow, TheLongestPairIsShorterThanAnEightConnectedPath) {
   const auto obstacles = shared_map("willow-full-0.05");
   if (!obstacles) GTEST_SKIP() << "no willow-full-0.05 in " << FAIRWAY_SHARED_DATA;
   const DistanceField distances(*obstacles);

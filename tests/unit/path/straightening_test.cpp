@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-TEST(Straightening, AStaircaseInTheOpenBecomesALine) {
+TEST(Straightening, AStaircaseInFreeSpaceBecomesALine) {
   const BitGrid obstacles({.width = 100, .height = 100, .resolution = 0.1, .origin = {}}, false);
   const DistanceField distances(obstacles);
   const TravelCost costs(obstacles, distances, 0.2, {});
@@ -50,8 +50,8 @@ TEST(Straightening, ACornerIsPulledTightAroundItsObstacle) {
     length += (points[i] - points[i - 1]).norm();
     EXPECT_TRUE(is_free(obstacles, points[i - 1] * 0.05, points[i] * 0.05, 0.3));
   }
-  // The taut string: a tangent, an arc of 6 cells about the wall's corner, the top, and the same
-  // down again.
+  // The shortest path: a tangent, an arc of 6 cells around the wall's corner, the top, and the same
+  // on the other side.
   const double far = std::hypot(39.5, 59.5);
   const double tangent = std::sqrt(far * far - 36.0);
   const double heading = std::atan2(59.5, 39.5) + std::asin(6.0 / far);
@@ -60,7 +60,7 @@ TEST(Straightening, ACornerIsPulledTightAroundItsObstacle) {
   EXPECT_LT(length, 1.02 * taut);
 }
 
-TEST(Straightening, TwoPointsStay) {
+TEST(Straightening, TwoPointsAreUnchanged) {
   const BitGrid obstacles({.width = 50, .height = 50, .resolution = 0.1, .origin = {}}, false);
   const DistanceField distances(obstacles);
   const TravelCost costs(obstacles, distances, 0.2, {});

@@ -13,14 +13,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-TEST(TravelCost, StepsBetweenAllowedCellsAreFreeExactlyWhereItSays) {
+TEST(TravelCost, StepsBetweenAllowedCellsAreFreeExactlyWhereReported) {
   test::Random random(31);
   int blocked_diagonals = 0;
   for (int trial = 0; trial < 120; ++trial) {
     const BitGrid obstacles(test::random_world(random, 50));
     const DistanceField distances(obstacles);
     const GridFrame& frame = obstacles.frame();
-    // Half of the radii just below or at sqrt 2 times a whole number, where diagonals are critical.
+    // Half of the radii are just below or at sqrt 2 times a whole number, where diagonals are
+    // critical.
     const int k = random.integer(0, 4);
     const double cells = random.chance(0.5) ? random.uniform(0.0, 5.0)
                                             : std::sqrt(2.0 * k * k + random.uniform(0.0, 0.5));
@@ -94,7 +95,7 @@ TEST(TravelCost, ALineCostsTheIntegralOverItsCells) {
         sum += static_cast<double>(costs.at_distance(static_cast<float>(distances.at(cell))));
       }
       const double expected = sum * (b - a).norm() / kSamples;
-      // One sample at either side of each of at most 120 crossings may fall into the other cell.
+      // At each of at most 120 crossings, one sample on either side may fall into the other cell.
       const double tolerance = 1e-6 + 120 * 1.5 * (b - a).norm() / kSamples;
       EXPECT_NEAR(costs.line(a, b).cost, expected, tolerance);
       EXPECT_NEAR(costs.line(b, a).cost, costs.line(a, b).cost, 1e-9 + tolerance);
@@ -103,7 +104,7 @@ TEST(TravelCost, ALineCostsTheIntegralOverItsCells) {
   }
 }
 
-TEST(TravelCost, ALineOffTheMapCostsInfinitelyMuch) {
+TEST(TravelCost, ALineOutsideTheMapHasInfiniteCost) {
   const BitGrid obstacles({.width = 40, .height = 40, .resolution = 0.1, .origin = {}}, false);
   const DistanceField distances(obstacles);
   const TravelCost costs(obstacles, distances, 0.3, {});

@@ -50,9 +50,10 @@ TEST(CircleFit, ACentreIsFoundFromAnArcOfKnownRadius) {
   EXPECT_LT(fit.covariance.trace(), 1e-3);
 }
 
-TEST(CircleFit, WhatAShortArcLeavesOpenComesFromTheGuess) {
+TEST(CircleFit, AShortArcIsCompletedByTheGuess) {
   const Vector2d center(3, 0);
-  const auto points = arc(center, 0.5, 3.1, 3.2, 6);  // seen from the left: y is hardly known
+  const auto points = arc(center, 0.5, 3.1, 3.2, 6);  // seen from the left, so y is poorly
+                                                      // determined
   const CenterFit fit = fit_center(points, 0.5, {3.1, 0.02}, 0.03, 0.1);
   EXPECT_NEAR(fit.center.x(), 3.0, 0.03);
   EXPECT_LT(fit.covariance(0, 0), 0.1 * fit.covariance(1, 1));

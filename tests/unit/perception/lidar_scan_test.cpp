@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-TEST(LidarScan, BeamsAreLaidFromTheSensorsPose) {
+TEST(LidarScan, BeamsStartAtTheSensorsPose) {
   const std::array<float, 3> ranges = {1.0F, 2.0F, 3.0F};
   const Pose2 sensor{.position = {1, 2}, .heading = 0.5};
   const LidarScan scan{.first_pose = sensor,
@@ -49,7 +49,7 @@ TEST(LidarScan, AMovingSensorsBeamsMeetTheWallWhereItIs) {
     EXPECT_NEAR(beam.to.x(), 3.0, 1e-6);
 }
 
-TEST(LidarScan, WhatEachRangeMeans) {
+TEST(LidarScan, EveryKindOfRangeHasItsMeaning) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
   const std::array<float, 6> ranges = {nan, inf, 0.05F, 7.0F, 4.0F, -inf};
@@ -65,7 +65,7 @@ TEST(LidarScan, WhatEachRangeMeans) {
   EXPECT_EQ(beams[5].end, BeamEnd::Nothing);
 }
 
-TEST(LidarScan, WithoutAPoseNoBeamSaysAnything) {
+TEST(LidarScan, WithoutAPoseEveryBeamIsLost) {
   const std::array<float, 1> ranges = {1.0F};
   LidarScan scan{.ranges = ranges};
   scan.last_pose.heading = std::nan("");

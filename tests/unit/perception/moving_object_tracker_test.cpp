@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// A hall of 24 m with posts, a lidar with errors, discs that move as told, and a robot likewise.
+// A hall of 24 m with posts, a noisy lidar, discs that move at the given velocities, and a robot.
 class Hall {
  public:
   explicit Hall(std::uint64_t seed)
@@ -84,7 +84,7 @@ TEST(MovingObjectTracker, FollowsADiscThatCrosses) {
     while (hall.time() < 2.0) {
       const MovingObstacle truth = disc_at(hall.time(), start, velocity);
       const MovingObstacles seen = hall.scan({truth}, {}).tracker().obstacles();
-      if (hall.time() < 0.75) continue;  // it must have moved to be told from a post
+      if (hall.time() < 0.75) continue;  // it must have moved to be distinguished from a post
       ++scans;
       if (seen.size() != 1) continue;
       ++followed;
@@ -98,7 +98,7 @@ TEST(MovingObjectTracker, FollowsADiscThatCrosses) {
   }
 }
 
-TEST(MovingObjectTracker, SeesNothingMoveWhereNothingMoves) {
+TEST(MovingObjectTracker, GivesNoTracksInAStaticWorld) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Hall hall(seed);
     test::Random random(seed);
@@ -117,7 +117,7 @@ TEST(MovingObjectTracker, SeesNothingMoveWhereNothingMoves) {
   }
 }
 
-TEST(MovingObjectTracker, GoesOnWhereADiscIsHidden) {
+TEST(MovingObjectTracker, KeepsTheTrackOfAHiddenDisc) {
   Hall hall(7);
   hall.put_post({2.0, 0.0}, 0.5);
   const Vector2d start(4.5, -3.0);
@@ -137,7 +137,7 @@ TEST(MovingObjectTracker, GoesOnWhereADiscIsHidden) {
   EXPECT_TRUE(was_hidden);
 }
 
-TEST(MovingObjectTracker, WhatStopsBecomesPartOfTheMap) {
+TEST(MovingObjectTracker, AStoppedDiscBecomesPartOfTheMap) {
   Hall hall(9);
   const Vector2d start(3.0, -2.0);
   Vector2d stopped = Vector2d::Zero();
@@ -184,7 +184,7 @@ TEST(MovingObjectTracker, AMovingDiscLeavesNoTrailInTheMap) {
   EXPECT_EQ(left, 0);
 }
 
-TEST(MovingObjectTracker, SeveralAreToldApart) {
+TEST(MovingObjectTracker, SeveralDiscsAreDistinguished) {
   Hall hall(13);
   std::size_t most = 0;
   while (hall.time() < 2.5) {

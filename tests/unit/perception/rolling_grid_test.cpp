@@ -19,7 +19,7 @@ PerceptionSettings small_window() {
   PerceptionSettings s;
   s.window = 9.6;
   s.resolution = 0.05;
-  s.hit_depth = 0.0;  // the tests say where beams end to the cell
+  s.hit_depth = 0.0;  // the tests define beam ends to the cell
   s.hit_snap = 0.0;
   return s;
 }
@@ -40,7 +40,7 @@ std::vector<Beam> random_scan(test::Random& random, const Vector2d& from) {
   return beams;
 }
 
-// Evidence of every cell of an endless world, counted one cell and beam at a time.
+// Counts the evidence of every cell of an unbounded world, one cell and beam at a time.
 class SlowGrid {
  public:
   explicit SlowGrid(const PerceptionSettings& settings) : settings_(settings) {}
@@ -71,7 +71,7 @@ class SlowGrid {
       add(cell, -settings_.miss_evidence);
   }
 
-  // Forgets what is outside of the window.
+  // Forgets everything outside the window.
   void keep(const GridFrame& window) {
     std::erase_if(evidence_, [&](const auto& item) {
       return !window.contains(window.cell_at(center(item.first)));
@@ -103,7 +103,7 @@ class SlowGrid {
   std::map<Cell, int> evidence_;
 };
 
-TEST(RollingGrid, HoldsTheEvidenceOfASlowGridWhileItRolls) {
+TEST(RollingGrid, AgreesWithASlowGridWhileItRolls) {
   test::Random random(3);
   const PerceptionSettings settings = small_window();
   for (int trial = 0; trial < 2; ++trial) {
@@ -124,10 +124,10 @@ TEST(RollingGrid, HoldsTheEvidenceOfASlowGridWhileItRolls) {
       for (int y = 0; y < grid.frame().height; ++y) {
         for (int x = 0; x < grid.frame().width; ++x) {
           const Vector2d center = grid.frame().center({.x = x, .y = y});
-          // The cells under the robot are claimed as free.
+          // The cells under the robot are set to free.
           if ((center - robot).norm() < 0.1 || slow.at(center) == grid.at({.x = x, .y = y}))
             continue;
-          // A cell that was claimed a while ago.
+          // A cell that was set to free a while ago.
           if (slow.at(center) == CellState::Unknown &&
               grid.at({.x = x, .y = y}) == CellState::Free) {
             continue;
@@ -135,14 +135,14 @@ TEST(RollingGrid, HoldsTheEvidenceOfASlowGridWhileItRolls) {
           ++different;
         }
       }
-      // A beam that touches no more than a corner may be counted by one and not by the other.
+      // One method may count a beam that only touches a corner, and the other not.
       EXPECT_LE(different, 2);
     }
     EXPECT_GT(rolls, 1);
   }
 }
 
-TEST(RollingGrid, DenseBeamsClearWhatEachOfThemWould) {
+TEST(RollingGrid, DenseBeamsClearTheSameCellsAsSingleOnes) {
   test::Random random(4);
   const PerceptionSettings settings = small_window();
   const Vector2d robot(0.37, -0.81);
@@ -151,7 +151,7 @@ TEST(RollingGrid, DenseBeamsClearWhatEachOfThemWould) {
   double range = 2.0;
   for (int n = 0; n < 6; ++n) {
     std::vector<Beam> beams;
-    for (int i = 0; i < 500; ++i) {  // posts before walls: ranges jump now and then
+    for (int i = 0; i < 500; ++i) {  // posts in front of walls, where ranges jump
       if (random.chance(0.08)) range = random.uniform(0.2, 4.0);
       beams.push_back(beam(robot, robot + range * direction(-2.3 + 0.009 * i)));
       if (random.chance(0.02)) beams.back().end = BeamEnd::Nothing;
@@ -170,7 +170,7 @@ TEST(RollingGrid, DenseBeamsClearWhatEachOfThemWould) {
   EXPECT_LE(different, 2);
 }
 
-TEST(RollingGrid, ItsBitsSayWhatItsCellsSay) {
+TEST(RollingGrid, ItsBitsAgreeWithItsCells) {
   test::Random random(4);
   Vector2d robot(3, -7);
   RollingGrid grid(small_window(), robot);
@@ -187,7 +187,7 @@ TEST(RollingGrid, ItsBitsSayWhatItsCellsSay) {
   }
 }
 
-TEST(RollingGrid, TellsWhereItChanged) {
+TEST(RollingGrid, ReportsWhereItChanged) {
   test::Random random(5);
   const Vector2d robot(0, 0);
   RollingGrid grid(small_window(), robot);
@@ -217,7 +217,7 @@ TEST(RollingGrid, AHitIsNotClearedByItsNeighboursInTheSameScan) {
   EXPECT_EQ(grid.at(grid.frame().cell_at({1.0, 0.01})), CellState::Occupied);
 }
 
-TEST(RollingGrid, WhatHasGoneIsClearedAfterAFewScans) {
+TEST(RollingGrid, ARemovedObstacleIsClearedAfterAFewScans) {
   RollingGrid grid(small_window(), {0, 0});
   for (int n = 0; n < 50; ++n)
     grid.insert(std::vector<Beam>{beam({0, 0}, {1.01, 0.0})}, {0, 0}, 0.2);
@@ -229,17 +229,17 @@ TEST(RollingGrid, WhatHasGoneIsClearedAfterAFewScans) {
   EXPECT_EQ(scans, small_window().most_evidence);
 }
 
-TEST(RollingGrid, AHitIsMarkedAsMuchDeeperAsAsked) {
+TEST(RollingGrid, AHitIsMarkedByTheHitDepthFurther) {
   PerceptionSettings settings = small_window();
   settings.hit_depth = 0.02;
   RollingGrid grid(settings, {0, 0});
-  // A wall at 1.0 m, measured a little too near: the cell before it must stay free.
+  // A wall at 1.0 m with a slightly short range: the cell before it must stay free.
   grid.insert(std::vector<Beam>{beam({0, 0.01}, {0.99, 0.01})}, {0, 0}, 0.1);
   EXPECT_EQ(grid.at(grid.frame().cell_at({1.01, 0.01})), CellState::Occupied);
   EXPECT_EQ(grid.at(grid.frame().cell_at({0.99, 0.01})), CellState::Free);
 }
 
-TEST(RollingGrid, ALostBeamSaysNothing) {
+TEST(RollingGrid, ALostBeamChangesNothing) {
   RollingGrid grid(small_window(), {0, 0});
   grid.insert(std::vector<Beam>{beam({0, 0}, {1, 0}, BeamEnd::Nothing)}, {0, 0}, 0.1);
   EXPECT_EQ(grid.at(grid.frame().cell_at({0.8, 0.0})), CellState::Unknown);
@@ -247,7 +247,7 @@ TEST(RollingGrid, ALostBeamSaysNothing) {
   EXPECT_FALSE(grid.occupied().blocked(grid.frame().cell_at({0.8, 0.0})));
 }
 
-TEST(RollingGrid, TheRobotMayStandWhereItStands) {
+TEST(RollingGrid, CellsUnderTheRobotAreFree) {
   RollingGrid grid(small_window(), {1, 1});
   grid.insert({}, {1, 1}, 0.3);
   for (int i = 0; i < 100; ++i) {
@@ -262,7 +262,7 @@ TEST(RollingGrid, SameScansGiveTheSameBits) {
     test::Random random(6);
     Vector2d robot(0, 0);
     RollingGrid grid(small_window(), robot);
-    for (int n = 0; n < 300; ++n) {  // past the end of the scan numbers
+    for (int n = 0; n < 300; ++n) {  // beyond the end of the scan numbers
       robot += Vector2d(0.02, 0.01);
       grid.insert(random_scan(random, robot), robot, 0.3);
     }

@@ -27,7 +27,7 @@ TEST(Planner, FindsAPathAndItsCorridor) {
   EXPECT_FALSE(fits(plan, 0.4)) << "it was made for a smaller robot";
 }
 
-TEST(Planner, AnswersStartsAndGoalsThatAreNotFinite) {
+TEST(Planner, ReportsStartsAndGoalsThatAreNotFinite) {
   Planner planner;
   for (const double bad : {kNan, kInfinity, -kInfinity}) {
     EXPECT_EQ(planner.plan(room(), {bad, 1}, {.position = {4, 3}}, {}).path_status,
@@ -37,7 +37,7 @@ TEST(Planner, AnswersStartsAndGoalsThatAreNotFinite) {
   }
 }
 
-TEST(Planner, AnswersARadiusOrMarginThatCannotBe) {
+TEST(Planner, ReportsAnInvalidRadiusOrMargin) {
   Planner planner;
   for (const double bad : {-0.1, kNan, kInfinity}) {
     EXPECT_EQ(planner.plan(room(), {1, 1}, {.position = {4, 3}}, {.radius = bad}).path_status,
@@ -49,7 +49,7 @@ TEST(Planner, AnswersARadiusOrMarginThatCannotBe) {
   }
 }
 
-TEST(BuildCorridor, AnswersARadiusOrSettingThatCannotBe) {
+TEST(BuildCorridor, ReportsAnInvalidRadiusOrSetting) {
   const PreparedMap map = room();
   const Path path{.waypoints = {{1, 1}, {4, 3}}};
   for (const CorridorMethod method : {CorridorMethod::Fewest, CorridorMethod::Mdsrc}) {
@@ -67,7 +67,7 @@ TEST(BuildCorridor, AnswersARadiusOrSettingThatCannotBe) {
   }
 }
 
-TEST(BuildCorridor, AnswersAPathThatIsNotFinite) {
+TEST(BuildCorridor, ReportsAPathThatIsNotFinite) {
   const PreparedMap map = room();
   for (const CorridorMethod method : {CorridorMethod::Fewest, CorridorMethod::Mdsrc}) {
     const Path path{.waypoints = {{1, 1}, {kNan, 3}, {4, 3}}};
@@ -76,7 +76,7 @@ TEST(BuildCorridor, AnswersAPathThatIsNotFinite) {
   }
 }
 
-TEST(PreparedMap, AWindowThatChangedIsPreparedLikeAllOfTheMap) {
+TEST(PreparedMap, AChangedWindowIsPreparedLikeTheWholeMap) {
   PreparedMap map = room();
   BitGrid bits = map.obstacles;
   for (int y = 20; y < 40; ++y)
@@ -91,7 +91,7 @@ TEST(PreparedMap, AWindowThatChangedIsPreparedLikeAllOfTheMap) {
   }
 }
 
-TEST(PathAhead, BeginsAtTheRobotAndEndsInsideTheMap) {
+TEST(PathAhead, StartsAtTheRobotAndEndsInsideTheMap) {
   const GridFrame frame{.width = 100, .height = 80, .resolution = 0.05, .origin = {}};
   const Path path{.waypoints = {{0.5, 2}, {1.5, 2}, {2.5, 2}, {3.5, 2}, {6.5, 2}}};
   const PathAhead ahead = path_ahead(path, {1.6, 2.1}, frame, 0.3);

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-TEST(SampledMotion, IsStraightBetweenSamplesAndStandsAtItsEnds) {
+TEST(SampledMotion, IsLinearBetweenSamplesAndConstantOutside) {
   SampledMotion motion{.start = 10.0, .interval = 0.5};
   for (const double x : {0.0, 1.0, 3.0})
     motion.add({x, 0});
@@ -41,9 +41,9 @@ TEST(SharedMotion, IsNotFiniteAsSoonAsOneNumberIsNot) {
   EXPECT_FALSE(is_finite(bad));
 }
 
-// A robot tells how it would stop, then goes on as it likes for some cycles and stops. It is never
-// further from what it told than the bound.
-TEST(SharedMotion, ARobotUnheardStaysWithinItsReach) {
+// A robot publishes its stop, then drives arbitrarily for some cycles and stops. It never deviates
+// from the published motion by more than the bound.
+TEST(SharedMotion, ASilentRobotStaysWithinItsReach) {
   constexpr double kDt = 0.1;
   test::Random random(7);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -80,7 +80,7 @@ TEST(SharedMotion, ARobotUnheardStaysWithinItsReach) {
   }
 }
 
-TEST(SharedMotion, IsRoundedToMillimetresAndItsRadiusMakesUpForIt) {
+TEST(SharedMotion, IsRoundedToMillimetresAndItsRadiusCoversTheError) {
   test::Random random(21);
   for (int trial = 0; trial < 200; ++trial) {
     SharedMotion exact{.radius = random.uniform(0.1, 1.0)};
@@ -96,12 +96,12 @@ TEST(SharedMotion, IsRoundedToMillimetresAndItsRadiusMakesUpForIt) {
     const SharedMotion told = rounded(exact);
     const double more = told.radius - exact.radius;
     EXPECT_LT(more, kToldQuantum);
-    // Wherever the robot is on its way to the stop, its disc lies in the one that was told.
+    // At every time of the stop, the robot's disc lies in the published one.
     for (double time = 2.9; time < 4.4; time += 0.013)
       EXPECT_LE((told.stop.at(time) - exact.stop.at(time)).norm(), more);
     EXPECT_EQ(told.way.points[0], Vector2d(0.333, -0.667));
     EXPECT_EQ(told.plan.positions[3], told.stop.positions[3]);
-    // Told twice, nothing more is lost.
+    // Publishing twice loses nothing more.
     EXPECT_EQ(rounded(told).stop.positions[5], told.stop.positions[5]);
   }
 }

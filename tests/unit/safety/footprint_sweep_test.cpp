@@ -20,7 +20,7 @@ RobotSettings sweep_limits() {
   return s;
 }
 
-/// A wall from y = 0.25 on, and the origin in the middle.
+/// A wall from y = 0.25 on, with the origin in the middle.
 BitGrid wall_at_quarter_metre() {
   BitGrid obstacles(
       GridFrame{.width = 80, .height = 80, .resolution = 0.05, .origin = {{-2, -2}, 0}}, false);
@@ -37,7 +37,7 @@ Footprint random_footprint(test::Random& random) {
   return Footprint::discs(discs, 3);
 }
 
-TEST(FootprintSweep, AProvenStopStaysFreeAndARefusedOneComesNear) {
+TEST(FootprintSweep, AProvenStopStaysFreeAndARefusedOneComesClose) {
   test::Random random(1);
   int proven = 0;
   int refused = 0;
@@ -75,10 +75,10 @@ TEST(FootprintSweep, AProvenStopStaysFreeAndARefusedOneComesNear) {
     const double margin = around.static_margin;
     if (free) {
       EXPECT_GE(least, (around.margin_where_it_stands ? 0.0 : margin) - 1e-3)
-          << "proven, but it touches";
-      EXPECT_GE(last, margin - 1e-3) << "proven, but it comes to stand too near";
+          << "the stop is proven, but it touches";
+      EXPECT_GE(last, margin - 1e-3) << "the stop is proven, but it ends too close";
     } else {
-      EXPECT_LE(least, margin + 0.012) << "refused without need";
+      EXPECT_LE(least, margin + 0.012) << "the stop is refused unnecessarily";
     }
   }
   EXPECT_GT(proven, 50);
@@ -118,11 +118,11 @@ TEST(FootprintSweep, ARectangleTurnsOnlyWhereItsCornersFit) {
   EXPECT_EQ(verdict(-0.16), StopVerdict::Free);
 }
 
-TEST(FootprintSweep, ABodyWithNoMoreRoomThanItsMarginMayTurnToWhereItHasMore) {
+TEST(FootprintSweep, ABodyAtItsMarginMayTurnToLargerClearance) {
   const BitGrid obstacles = wall_at_quarter_metre();
   const RobotSettings robot = sweep_limits();
   const Footprint body = Footprint::rectangle(0.458, 0.416);
-  const Pose2 pose{.position = {0, -0.025}, .heading = 0.3};  // its corner 9 mm from the wall
+  const Pose2 pose{.position = {0, -0.025}, .heading = 0.3};  // its corner is 9 mm from the wall
   const auto verdict = [&](double angular, bool margin_where_it_stands) {
     const Twist2 turning{.linear = 0.0, .angular = angular};
     return check_stop(pose, {}, turning, brake_from(turning, robot, kSweepPeriod), kSweepPeriod,

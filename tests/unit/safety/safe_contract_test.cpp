@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a navigator does when its inputs are bad: a controlled stop in the same cycle, and a status
-// and a limit that say why.
+// Tests a navigator with bad inputs: it stops from the same cycle on, with a status and a limiting
+// factor that give the reason.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -45,7 +45,7 @@ class SafeContract : public ::testing::Test {
     return step;
   }
 
-  // Brakes at the limit at once, until it stands, and says why.
+  // Checks that it brakes at the limit at once, to standstill, and gives the reason.
   void expect_stop(NavigationInput told, NavigationStatus status, LimitingFactor limit) {
     Twist2 before = last_.command;
     for (int k = 0; k < 10; ++k) {
@@ -108,7 +108,7 @@ TEST_F(SafeContract, StopsOnStaleTracks) {
   EXPECT_EQ(step.limit, LimitingFactor::StaleTracks);
 }
 
-TEST_F(SafeContract, StopsOnAPoseThatJumpsAndGoesOnWhenItIsBack) {
+TEST_F(SafeContract, StopsOnAPoseThatJumpsAndContinuesWhenItIsBack) {
   NavigationInput told = input();
   told.pose.position.y() += 0.8;
   const NavigationStep step = cycle(told);
@@ -118,7 +118,7 @@ TEST_F(SafeContract, StopsOnAPoseThatJumpsAndGoesOnWhenItIsBack) {
   EXPECT_EQ(cycle(input()).status, NavigationStatus::Ok);
 }
 
-TEST_F(SafeContract, DrivesOnAPoseThatIsALittleLate) {
+TEST_F(SafeContract, DrivesOnASlightlyLatePose) {
   std::vector<Pose2> poses;
   for (int k = 0; k < 20; ++k) {
     poses.push_back(robot_.pose);
@@ -132,8 +132,8 @@ TEST_F(SafeContract, DrivesOnAPoseThatIsALittleLate) {
   EXPECT_NEAR(robot_.pose.position.y(), 2.0, 0.02);
 }
 
-TEST_F(SafeContract, AnObstacleThatComesIsEvadedAlthoughStandingWouldBeProven) {
-  // From behind, faster than the robot may drive, in its lane.
+TEST_F(SafeContract, EvadesAnApproachingObstacleAlthoughAStopIsProven) {
+  // From behind, faster than the robot can drive, in its lane.
   obstacles_ = {{.position = robot_.pose.position - Eigen::Vector2d(2.5, 0.05),
                  .velocity = {1.6, 0},
                  .radius = 0.3}};

@@ -16,7 +16,7 @@ constexpr double kPeriod = 0.1;  // [s]
 
 using Eigen::Vector2d;
 
-// A robot that stands at (3, 0).
+// A robot at standstill at (3, 0).
 SharedMotion standing_robot(std::uint32_t number) {
   SharedMotion told{.robot = number,
                     .position = {3, 0},
@@ -52,20 +52,21 @@ class AmongRobots : public testing::Test {
   BitGrid open_{{.width = 100, .height = 100, .resolution = 0.1, .origin = {{-5, -5}, 0}}, false};
 };
 
-// Round each other both could go by what is no longer so.
-TEST_F(AmongRobots, OnlyOneOfTwoGoesRoundWhoIsNearAndWasHeardLate) {
+// If both robots passed each other, both would rely on outdated motions.
+TEST_F(AmongRobots, OnlyOneOfTwoCloseRobotsMovesWithLateMessages) {
   const Pose2 beside{.position = {3.0, 0.51}, .heading = 0.0};
   EXPECT_TRUE(may(beside, 0.2, 0.0, 2, 1)) << "nothing is unseen";
   EXPECT_TRUE(may(beside, 0.2, 0.1, 1, 2)) << "the one with the smaller number";
-  EXPECT_FALSE(may(beside, 0.2, 0.1, 2, 1)) << "the other one";
+  EXPECT_FALSE(may(beside, 0.2, 0.1, 2, 1)) << "the one with the larger number";
   const Pose2 away{.position = {3.0, 0.51}, .heading = 1.57};
-  EXPECT_TRUE(may(away, 0.2, 0.1, 2, 1)) << "both may part";
-  EXPECT_TRUE(may(beside, 0.0, 0.1, 2, 1)) << "or stand";
+  EXPECT_TRUE(may(away, 0.2, 0.1, 2, 1)) << "both may drive apart";
+  EXPECT_TRUE(may(beside, 0.0, 0.1, 2, 1)) << "or stop";
 }
 
-// Found by safe_stop_soak: a way out that something moving would meet was taken without a look at
-// what stands behind that place. What moves may do otherwise; what stands will not.
-TEST(SafeStop, NeverEvadesIntoWhatStands) {
+// Found by safe_stop_soak: an evasion that would touch a moving obstacle was accepted without a
+// test for static obstacles beyond the contact. A moving obstacle may move otherwise; a static one
+// does not.
+TEST(SafeStop, NeverEvadesIntoAStaticObstacle) {
   test::Random random(5);
   int evaded = 0;
   for (int trial = 0; trial < 2000; ++trial) {

@@ -24,7 +24,7 @@ RobotSettings limits() {
   return s;
 }
 
-TEST(Stopping, BrakingEndsAtRestWithinTheLimits) {
+TEST(Stopping, BrakingEndsAtStandstillWithinTheLimits) {
   test::Random random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Twist2 from{.linear = random.uniform(-1, 1.5), .angular = random.uniform(-1.5, 1.5)};
@@ -64,7 +64,7 @@ TEST(Stopping, AProvenStopReallyStaysFree) {
     const bool free = check_stop(pose, current, command, stop, 0.1, around) == StopVerdict::Free;
     (free ? proven : refused) += 1;
 
-    // Drive it with the simulator's plant, at a step 50 times finer.
+    // Drive with the simulator's robot model, at a step 50 times finer.
     UnicycleRobot plant{.pose = pose, .twist = current, .limits = {1.0, 2.0}};
     std::vector<Twist2> commands{command};
     for (int i = 0; i < stop.count; ++i)
@@ -77,19 +77,19 @@ TEST(Stopping, AProvenStopReallyStaysFree) {
       }
     }
     if (free) {
-      EXPECT_GE(least, radius - 1e-4) << "proven, but it touches";
+      EXPECT_GE(least, radius - 1e-4) << "the stop is proven, but it touches";
     } else {
-      EXPECT_LE(least, radius + 0.01) << "refused without need";
+      EXPECT_LE(least, radius + 0.01) << "the stop is refused unnecessarily";
     }
   }
   EXPECT_GT(proven, 30);
   EXPECT_GT(refused, 30);
 }
 
-TEST(Stopping, AnObstacleThatComesOnIsSeenBetweenSamples) {
+TEST(Stopping, AFastObstacleIsDetectedBetweenSamples) {
   const BitGrid empty(
       GridFrame{.width = 400, .height = 400, .resolution = 0.05, .origin = {{-10, -10}, 0}}, false);
-  // At 40 m/s it is on the other side of the robot within one piece of time.
+  // At 40 m/s it is on the other side of the robot within one sample.
   const MovingObstacle fast{.position = {0.4, -0.8}, .velocity = {0, 40}, .radius = 0.1};
   const CollisionEnvironment around{.obstacles = &empty,
                                     .body = Footprint::disc(0.3),
@@ -99,7 +99,7 @@ TEST(Stopping, AnObstacleThatComesOnIsSeenBetweenSamples) {
   EXPECT_EQ(check_stop({}, {0.3, 0}, {0.3, 0}, stop, 0.1, around), StopVerdict::HitsMoving);
 }
 
-TEST(Stopping, LeavingAnObstacleThatIsTooNearIsAllowed) {
+TEST(Stopping, LeavingAnObstacleThatIsTooCloseIsAllowed) {
   const BitGrid empty(
       GridFrame{.width = 400, .height = 400, .resolution = 0.05, .origin = {{-10, -10}, 0}}, false);
   const MovingObstacle near{.position = {-0.45, 0}, .velocity = {0, 0}, .radius = 0.2};
@@ -115,7 +115,7 @@ TEST(Stopping, LeavingAnObstacleThatIsTooNearIsAllowed) {
 }
 
 TEST(Stopping, ABodyThatFitsIsStoppedWhereItCouldNotTurn) {
-  // A lane along x, 0.52 m wide: room for the body's 0.416 m, not for the disc of 0.31 m.
+  // A lane along x, 0.52 m wide: it admits the body's 0.416 m, but not the disc of 0.31 m.
   BitGrid obstacles(GridFrame{.width = 200, .height = 200, .resolution = 0.02, .origin = {}},
                     false);
   for (int x = 0; x < 200; ++x) {

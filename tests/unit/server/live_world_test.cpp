@@ -12,7 +12,7 @@
 namespace fairway::app {
 namespace {
 
-// A world that nobody listens to.
+// A world without clients.
 LiveListener deaf() {
   return {.on_run = [](std::string) {},
           .on_records = [](std::string) {},
@@ -22,14 +22,14 @@ LiveListener deaf() {
           .on_notice = [](const std::string&) {}};
 }
 
-// What a download gives; the world answers when it is between two cycles.
+// The result of a download; the world answers between two cycles.
 std::string downloaded(LiveWorld& world, LiveWorld::Download what) {
   std::promise<std::string> promise;
   world.download(what, [&](std::string bytes) { promise.set_value(std::move(bytes)); });
   return promise.get_future().get();
 }
 
-TEST(LiveMaps, GiveEveryRobotAWay) {
+TEST(LiveMaps, GiveEveryRobotAPath) {
   Planner planner;
   for (const MapChoice& choice : built_in_maps()) {
     const Scenario scenario = choice.make();
@@ -67,7 +67,7 @@ TEST(LiveWorld, GoesStepByStepWhilePaused) {
 }
 
 TEST(LiveWorld, KeepsTheNewestUploads) {
-  LiveState state;  // the last one; read when the world has answered
+  LiveState state;  // the last state; read after the world has answered
   LiveListener listener = deaf();
   listener.on_state = [&](const LiveState& now) { state = now; };
   LiveWorld world({built_in_maps().back()}, listener);
@@ -75,7 +75,7 @@ TEST(LiveWorld, KeepsTheNewestUploads) {
   for (int i = 0; i < 20; ++i)
     while (!world.use_map("map " + std::to_string(i), map))
       std::this_thread::yield();
-  // A run for each, and one more answer from the last.
+  // One run for each, and one more answer from the last run.
   for (int i = 0; i < 21; ++i)
     static_cast<void>(downloaded(world, LiveWorld::Download::Scenario));
   ASSERT_EQ(state.maps.size(), 9U);
@@ -84,7 +84,7 @@ TEST(LiveWorld, KeepsTheNewestUploads) {
   EXPECT_EQ(state.map, 8U);
 }
 
-TEST(LiveWorld, WhatWasDoneToItReplaysToTheBit) {
+TEST(LiveWorld, ItsChangesReplayToTheBit) {
   LiveWorld world({built_in_maps().back()}, deaf());  // the empty hall
   world.ask(PauseCommand{.paused = true});
   const auto steps = [&](int count) {

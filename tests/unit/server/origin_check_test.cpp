@@ -15,7 +15,7 @@ TEST(OriginCheck, AllowsTheNamesOfThisMachineOnly) {
     EXPECT_FALSE(check.allows_host(host)) << host;
 }
 
-TEST(OriginCheck, AllowsAddressesAndNamesWhereItIsTold) {
+TEST(OriginCheck, AllowsConfiguredAddressesAndNames) {
   const OriginCheck check{.hosts = {"robot.local"}, .origins = {}, .any_address = true};
   EXPECT_TRUE(check.allows_host("192.168.0.7:8787"));
   EXPECT_TRUE(check.allows_host("[fe80::1]:8787"));
@@ -23,7 +23,7 @@ TEST(OriginCheck, AllowsAddressesAndNamesWhereItIsTold) {
   EXPECT_FALSE(check.allows_host("example.com"));
 }
 
-TEST(OriginCheck, AllowsItsOwnPagesAndProgramsAndWhomItIsTold) {
+TEST(OriginCheck, AllowsItsOwnPagesProgramsAndConfiguredSites) {
   const OriginCheck check{
       .hosts = {}, .origins = {"https://app.foxglove.dev"}, .any_address = false};
   const char* host = "127.0.0.1:8787";

@@ -32,7 +32,7 @@ TEST(UploadedMap, NeverLooksForTheImageThatTheYamlNames) {
   EXPECT_EQ(uploaded->map.at({.x = 1, .y = 1}), CellState::Free);
 }
 
-TEST(UploadedMap, RefusesWhatIsNone) {
+TEST(UploadedMap, RefusesInvalidMaps) {
   for (const char* text :
        {"", "[]", "{}", R"({"name":"a","image":"*","resolution":0.1})",
         R"({"name":"a","image":"AAAA","resolution":0.1})", R"({"name":"a","image":7})"})
@@ -43,7 +43,7 @@ TEST(UploadedMap, RefusesWhatIsNone) {
   EXPECT_FALSE(read_uploaded_map(json.dump()));
 }
 
-TEST(UploadedMap, RefusesAPictureThatPromisesTooMuchBeforeItIsDecoded) {
+TEST(UploadedMap, RefusesAHugePictureBeforeItIsDecoded) {
   const std::string header("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\xEA\x60\0\0\xEA\x60", 24);
   const nlohmann::json json{{"name", "a"}, {"image", io::to_base64(header)}, {"resolution", 0.1}};
   const auto uploaded = read_uploaded_map(json.dump());

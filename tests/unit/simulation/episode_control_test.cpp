@@ -19,8 +19,8 @@ Scenario hall() {
   return scenario;
 }
 
-// Plays a run: `act` is called after each cycle with its number, and ends the run by false. The
-// navigators must come out the same when they are run again.
+// Plays a run: `act` is called after each cycle with its number, and ends the run by returning
+// false. The navigators must give the same outputs when they run again.
 EpisodeResult played(const Scenario& scenario,
                      const std::function<bool(EpisodeControl&, int)>& act) {
   ReplayCheck check;
@@ -33,7 +33,7 @@ EpisodeResult played(const Scenario& scenario,
   return result;
 }
 
-TEST(EpisodeControl, GoesOnAtTheGoalAndToAnother) {
+TEST(EpisodeControl, ContinuesAtTheGoalAndDrivesToAnother) {
   double end = 0.0;
   const EpisodeResult result = played(hall(), [&](EpisodeControl& control, int cycle) {
     if (cycle == 150) control.set_goal(0, {.position = {9.0, 5.0}, .heading = {}});
@@ -59,7 +59,7 @@ TEST(EpisodeControl, PlansAroundObstaclesThatAppear) {
   EXPECT_GT(result.robots[0].plan.path.length(), 5.0);
 }
 
-TEST(EpisodeControl, PutsNoObstacleIntoARobotOrBesideTheMap) {
+TEST(EpisodeControl, MakesNoObstacleInARobotOrOutsideTheMap) {
   static_cast<void>(played(hall(), [](EpisodeControl& control, int) {
     const GridFrame& frame = control.world().obstacles().frame();
     const CellIndex here = frame.cell_at(control.world().robots()[0].pose.position);
@@ -70,7 +70,7 @@ TEST(EpisodeControl, PutsNoObstacleIntoARobotOrBesideTheMap) {
   }));
 }
 
-TEST(EpisodeControl, MovesBodiesAndTakesThemAway) {
+TEST(EpisodeControl, MovesAndRemovesBodies) {
   static_cast<void>(played(hall(), [](EpisodeControl& control, int cycle) {
     const MovingBody body{.name = "person",
                           .radius = 0.3,
@@ -87,7 +87,7 @@ TEST(EpisodeControl, MovesBodiesAndTakesThemAway) {
   }));
 }
 
-TEST(EpisodeControl, DrivesOnWithOtherSettings) {
+TEST(EpisodeControl, ContinuesWithOtherSettings) {
   double fastest = 0.0;
   const EpisodeResult result = played(hall(), [&](EpisodeControl& control, int cycle) {
     if (cycle == 20) {

@@ -14,7 +14,7 @@ Plan straight_plan() {
   plan.corridor_status = CorridorStatus::Built;
   plan.path.waypoints = {{0.0, 0.0}, {8.0, 0.0}};
   plan.goal.position = {8.0, 0.0};
-  // The second one is turned by a quarter, so its side 0 (least x) is the lowest in the world.
+  // The second one is turned by 90 degrees, so its side 0 (least x) is the lowest in the world.
   plan.corridor.rectangles = {
       {.seed = {0.0, 0.0}, .orientation = 0.0, .min = {-1.0, -1.0}, .max = {5.0, 1.0}},
       {.seed = {6.0, 0.0},

@@ -13,23 +13,23 @@ MovingBody walker(bool loop) {
   return body;
 }
 
-TEST(MovingBody, MovesStraightBetweenKeyFrames) {
+TEST(MovingBody, MovesLinearlyBetweenKeyFrames) {
   const MovingObstacle at2 = walker(false).at(2.0);
   EXPECT_NEAR(at2.position.x(), 2.0, 1e-12);
   EXPECT_NEAR(at2.velocity.x(), 2.0, 1e-12);
 }
 
-TEST(MovingBody, StandsBeforeTheFirstAndAfterTheLast) {
+TEST(MovingBody, IsAtRestBeforeTheFirstKeyFrameAndAfterTheLast) {
   EXPECT_EQ(walker(false).at(0.0).velocity.norm(), 0.0);
   EXPECT_EQ(walker(false).at(9.0).position, Eigen::Vector2d(4, 1));
   EXPECT_EQ(walker(false).at(9.0).velocity.norm(), 0.0);
 }
 
-TEST(MovingBody, LoopsByItsOwnPeriod) {
+TEST(MovingBody, LoopsWithItsPeriod) {
   EXPECT_NEAR(walker(true).at(5.0).position.x(), walker(true).at(2.0).position.x(), 1e-12);
 }
 
-TEST(MovingBody, PassingOnesAreThereOnlyBetweenTheirEnds) {
+TEST(MovingBody, APassingBodyIsPresentOnlyBetweenItsEnds) {
   MovingBody passing = walker(false);
   EXPECT_TRUE(passing.is_there(0.0));
   passing.passing = true;
@@ -53,7 +53,7 @@ TEST(MovingBody, ARecordingIsReplayedFromAnyTime) {
   EXPECT_FALSE(all[0].is_there(2.5));
   EXPECT_TRUE(all[1].is_there(9.0));
   EXPECT_EQ(replayed({early, late}, 2.0, 8.0).size(), 1U) << "the second comes too late";
-  EXPECT_EQ(replayed({early, late}, 5.0, 20.0).size(), 1U) << "the first has gone";
+  EXPECT_EQ(replayed({early, late}, 5.0, 20.0).size(), 1U) << "the first has left";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ Scenario open_floor() {
   return scenario;
 }
 
-TEST(World, ARobotThatDrivesIntoAWallTouchesItAndStays) {
+TEST(World, ARobotThatDrivesIntoAWallTouchesItAndStops) {
   Scenario scenario = open_floor();
   scenario.map.set({130, 100}, CellState::Occupied);  // [1.5, 1.55] x [0, 0.05]
   scenario.robots = {{.name = "a", .start = {{0, 0.025}, 0}, .goal = {}}};
@@ -22,7 +22,7 @@ TEST(World, ARobotThatDrivesIntoAWallTouchesItAndStays) {
   for (int i = 0; i < 50; ++i)
     world.advance({{1.0, 0.0}}, 0.1);
   EXPECT_TRUE(world.encounters()[0].collided);
-  // Stopped where its rim met the cell, up to one fine step.
+  // It stopped where its rim met the cell, within one fine step.
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 1.5 - 0.25, 1.0 * World::kFineStep + 1e-9);
   EXPECT_LT(world.encounters()[0].min_clearance, 0.0);
 }
@@ -38,7 +38,7 @@ TEST(World, TwoRobotsThatMeetHaveBothCollided) {
   EXPECT_TRUE(world.encounters()[1].collided);
 }
 
-TEST(World, TellsWhoRanIntoWhom) {
+TEST(World, ReportsTheRobotsOwnSpeedAtAContact) {
   Scenario scenario = open_floor();
   scenario.robots = {{.name = "a", .start = {{0, 0}, 0}, .goal = {}}};
   MovingBody person;
@@ -60,7 +60,7 @@ TEST(World, TellsWhoRanIntoWhom) {
   EXPECT_NEAR(meeting.encounters()[0].approach, 0.5, 1e-9);
 }
 
-TEST(World, WhoIsNotThereIsNeitherSeenNorTouched) {
+TEST(World, AnAbsentBodyIsNeitherSeenNorTouched) {
   Scenario scenario = open_floor();
   scenario.robots = {{.name = "a", .start = {{0, 0}, 0}, .goal = {}}};
   MovingBody person{.name = "p", .key_frames = {{1.0, {0, 0}}, {2.0, {1, 0}}}};

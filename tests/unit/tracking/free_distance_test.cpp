@@ -27,7 +27,7 @@ BitGrid floor_with_wall_at(double x) {
   return map;
 }
 
-TEST(FreeLength, EndsBeforeWhatBlocks) {
+TEST(FreeLength, EndsBeforeAnObstacle) {
   for (const double wall : {1.0, 2.35, 3.0}) {
     const double length = free_length(floor_with_wall_at(wall), along_x(5.0), 0.3, 10.0);
     EXPECT_LE(length, wall - 0.3);
@@ -35,13 +35,13 @@ TEST(FreeLength, EndsBeforeWhatBlocks) {
   }
 }
 
-TEST(FreeLength, IsTheWholeStringOrTheLimitWhereNothingBlocks) {
+TEST(FreeLength, IsTheWholePathOrTheLimitWithoutObstacles) {
   const BitGrid map = floor_with_wall_at(7.0);
   EXPECT_EQ(free_length(map, along_x(5.0), 0.3, 10.0), 5.0);
   EXPECT_EQ(free_length(map, along_x(5.0), 0.3, 2.0), 2.0);
 }
 
-TEST(FreeLength, ARobotThatStandsTooNearMayStillLeave) {
+TEST(FreeLength, ARobotTooCloseToAnObstacleMayLeave) {
   BitGrid map = floor_with_wall_at(7.0);
   map.set(map.frame().cell_at({-0.28, 0.01}), true);  // behind it, inside its disc
   EXPECT_GT(free_length(map, along_x(5.0), 0.3, 10.0), 4.0);

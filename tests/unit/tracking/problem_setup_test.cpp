@@ -14,7 +14,7 @@
 namespace fairway {
 namespace {
 
-TEST(ProblemSetup, IsValidWhateverWasSentBefore) {
+TEST(ProblemSetup, IsValidAfterAnyPreviousCommand) {
   test::Random random(1);
   for (int trial = 0; trial < 200; ++trial) {
     Settings settings;
@@ -43,7 +43,7 @@ TEST(ProblemSetup, KeepsTheNearestObstaclesInOrderOfUrgency) {
   }
 }
 
-TEST(ProblemSetup, OldTracksAreMovedOn) {
+TEST(ProblemSetup, OldTracksAreExtrapolated) {
   const std::vector<MovingObstacle> one{{.position = {1, 0}, .velocity = {2, 0}, .radius = 0.3}};
   ControlProblem problem;
   problem.horizon = 10;
@@ -53,7 +53,7 @@ TEST(ProblemSetup, OldTracksAreMovedOn) {
   EXPECT_NEAR(problem.obstacles[0].position[10].x(), 3.5, 1e-12);
 }
 
-TEST(ProblemSetup, ATurnOnTheSpotEndsWithoutSwinging) {
+TEST(ProblemSetup, ATurnOnTheSpotEndsWithoutOscillation) {
   const RobotSettings limits;
   constexpr double kPeriod = 0.1;  // [s]
   for (const double turn : {3.0, -1.0, 0.3, 0.02}) {

@@ -32,7 +32,7 @@ double way(const Vector2d& a, const Vector2d& touch, const Vector2d& b) {
   return (touch - a).norm() + (b - touch).norm();
 }
 
-// Convex combinations of the corners, on a grid over each triangle of the fan: slow and obvious.
+// Convex combinations of the corners, on a grid over each triangle of the fan. Slow and simple.
 double least_way(const OverlapPatch& patch, const Vector2d& a, const Vector2d& b) {
   double least = std::numeric_limits<double>::infinity();
   constexpr int kSide = 60;
@@ -49,7 +49,7 @@ double least_way(const OverlapPatch& patch, const Vector2d& a, const Vector2d& b
   return least;
 }
 
-TEST(TautString, TouchIsNoLongerThanAnyOtherOfThePatch) {
+TEST(TautString, TheTouchPointGivesTheShortestPathThroughThePatch) {
   test::Random random(1);
   for (int trial = 0; trial < 200; ++trial) {
     const OverlapPatch patch = random_patch(random, {0, 0});
@@ -57,7 +57,7 @@ TEST(TautString, TouchIsNoLongerThanAnyOtherOfThePatch) {
     const Vector2d b(random.uniform(-4, 4), random.uniform(-4, 4));
     const Vector2d touch = shortest_touch(patch, a, b);
     EXPECT_LE(way(a, touch, b), least_way(patch, a, b) + 1e-9);
-    // It lies in the patch: no edge has it outside.
+    // It lies in the patch: it is outside of no edge.
     for (int i = 0; i < patch.count; ++i) {
       const Vector2d p = patch.corners[static_cast<std::size_t>(i)];
       const Vector2d e = patch.corners[static_cast<std::size_t>((i + 1) % patch.count)] - p;
@@ -66,7 +66,7 @@ TEST(TautString, TouchIsNoLongerThanAnyOtherOfThePatch) {
   }
 }
 
-TEST(TautString, PullingNeverLengthensAndConverges) {
+TEST(TautString, SweepsNeverLengthenThePathAndConverge) {
   test::Random random(2);
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<OverlapPatch> patches;
@@ -90,12 +90,12 @@ TEST(TautString, PullingNeverLengthensAndConverges) {
       last = length();
     }
     shorten_in_patches(patches, start, end, points, 2000);
-    // Thirty sweeps from scratch are within a centimetre of the limit; cycles add a few each.
+    // Thirty sweeps from scratch reach the limit within a centimetre; every cycle adds a few.
     EXPECT_NEAR(last, length(), 0.01);
   }
 }
 
-TEST(TautString, GoesStraightWhereItCan) {
+TEST(TautString, IsStraightWherePossible) {
   const OrientedRectangle r{.seed = {0, 0}, .orientation = 0, .min = {-1, -1}, .max = {1, 1}};
   const OverlapPatch patch = overlap(r, r);
   EXPECT_LT((shortest_touch(patch, {-3, 0.5}, {3, 0.5}) - Vector2d(0, 0.5)).norm(), 1e-12);

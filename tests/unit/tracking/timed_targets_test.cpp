@@ -36,7 +36,7 @@ void set_targets(const ReferencePath& path,
   set_timed_targets(path, start, settings.tracking, settings.mpc, settings.robot, problem);
 }
 
-TEST(TimedTargets, SpeedUpNoFasterThanTheLimitsAndStopAtTheGoal) {
+TEST(TimedTargets, AccelerateWithinTheLimitsAndStopAtTheGoal) {
   Settings settings;
   ControlProblem problem;
   problem.horizon = 50;
@@ -55,7 +55,7 @@ TEST(TimedTargets, SpeedUpNoFasterThanTheLimitsAndStopAtTheGoal) {
   EXPECT_NEAR(before, 2.0, 1e-9) << "the last target is the goal";
 }
 
-TEST(TimedTargets, AtTheGoalTheGoalsHeadingWithoutALongTurn) {
+TEST(TimedTargets, ReachTheGoalsHeadingByTheShorterTurn) {
   Settings settings;
   ControlProblem problem;
   problem.horizon = 50;
@@ -84,7 +84,7 @@ TEST(TimedTargets, SlowDownForASharpCornerOnly) {
   EXPECT_LT(slowest(make_path({{0, 0}, {2, 0}, {0.1, 0.5}}, false)), 0.4);
 }
 
-TEST(TimedTargets, WaitWhileTheRobotLooksAway) {
+TEST(TimedTargets, WaitWhileTheRobotFacesAway) {
   Settings settings;
   ControlProblem problem;
   problem.horizon = 20;
@@ -92,7 +92,7 @@ TEST(TimedTargets, WaitWhileTheRobotLooksAway) {
               problem);
   EXPECT_EQ(problem.targets[5].position.x(), 0.0);
   EXPECT_GT(problem.targets[20].position.x(), 0.2);
-  // The heading targets unwind the shorter way and stay within pi of the robot's heading.
+  // The heading targets turn the shorter way and stay within pi of the robot's heading.
   EXPECT_NEAR(problem.targets[1].heading, 0.0, 1e-9);
 }
 

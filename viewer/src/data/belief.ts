@@ -3,8 +3,8 @@ import { type Point, type Pose, placed, placedPose } from './geometry';
 import type { GridFrame } from './grid';
 
 /**
- * Where the frame lies in which a robot believes to be at `believed` while it truly is at `truth`:
- * wheels that count wrong let it drift away from the world's.
+ * The pose of the frame in which a robot estimates its pose as `believed` and is truly at `truth`:
+ * odometry errors let this frame drift away from the world's.
  */
 export function beliefFrame(truth: Pose, believed: Pose): Pose {
   const heading = truth.heading - believed.heading;
@@ -12,7 +12,7 @@ export function beliefFrame(truth: Pose, believed: Pose): Pose {
   return { x: truth.x - turned.x, y: truth.y - turned.y, heading };
 }
 
-/** The corners of a map whose origin is believed to be elsewhere than it is. */
+/** The corners of a map whose origin differs between the robot's estimate and the world. */
 export function windowCorners(frame: GridFrame, belief: Pose): Point[] {
   const origin = placedPose(belief, frame.origin);
   const side = [frame.width * frame.resolution, frame.height * frame.resolution] as const;

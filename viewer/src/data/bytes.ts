@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-/** Reads the fields of a record as CompactFields writes them; throws RangeError at the end. */
+/** Reads the fields of a record that CompactFields wrote; throws RangeError beyond the end. */
 export class Fields {
   private at: number;
 
@@ -65,7 +65,7 @@ export class Fields {
   }
 }
 
-/** The bytes that a report carries: base64 of zlib's form. */
+/** Decodes the bytes in a report: base64 of zlib's format. */
 export async function unpack(base64: string): Promise<Uint8Array> {
   const text = atob(base64);
   const packed = new Uint8Array(text.length);

@@ -2,21 +2,23 @@
 import type { Frame } from './frame';
 import type { Point, Pose } from './geometry';
 
-/** The outline of a robot: discs, else a rectangle about its centre, else, without sides, a disc. */
+/**
+ * The outline of a robot: discs, or a rectangle around its centre, or a disc if it has no sides.
+ */
 export interface Footprint {
-  radius: number; // of the disc that covers it
+  radius: number; // circumscribed radius
   length: number; // along the heading
   width: number;
   discs: (Point & { radius: number })[]; // in the robot's frame
 }
 
-/** The smallest disc about the centre of a robot that covers its body. */
+/** The smallest disc around a robot's centre that covers its body. */
 export function coveringRadius({ radius, length, width, discs }: Footprint): number {
   if (discs.length > 0) return Math.max(...discs.map((d) => Math.hypot(d.x, d.y) + d.radius));
   return length > 0 ? Math.hypot(length, width) / 2 : radius;
 }
 
-/** How far `p` is from a robot that stands at `pose`; not above 0 inside. */
+/** The distance of `p` from a robot at `pose`; not above 0 inside. */
 function distance({ radius, length, width, discs }: Footprint, pose: Pose, p: Point): number {
   const [dx, dy] = [p.x - pose.x, p.y - pose.y];
   if (discs.length > 0) {
@@ -31,8 +33,8 @@ function distance({ radius, length, width, discs }: Footprint, pose: Pose, p: Po
 }
 
 /**
- * The gap between a robot's body and the nearest other body; infinite when alone. Another robot
- * counts as the smallest disc around its body, as it does in the simulator.
+ * The distance between a robot's body and the nearest other body; infinite when alone. As in the
+ * simulator, another robot counts as the smallest disc around its body.
  */
 export function separation(frame: Frame, robot: number, body: Footprint): number {
   const me = frame.robots[robot];
@@ -40,7 +42,7 @@ export function separation(frame: Frame, robot: number, body: Footprint): number
   const around = coveringRadius(body);
   let gap = Infinity;
   for (const other of frame.bodies) {
-    if (other.radius <= 0) continue; // not there yet, or no more
+    if (other.radius <= 0) continue; // not present at this time
     gap = Math.min(gap, distance(body, me, other) - other.radius);
   }
   frame.robots.forEach((other, i) => {

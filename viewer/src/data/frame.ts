@@ -7,7 +7,7 @@ export interface Body extends Point {
   radius: number;
 }
 
-/** Where the row that limits a plan lies. */
+/** The place of the constraint that limits a plan. */
 export type Mark = { shape: 'side'; a: Point; b: Point } | { shape: 'disc'; a: Point; radius: number };
 
 /** A robot in a control cycle. */
@@ -33,24 +33,24 @@ export interface RobotFrame extends Pose {
   collided: boolean;
   plan: Plan | null;
   cycle: Cycle | null;
-  /** Where its own frame lies, for a robot with a lidar: all that it believes is in it. */
+  /** The pose of the frame of a robot with a lidar, in which all its estimates are given. */
   belief: Pose | null;
   scan: Scan | null;
-  /** The map it drives on, and for a robot with a lidar what of it was seen to be occupied. */
+  /** The maps that it uses: the known one, and for a robot with a lidar its occupied cells. */
   slots: { known: number; occupied: number };
-  /** Where it was sent, if its plans may lead to places before that. */
+  /** The goal, if plans may end at other places first. */
   goal: Goal | null;
-  /** Of its last cycle, also where it has none in this frame: it has arrived, say. */
+  /** Status of its last cycle, also if it has no cycle in this frame, for example after arrival. */
   status: number | null;
 }
 
-/** What a lidar saw, in the frame that its robot believes to be in. */
+/** The scan of a lidar, in the robot's own frame. */
 export interface Scan {
   time: number;
-  points: Float32Array; // x, y of where beams ended on something; there are many of them
+  points: Float32Array; // x, y of each beam with a hit
 }
 
-/** Everything at one time. */
+/** The state of everything at one time. */
 export interface Frame {
   time: number;
   bodies: Body[];

@@ -10,13 +10,13 @@ export interface Pose extends Point {
   heading: number;
 }
 
-/** A point of the frame `frame`, in the world. */
+/** Transforms a point from `frame` to the world. */
 export function placed(frame: Pose, p: Point): Point {
   const [c, s] = [Math.cos(frame.heading), Math.sin(frame.heading)];
   return { x: frame.x + c * p.x - s * p.y, y: frame.y + s * p.x + c * p.y };
 }
 
-/** A pose in the frame `frame`, in the world. */
+/** Transforms a pose from `frame` to the world. */
 export function placedPose(frame: Pose, pose: Pose): Pose {
   return { ...placed(frame, pose), heading: frame.heading + pose.heading };
 }

@@ -8,7 +8,7 @@ export interface GridFrame {
   origin: Pose;
 }
 
-/** A map from some time on. Cells: 0 free, 1 occupied, 2 unknown, lowest row first. */
+/** A map from a time on. Cells: 0 free, 1 occupied, 2 unknown, lowest row first. */
 export interface Grid {
   slot: number;
   time: number;
@@ -23,7 +23,7 @@ export interface CellChange {
   runs: number[];
 }
 
-/** The same map, with the changes before `time` in its cells. */
+/** The same map, with all changes before `time` applied. */
 export function folded(grid: Grid, time: number): Grid {
   const old = grid.changes.filter((change) => change.time < time);
   if (old.length === 0) return grid;

@@ -4,7 +4,9 @@ import type { Point, Pose } from './geometry';
 import type { Grid } from './grid';
 import type { Run } from './run';
 
-/** What is shown at one instant: the frame at or before it, moved on towards the next one. */
+/**
+ * The displayed state at one instant: the frame at or before it, interpolated towards the next one.
+ */
 export interface Moment {
   time: number;
   index: number;
@@ -42,7 +44,7 @@ export function momentAt(run: Run, time: number): Moment | null {
   return { time, index, frame, poses, bodies };
 }
 
-/** The map of a slot that was the newest at `time`. */
+/** The newest map of a slot at `time`. */
 export function gridAt(run: Run, slot: number, time: number): Grid | null {
   const grids = run.grids[slot] ?? [];
   let found = grids[0] ?? null;
@@ -53,7 +55,7 @@ export function gridAt(run: Run, slot: number, time: number): Grid | null {
   return found;
 }
 
-/** The robot nearest to `p`, if it is within `reach` of its body. */
+/** The robot nearest to `p`, if its body is within `reach`. */
 export function robotAt(moment: Moment, p: Point, radius: number, reach: number): number | null {
   let best: number | null = null;
   let least = radius + reach;

@@ -21,7 +21,7 @@ export interface RobotTask {
   goal: number[];
 }
 
-/** What is said once, at the beginning. */
+/** The constant data from the beginning of a run. */
 export interface Begin {
   version: number;
   name: string;
@@ -36,13 +36,13 @@ export interface Begin {
   settings: Setting[];
 }
 
-/** A run, as far as it is known. */
+/** A run, as far as it has been received. */
 export class Run {
   frames: Frame[] = [];
   plans: Plan[][];
   goals: (Goal | null)[];
   scans: (Scan | null)[];
-  /** By slot, in order of time: 0 is the true map, the others are what robots see. */
+  /** By slot, in order of time: 0 is the true map, the others are the robots' maps. */
   grids: Grid[][] = [[]];
   settings: Setting[];
 
@@ -69,12 +69,13 @@ export class Run {
     return low;
   }
 
-  /** Forgets what was before `time`, but for the map and the plans that were made of it. */
+  /** Removes everything before `time`, except the map and the plans that still apply then. */
   forget(time: number): void {
     this.frames.splice(0, this.frameIndex(time));
     this.plans = this.plans.map((list) => list.slice(Math.max(list.findIndex((p) => p.time >= time) - 1, 0)));
     this.grids = this.grids.map((list) => list
-      .filter((_, i) => (list[i + 1]?.time ?? Infinity) > time) // not those that others replaced
+      .filter((_, i) => (list[i + 1]?.time ?? Infinity) > time) // not those that later ones
+                                                                // replaced
       .map((grid) => folded(grid, time)));
   }
 
@@ -95,7 +96,7 @@ export class Run {
     const [length, width] = [this.setting('robot', 'length'), this.setting('robot', 'width')];
     const written = this.settings.find((s) => s.group === 'robot' && s.name === 'discs')?.value;
     const discs = typeof written === 'string' ? JSON.parse(written) as [number, number, number][] : [];
-    // One side alone is none: see footprint_of in C++.
+    // A single side gives no rectangle: see footprint_of in C++.
     const rectangle = discs.length === 0 && length > 0 && width > 0;
     return {
       radius: this.radius, length: rectangle ? length : 0, width: rectangle ? width : 0,

@@ -6,7 +6,7 @@ import type { Point } from './geometry';
 import type { GridFrame } from './grid';
 import { type Begin, Run, type Setting } from './run';
 
-// The kinds of records, as RunStream in C++ numbers them.
+// The kinds of records, numbered as in C++'s RunStream.
 const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6, Scan = 7, Goal = 8 }
 
 const point = (fields: Fields): Point => ({ x: fields.millis(), y: fields.millis() });
@@ -56,7 +56,7 @@ function goalOf(fields: Fields): { flags: number; goal: Goal } {
   return { flags, goal: { ...point(fields), heading: flags & 2 ? fields.angle() : null } };
 }
 
-// Where beams ended on something; the others are 0.
+// The ends of beams with a hit; other beams are 0.
 function scanOf(fields: Fields): Scan {
   const time = fields.millis();
   const from = point(fields);
@@ -103,15 +103,15 @@ function mark(fields: Fields): Mark | null {
   return null;
 }
 
-/** Builds a run from records, however they are cut into pieces. */
+/** Builds a run from records, which may arrive in pieces of any size. */
 export class StreamReader {
   run: Run | null = null;
   private rest = new Uint8Array(0);
 
-  /** @param onBegin called when a new run begins; the one before is left as it was. */
+  /** @param onBegin called when a new run begins; the previous run is unchanged. */
   constructor(private readonly onBegin: (run: Run) => void = () => {}) {}
 
-  /** Forgets a record that was cut off: the next piece begins a run. */
+  /** Drops an incomplete record: the next piece begins a run. */
   restart(): void {
     this.rest = new Uint8Array(0);
   }
@@ -132,7 +132,7 @@ export class StreamReader {
         kind = head.byte();
         content = head.take(head.count());
       } catch {
-        break; // the rest has not come yet
+        break; // the rest has not arrived
       }
       start = head.position;
       this.record(kind, content);
@@ -179,7 +179,7 @@ export class StreamReader {
   private plan(run: Run, fields: Fields): void {
     const made = plan(fields);
     run.plans[made.robot]?.push(made);
-    // One without a map plans in its cycle, the others after it.
+    // A robot without a map plans in its cycle, the others after it.
     const robot = run.frames.at(-1)?.robots[made.robot];
     if (run.lidar && robot) robot.plan = made;
   }
@@ -194,7 +194,7 @@ export class StreamReader {
 
   private goal(run: Run, fields: Fields): void {
     const index = fields.count();
-    fields.millis(); // when
+    fields.millis(); // time
     run.goals[index] = goalOf(fields).goal;
   }
 
@@ -223,7 +223,7 @@ export class StreamReader {
     const slot = fields.count();
     const at = point(fields);
     const heading = fields.angle();
-    // As measured; what is shown is the true pose.
+    // The measured pose; the page displays the true one.
     if (run.lidar) robot.belief = beliefFrame(robot, { ...at, heading });
     const cycle: Cycle = {
       linear: fields.millis(),

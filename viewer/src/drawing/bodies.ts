@@ -5,7 +5,7 @@ import type { Run } from '../data/run';
 import type { Pen } from './pen';
 import { robotColor } from './theme';
 
-/** Radius of a robot that is far away [pixels]. */
+/** Least radius of a distant robot [pixels]. */
 export const LEAST_ROBOT = 5;
 
 function corners(pose: Pose, length: number, width: number): Point[] {
@@ -16,7 +16,7 @@ function corners(pose: Pose, length: number, width: number): Point[] {
   }));
 }
 
-/** A person or the like, if it is wanted with its velocity. */
+/** Draws a moving body, with its velocity if requested. */
 export function drawBody(pen: Pen, body: Body, velocity: boolean): void {
   const { theme } = pen;
   const color = theme.body;
@@ -25,23 +25,23 @@ export function drawBody(pen: Pen, body: Body, velocity: boolean): void {
   pen.stroke(theme.halo, 1.25, 0.9);
   const speed = Math.hypot(body.vx, body.vy);
   if (!velocity || speed < 0.05) return;
-  // Where it will be in a second.
+  // The position in one second.
   pen.trace([body, { x: body.x + body.vx, y: body.y + body.vy }]);
   pen.stroke(color, 2, 0.9);
   pen.disc({ x: body.x + body.vx, y: body.y + body.vy }, body.radius);
   pen.stroke(color, 1.25, 0.6, [3, 3]);
 }
 
-/** A body where a robot believes it to be. */
+/** Draws a body where a robot estimates it. */
 export function drawBelieved(pen: Pen, body: Body): void {
   pen.disc(body, body.radius);
   pen.stroke(pen.theme.believed, 2, 0.9, [2, 3]);
 }
 
-/** A robot with its outline and an arrow ahead. */
+/** Draws a robot with its outline and an arrow for its heading. */
 export function drawRobot(pen: Pen, pose: Pose, robot: RobotFrame, index: number, run: Run, selected: boolean): void {
   const { theme } = pen;
-  // On a large map it is drawn larger than it is, so that it is seen.
+  // On a large map it is enlarged so that it is visible.
   const radius = Math.max(run.radius, LEAST_ROBOT / pen.camera.scale);
   const color = robotColor(index, theme);
   const fill = robot.collided ? theme.limit : color;

@@ -2,14 +2,14 @@
 import type { Point } from '../data/geometry';
 import type { GridFrame } from '../data/grid';
 
-/** Which part of the world a canvas shows: x to the right, y up. Sizes in CSS pixels. */
+/** The part of the world that a canvas shows: x to the right, y up. Sizes are in CSS pixels. */
 export class Camera {
-  x = 0; // the world point in the middle
+  x = 0; // world point in the middle
   y = 0;
   scale = 20; // pixels per metre
   width = 1;
   height = 1;
-  /** What covers the top of the canvas: a map that is fitted keeps below it. */
+  /** Height of the covered top of the canvas; a fitted map stays below it. */
   insetTop = 0;
   private least = 1;
   private fitted: { frame: GridFrame; automatic: boolean } | null = null;
@@ -34,7 +34,7 @@ export class Camera {
     };
   }
 
-  /** Shows the whole map, and goes on doing so when the canvas changes its size. */
+  /** Shows the whole map, also after the canvas changes its size. */
   fit(frame: GridFrame): void {
     const corners = gridCorners(frame);
     const xs = corners.map((c) => c.x);

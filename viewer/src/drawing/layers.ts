@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-/** What can be shown or hidden. */
+/** The layers that can be shown or hidden. */
 export const layerNames = {
   path: 'Path',
   corridor: 'Corridor',

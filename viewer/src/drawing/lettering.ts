@@ -6,7 +6,7 @@ import type { Pen } from './pen';
 
 const LABEL = '600 12px system-ui, sans-serif';
 
-/** Where names would cover each other, the chosen robot's comes first, then those of low numbers. */
+/** Draws names. Where they would overlap, the selected robot's comes first, then low numbers. */
 export function drawNames(pen: Pen, poses: Pose[], run: Run, selected: number): void {
   const { context, camera } = pen;
   const taken: { x: number; y: number; half: number }[] = [];
@@ -36,7 +36,7 @@ function label({ context, theme }: Pen, text: string, x: number, y: number): voi
   context.fillText(text, x, y);
 }
 
-/** A length in metres, at the lower left. */
+/** Draws a scale bar in metres at the lower left. */
 export function drawScaleBar(pen: Pen): void {
   const { context, camera, theme } = pen;
   const lengths = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];

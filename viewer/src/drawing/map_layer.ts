@@ -4,7 +4,7 @@ import type { Grid } from '../data/grid';
 import type { Camera } from './camera';
 import type { Theme } from './theme';
 
-/** '#rrggbb' or '#rrggbbaa' as it stands in a picture's memory. */
+/** Converts '#rrggbb' or '#rrggbbaa' to the memory format of an image. */
 const pixel = (color: string): number => {
   const part = (at: number): number => parseInt(color.slice(at, at + 2) || 'ff', 16);
   return (part(7) << 24 | part(5) << 16 | part(3) << 8 | part(1)) >>> 0;
@@ -13,17 +13,17 @@ const pixel = (color: string): number => {
 /** Colours of free, occupied and unknown cells. */
 export type CellColors = (theme: Theme) => [string, string, string];
 
-/** A map as a picture of one pixel per cell, brought to any time and drawn through a camera. */
+/** A map as an image of one pixel per cell, updated to any time and drawn through a camera. */
 export class MapLayer {
   private readonly canvas = document.createElement('canvas');
   private grid: Grid | null = null;
   private cells = new Uint8Array(0);
-  private applied = 0; // changes carried out
+  private applied = 0; // number of applied changes
   private theme: Theme | null = null;
 
   constructor(private readonly colors: CellColors) {}
 
-  /** @param origin where the map's origin is shown. */
+  /** @param origin where the map's origin is drawn. */
   draw(
     context: CanvasRenderingContext2D, camera: Camera, grid: Grid, time: number, theme: Theme,
     origin: Pose = grid.frame.origin,
@@ -31,7 +31,7 @@ export class MapLayer {
     this.bring(grid, time, theme);
     const { frame } = grid;
     context.save();
-    // Cell (0, 0) is at the lower left; the picture's first row is the lowest one.
+    // Cell (0, 0) is at the lower left; the image's first row is the lowest one.
     const at = camera.toScreen(origin);
     const pixels = frame.resolution * camera.scale;
     context.translate(at.x, at.y);

@@ -5,9 +5,9 @@ import type { Theme } from './theme';
 
 const TAU = 2 * Math.PI;
 
-/** Draws shapes that lie in the world: places and radii in metres, widths of lines in pixels. */
+/** Draws shapes in the world: positions and radii in metres, line widths in pixels. */
 export class Pen {
-  private frame: Pose | null = null; // in which places are given; null for the world's
+  private frame: Pose | null = null; // frame of all positions; null for the world's
 
   constructor(
     readonly context: CanvasRenderingContext2D,
@@ -15,7 +15,7 @@ export class Pen {
     readonly theme: Theme,
   ) {}
 
-  /** Calls `draw` with all places given in the frame `frame`: that of a robot's belief, say. */
+  /** Calls `draw` with all positions given in `frame`, for example a robot's own frame. */
   within(frame: Pose | null, draw: () => void): void {
     this.frame = frame;
     draw();
@@ -26,12 +26,12 @@ export class Pen {
     return metres * this.camera.scale;
   }
 
-  /** Where a place is on the canvas. */
+  /** The position of a point on the canvas. */
   at(p: Point): Point {
     return this.camera.toScreen(this.frame ? placed(this.frame, p) : p);
   }
 
-  /** Begins a path along these places. */
+  /** Begins a path through these points. */
   trace(points: readonly Point[], close = false): void {
     this.context.beginPath();
     points.forEach((p, i) => {
@@ -42,7 +42,7 @@ export class Pen {
     if (close) this.context.closePath();
   }
 
-  /** Begins a path around a disc, which is never too small to be seen. */
+  /** Begins a path around a disc, which is enlarged if it would be too small to see. */
   disc(center: Point, radius: number): void {
     const at = this.at(center);
     this.context.beginPath();
@@ -82,7 +82,7 @@ export class Pen {
     context.restore();
   }
 
-  /** From a place towards a heading; the tip is a little beyond `length`. */
+  /** Draws an arrow from a position towards a heading; the tip is slightly beyond `length`. */
   arrow(from: Point, heading: number, length: number, color: string): void {
     const ahead = (distance: number, turn = 0): Point => ({
       x: from.x + distance * Math.cos(heading + turn),

@@ -3,7 +3,7 @@ import type { Goal, RobotFrame } from '../data/frame';
 import type { Pen } from './pen';
 import { robotColor } from './theme';
 
-/** The rectangles that a robot may drive in, the one it is in stronger. */
+/** Draws the corridor's rectangles, the current one stronger. */
 export function drawCorridor(pen: Pen, { plan, cycle }: RobotFrame): void {
   if (!plan) return;
   const { theme } = pen;
@@ -15,7 +15,7 @@ export function drawCorridor(pen: Pen, { plan, cycle }: RobotFrame): void {
   });
 }
 
-/** The path that is planned, if it is wanted, and where it leads. */
+/** Draws the planned path, if requested, and its goal. */
 export function drawWay(pen: Pen, robot: RobotFrame, index: number, selected: boolean, path: boolean): void {
   const { plan } = robot;
   if (!plan) return;
@@ -38,7 +38,7 @@ function drawGoal(pen: Pen, goal: Goal, color: string, usable: boolean): void {
   pen.arrow(goal, goal.heading, 2.4 * radius, color);
 }
 
-/** Where a robot of this radius means to be in the next seconds. */
+/** Draws the predicted motion of a robot with this radius. */
 export function drawPrediction(pen: Pen, robot: RobotFrame, index: number, radius: number): void {
   const points = robot.cycle?.prediction ?? [];
   if (points.length < 2) return;
@@ -57,7 +57,7 @@ export function drawPrediction(pen: Pen, robot: RobotFrame, index: number, radiu
   }
 }
 
-/** What holds a robot back: a side of its rectangle, or a disc. */
+/** Draws the limiting constraint: a side of a rectangle, or a disc. */
 export function drawLimit(pen: Pen, robot: RobotFrame): void {
   const mark = robot.cycle?.mark;
   if (!mark) return;

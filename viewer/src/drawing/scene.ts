@@ -13,7 +13,7 @@ import { SeenMap, drawScan } from './seen';
 import { type Theme, robotColor } from './theme';
 import { Trails } from './trails';
 
-/** Draws a moment of a run: what lies on what. */
+/** Draws a moment of a run, from the lowest layer to the highest. */
 export class Scene {
   private readonly map = new MapLayer((theme) => [theme.free, theme.occupied, theme.unknown]);
   private readonly seen = new SeenMap();
@@ -27,7 +27,7 @@ export class Scene {
     const pen = new Pen(context, camera, theme);
     const { robots } = moment.frame;
     const chosen = robots[selected] ?? null;
-    // What a robot with a lidar believes is drawn around where it truly is.
+    // The estimates of a robot with a lidar are drawn around its true pose.
     const asBelieved = (robot: RobotFrame, draw: () => void): void => pen.within(robot.belief, draw);
     context.fillStyle = theme.outside;
     context.fillRect(0, 0, camera.width, camera.height);
@@ -38,7 +38,7 @@ export class Scene {
     if (layers.trail) {
       const colors = robots.map((_, i) => robotColor(i, theme));
       this.trails.draw(context, camera, run, moment.index, colors);
-      // From the last frame to where the robot is shown now.
+      // From the last frame to the displayed position of the robot.
       moment.poses.forEach((pose, i) => {
         pen.trace([robots[i]!, pose]);
         pen.stroke(colors[i]!, 2.25, 0.9);

@@ -7,7 +7,7 @@ import type { Run } from '../data/run';
 import { MapLayer } from './map_layer';
 import type { Pen } from './pen';
 
-/** What a robot drives on: the map as it knows it, or what its lidar has seen. */
+/** Draws a robot's map: the known one, or the cells that its lidar has seen. */
 export class SeenMap {
   private readonly seen = new MapLayer((theme) => [`${theme.believed}00`, `${theme.believed}cc`, `${theme.ink}18`]);
   private readonly fog = new MapLayer((theme) => ['#00000000', theme.fog, theme.fog]);
@@ -18,7 +18,7 @@ export class SeenMap {
     if (!known) return;
     if (robot.slots.occupied === 0 || !robot.belief) return this.seen.draw(context, camera, known, time, theme);
     const occupied = gridAt(run, robot.slots.occupied, time);
-    // Outside the window it has seen nothing, or forgotten it.
+    // Cells outside the window are unknown or forgotten.
     context.beginPath();
     context.rect(0, 0, camera.width, camera.height);
     windowCorners(known.frame, robot.belief).forEach((p, i) => {
@@ -35,7 +35,7 @@ export class SeenMap {
   }
 }
 
-/** Where the beams of a robot's lidar ended; pen within its belief. */
+/** Draws the ends of a lidar's beams; the pen is in the robot's own frame. */
 export function drawScan(pen: Pen, { scan }: RobotFrame): void {
   const { context } = pen;
   if (!scan) return;

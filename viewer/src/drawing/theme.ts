@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-/** Colours of what is drawn on the canvases; those of the page around them are in page.css. */
+/** Colours of the canvases; those of the page around them are in page.css. */
 export interface Theme {
   dark: boolean;
   outside: string;
@@ -17,12 +17,12 @@ export interface Theme {
   body: string;
   believed: string;
   scan: string;
-  fog: string; // over what nobody has seen, with its opacity
+  fog: string; // over unknown cells, with its opacity
   limit: string;
   halo: string;
 }
 
-// The palette of Okabe and Ito: told apart with every kind of colour vision.
+// The palette of Okabe and Ito, which people with colour-vision deficiency can distinguish.
 const light: Theme = {
   dark: false,
   outside: '#e9ecef', free: '#ffffff', occupied: '#39424c', unknown: '#d3d8dd',
@@ -53,7 +53,7 @@ export const robotColor = (index: number, theme: Theme): string => {
 
 export type StatusTone = 'good' | 'warn' | 'bad' | 'done' | 'idle';
 
-/** How a status is coloured; by its number in NavigationStatus. */
+/** The colour of a status, by its number in NavigationStatus. */
 export function statusTone(status: number): StatusTone {
   const tones: StatusTone[] = [
     'good', 'warn', 'bad', 'bad', 'warn', 'bad', 'bad', 'bad', 'idle', 'done'];
@@ -71,7 +71,7 @@ const toneColors: Record<StatusTone, [string, string]> = {
 export const toneColor = (tone: StatusTone, theme: Theme): string =>
   toneColors[tone][theme.dark ? 1 : 0];
 
-/** The theme in force: the person's choice, else the system's. */
+/** The current theme: the user's choice, else the system's. */
 export class Themes {
   current: Theme = light;
   private readonly system = matchMedia('(prefers-color-scheme: dark)');

@@ -3,11 +3,11 @@ import type { Frame } from '../data/frame';
 import type { Run } from '../data/run';
 import type { Camera } from './camera';
 
-/** The way of a robot up to a frame, as a path that grows instead of being made anew. */
+/** The driven path of a robot up to a frame; it grows and is not rebuilt. */
 class Trail {
   private path = new Path2D();
-  private first: Frame | null = null; // where it begins
-  private next = 0; // the frame to add next
+  private first: Frame | null = null; // first frame of the path
+  private next = 0; // next frame to add
 
   constructor(private readonly robot: number) {}
 
@@ -27,7 +27,7 @@ class Trail {
   }
 }
 
-/** The ways of all robots: what lies behind them strong, all of it faint. */
+/** Draws the driven paths of all robots: the past part strong, the rest faint. */
 export class Trails {
   private readonly behind: Trail[] = [];
   private readonly whole: Trail[] = [];
@@ -36,7 +36,7 @@ export class Trails {
     context: CanvasRenderingContext2D, camera: Camera, run: Run, index: number, colors: string[],
   ): void {
     context.save();
-    // World coordinates from here on; widths are in metres too.
+    // From here on all coordinates are in the world, and widths in metres.
     const origin = camera.toScreen({ x: 0, y: 0 });
     context.translate(origin.x, origin.y);
     context.scale(camera.scale, -camera.scale);

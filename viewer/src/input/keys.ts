@@ -49,7 +49,7 @@ export function listenToKeys(
     const target = event.target as HTMLElement;
     const types = target.matches('input:not([type=range]):not([type=checkbox]), select, textarea');
     if (types || (event.key === ' ' && target.matches('button, summary'))) return;
-    // The time slider's own keys would move it by too little.
+    // The time slider's own keys would move it too little.
     const moves = event.key.startsWith('Arrow') || event.key === 'Home' || event.key === 'End';
     if (moves && target.matches('input[type=range]') && target.id !== 'time') return;
     const digit = Number(event.key);
@@ -62,7 +62,7 @@ export function listenToKeys(
   });
 }
 
-/** The buttons that both pages have besides. */
+/** The other buttons of both pages. */
 export function connectButtons(viewer: Viewer): void {
   const zoom = (factor: number) => () => { viewer.camera.zoom(factor); viewer.invalidate(); };
   element('zoom-in').addEventListener('click', zoom(1.3));

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { element } from '../page/dom';
 
-/** What the buttons below the map do: the replay page moves the time, the live page the world. */
+/**
+ * The actions of the buttons below the map: the replay page moves the time, the live page the
+ * world.
+ */
 export interface Transport {
   readonly playing: boolean;
   toggle(): void;
@@ -23,7 +26,7 @@ export function connect(transport: Transport): void {
   speed.addEventListener('change', () => transport.speed(Number(speed.value)));
 }
 
-/** The play button as it has to look. */
+/** Updates the play button. */
 export function showPlaying(playing: boolean): void {
   const button = element('play');
   button.querySelector('path')!.setAttribute('d', playing ? 'M3 2h4v12H3zM9 2h4v12H9z' : 'M4 2.5v11l9-5.5z');

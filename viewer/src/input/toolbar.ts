@@ -10,7 +10,7 @@ interface Entry {
   tool: Tool | null;
 }
 
-/** The tools of the live page, one of which is chosen. */
+/** The tools of the live page, one of which is active. */
 export class Toolbar {
   private chosen: Entry;
   private readonly entries: Entry[];
@@ -44,7 +44,7 @@ export class Toolbar {
     viewer.overlay = (context, camera) => this.chosen.tool?.draw(context, camera);
   }
 
-  /** The keys that choose tools. */
+  /** The keys that select tools. */
   get keys(): Record<string, () => void> {
     return Object.fromEntries(this.entries.map((entry) => [entry.key, () => this.choose(entry)]));
   }

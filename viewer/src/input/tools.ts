@@ -7,16 +7,16 @@ import type { Viewer } from '../view/viewer';
 
 export type Send = (command: Record<string, unknown>) => void;
 
-/** A tool that also draws what it is about to do. */
+/** A tool that also draws a preview of its action. */
 export interface Tool extends PointerTool {
   readonly hint: string;
   draw(context: CanvasRenderingContext2D, camera: Camera): void;
 }
 
-const DRAG = 14; // pixels from which on a drag means a heading
+const DRAG = 14; // a longer drag sets a heading [pixels]
 const PERIOD = 40; // least time between two messages of a drag [ms]
 
-/** At most one call per period; the last one is never lost. */
+/** Limits calls to one per period; the last one is never lost. */
 export function throttled<T extends unknown[]>(call: (...args: T) => void, period = PERIOD): (...args: T) => void {
   let waiting: T | null = null;
   let timer = 0;
@@ -57,7 +57,7 @@ function line(context: CanvasRenderingContext2D, camera: Camera, from: Point, to
   context.setLineDash([]);
 }
 
-/** Chooses a place by a click, with a heading when it is dragged. */
+/** Selects a position by a click, with a heading by a drag. */
 export class PlaceTool implements Tool {
   private from: Point | null = null;
   private to: Point | null = null;
@@ -104,7 +104,7 @@ export class PlaceTool implements Tool {
   }
 }
 
-/** Draws obstacles, or wipes them off together with people. */
+/** Draws obstacles, or erases them and people. */
 export class BrushTool implements Tool {
   radius = 0.15;
   private last: Point | null = null;
@@ -153,7 +153,7 @@ export class BrushTool implements Tool {
   }
 }
 
-/** Leads people: a new one where nobody is. */
+/** Moves people by a drag, and adds one where there is none. */
 export class PersonTool implements Tool {
   private body: number | null = null;
   private target: Point | null = null;

@@ -19,7 +19,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** Metres and the like for a person: fixed digits, "far" where nothing is near. */
+/** Formats lengths and similar values: fixed digits, "far" for large ones. */
 export const shown = (value: number, digits = 2): string =>
   // Adding zero turns a negative zero into a positive one.
   Number.isFinite(value) ? (Number(value.toFixed(digits)) + 0).toFixed(digits) : '–';

@@ -3,7 +3,7 @@ import { element } from './dom';
 
 export type Action = () => void;
 
-/** Closes whichever is open. */
+/** Closes the open popover. */
 export function closePopovers(): void {
   for (const open of document.querySelectorAll<HTMLElement>('.popover')) open.hidden = true;
   for (const opener of document.querySelectorAll('[aria-controls]')) {
@@ -11,7 +11,7 @@ export function closePopovers(): void {
   }
 }
 
-/** Opens and closes a popover with its button. */
+/** Lets a button open and close its popover. */
 export function popover(button: string, panel: string): Action {
   const root = element(panel);
   const opener = element(button);

@@ -3,14 +3,14 @@ import { separation } from '../data/footprint';
 import type { Run } from '../data/run';
 import { type Theme, robotColor, statusTone, toneColor } from '../drawing/theme';
 
-/** Room left of and right of the plots, for axes; the time slider above them has the same. */
+/** Space left and right of the plots for axes; the time slider above them has the same. */
 export const plotGutter = { left: 46, right: 14 };
 
 const RIBBON = 10;
 const GAP = 13;
 const AXIS = 18;
 const LEAST_ROW = 16;
-const FAR = 2; // clearances are measured up to here [m]
+const FAR = 2; // largest measured clearance [m]
 
 interface Row {
   top: number;
@@ -28,9 +28,9 @@ const niceStep = (span: number, count: number): number => {
 
 /** Status, speed and distances of one robot over time. */
 export class Plots {
-  private readonly still = document.createElement('canvas'); // all but the cursor
+  private readonly still = document.createElement('canvas'); // everything except the cursor
   private key = '';
-  private width = 0; // of what is drawn
+  private width = 0; // of the drawn plots
   private from = 0;
   private to = 1;
 
@@ -42,7 +42,7 @@ export class Plots {
     return this.from + Math.min(Math.max(share, 0), 1) * (this.to - this.from);
   }
 
-  /** @param paper the size to draw for, and pixels per unit, where that is not the canvas's own. */
+  /** @param paper the size and the pixels per unit to draw with, if not the canvas's own. */
   draw(
     run: Run, robot: number, time: number, from: number, to: number, theme: Theme,
     paper?: { width: number; height: number; ratio: number },
@@ -95,7 +95,7 @@ export class Plots {
     const each = (height - AXIS - RIBBON - 2 * GAP) / 2;
     this.ribbon(context, run, robot, theme);
     this.times(context, height - AXIS, theme);
-    if (each < LEAST_ROW) return; // on a small screen the status is what there is room for
+    if (each < LEAST_ROW) return; // a small screen has space for the status only
     const most = run.setting('robot', 'linear_max') || 1;
     const least = Math.min(0, run.setting('robot', 'linear_min') || 0);
     const speed: Row = { top: RIBBON + GAP, height: each, min: least * 1.1, max: most * 1.15 };
@@ -121,7 +121,7 @@ export class Plots {
     context.fillStyle = theme.grid;
     context.fillRect(plotGutter.left, 0, this.room(), RIBBON);
     const { frames } = run;
-    // Frames of one colour are one piece: seams between them would show.
+    // Adjacent frames of one colour are one rectangle, because seams between them would be visible.
     let piece = null as { color: string; from: number; to: number } | null;
     const finish = (): void => {
       if (!piece) return;

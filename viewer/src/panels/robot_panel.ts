@@ -5,7 +5,7 @@ import type { Run } from '../data/run';
 import { type Theme, robotColor, statusTone } from '../drawing/theme';
 import { make, shown } from '../page/dom';
 
-const MOST_LONG_CARDS = 3; // of more robots only the chosen one has all its values shown
+const MOST_LONG_CARDS = 3; // with more robots only the selected one shows all values
 
 interface Card {
   root: HTMLButtonElement;
@@ -21,7 +21,7 @@ const titles = {
   cycle: 'Control cycle', solver: 'Solver',
 };
 
-/** A card per robot: what it does, why, and how fast. */
+/** A card per robot: its status, the reason, and its speeds. */
 export class RobotPanel {
   private cards: Card[] = [];
   private run: Run | null = null;
@@ -96,11 +96,11 @@ export class RobotPanel {
     } else if (plan && !plan.usable) {
       card.why.append(make('b', { class: 'bad' }, plan.reason));
     } else if (cycle && cycle.limit > 0) {
-      // The row says more than the limit: which speed, which acceleration.
+      // The constraint is more specific than the limiting factor: which speed, which acceleration.
       const row = run.begin.rows[cycle.row];
       const limit = run.begin.limits[cycle.limit]!;
       const name = cycle.row > 0 && row && cycle.limit < 5 ? row : limit;
-      // Red as its mark on the map.
+      // Red like its mark on the map.
       card.why.append('held back by: ', make('b', cycle.mark ? { class: 'bad' } : {}, name));
     } else {
       card.why.append(cycle ? 'nothing holds it back' : 'stands');

@@ -10,7 +10,7 @@ const groupNames: Record<string, string> = {
 
 const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** Sliders would be useless over a range like 0 to 1e6: they span a useful part of it. */
+/** A slider covers the useful part of its range; ranges like 0 to 1e6 would be unusable. */
 function sliderRange(setting: Setting): { min: number; max: number; step: number } {
   const value = setting.value as number;
   const reach = value === 0 ? 1 : 4 * Math.abs(value);
@@ -29,7 +29,7 @@ export class SettingsPanel {
   private readonly defaults = new Map<string, Setting['value']>();
   private readonly setters = new Map<string, (value: Setting['value']) => void>();
 
-  /** @param change what a control does; without it nothing can be changed. */
+  /** @param change the action of a control; without it the settings are read-only. */
   constructor(
     private readonly root: HTMLElement,
     private readonly change: Change | null,
@@ -43,7 +43,7 @@ export class SettingsPanel {
     for (const setting of list) this.setters.get(`${setting.group}.${setting.name}`)?.(setting.value);
   }
 
-  /** Begins anew, with sliders around other values. */
+  /** Rebuilds the panel with sliders around other values. */
   reset(): void {
     this.list = null;
   }

@@ -40,7 +40,7 @@ function facts(run: Run, robot: number): Facts {
   return result;
 }
 
-/** How the run ended, robot by robot. */
+/** The result of the run, robot by robot. */
 export function showSummary(root: HTMLElement, run: Run): void {
   const cards = run.begin.robots.map((_, i) => {
     const fact = facts(run, i);

@@ -2,7 +2,7 @@
 import type { Point } from '../data/geometry';
 import type { Camera } from '../drawing/camera';
 
-/** What a tool does with a pointer on the map; world coordinates. */
+/** The reaction of a tool to a pointer on the map; world coordinates. */
 export interface PointerTool {
   down(at: Point): void;
   move(at: Point): void;
@@ -10,14 +10,14 @@ export interface PointerTool {
   cancel(): void;
 }
 
-const CLICK = 5; // pixels that a click may wander
+const CLICK = 5; // largest movement of a click [pixels]
 
-/** Panning, pinching and wheel zoom on the map; a tool gets single pointers where one is chosen. */
+/** Panning, pinching and wheel zoom on the map; an active tool receives single pointers. */
 export class Gestures {
   tool: PointerTool | null = null;
   private readonly pointers = new Map<number, Point>();
   private moved = 0;
-  private busy = false; // the tool has the pointer
+  private busy = false; // the tool handles the pointer
 
   constructor(
     private readonly canvas: HTMLCanvasElement,

@@ -11,13 +11,13 @@ import { Plots } from '../panels/plots';
 import { RobotPanel } from '../panels/robot_panel';
 import { Gestures } from './gestures';
 
-/** Draws on the map after everything else: what a tool is doing. */
+/** Draws on the map after everything else, for example the preview of a tool. */
 export type Overlay = (context: CanvasRenderingContext2D, camera: Camera) => void;
 
-const paper: [number, number] = [703, 446]; // room for the map on paper, in CSS pixels
-const PAPER_PLOTS = 168; // height of the plots there
+const paper: [number, number] = [703, 446]; // size of the map on paper [CSS pixels]
+const PAPER_PLOTS = 168; // height of the plots on paper
 
-/** The map, the plots and the robots' cards at one time of a run. Who moves the time is elsewhere. */
+/** The map, the plots and the robots' cards at one time of a run. Other modules change the time. */
 export class Viewer {
   readonly camera = new Camera();
   readonly themes = new Themes();
@@ -33,21 +33,21 @@ export class Viewer {
   selected = 0;
   moment: Moment | null = null;
   overlay: Overlay = () => {};
-  /** Where the pointer is on the map. */
+  /** Position of the pointer on the map. */
   hover: Point | null = null;
-  /** The part of time that the plots and the slider span. */
+  /** The time span of the plots and the slider. */
   span: () => [number, number] = () => [0, this.run?.duration ?? 1];
-  /** The person chose a time. */
+  /** The user selected a time. */
   onSeek: (time: number) => void = () => {};
-  /** Pictures drawn, for those who measure. */
+  /** Number of pictures drawn, for measurements. */
   drawn = 0;
-  firstDrawn = 0; // when the first one was, since the page was asked for [ms]
+  firstDrawn = 0; // time of the first picture since the page was requested [ms]
 
   private readonly scene = new Scene();
   private readonly plots = new Plots(element<HTMLCanvasElement>('plots'));
   private readonly panel = new RobotPanel(element('robots'), (robot) => this.select(robot));
   private dirty = true;
-  private shownTo = 0; // the end of the slider
+  private shownTo = 0; // end of the slider
 
   constructor() {
     this.gestures = new Gestures(this.map, this.camera, () => this.invalidate(), (at) => {
@@ -76,7 +76,7 @@ export class Viewer {
     this.selected = Math.min(this.selected, Math.max(run.begin.robots.length - 1, 0));
     if (!keepView) this.fit();
     this.legend();
-    // Only a robot with a lidar has something to show there.
+    // Only a robot with a lidar has these layers.
     element('layers').querySelector('[data-layer="scan"]')!.closest('label')!.hidden = !run.lidar;
     this.invalidate();
   }
@@ -96,7 +96,7 @@ export class Viewer {
     this.dirty = true;
   }
 
-  /** Draws if something has changed. */
+  /** Draws if anything has changed. */
   render(): void {
     if (!this.dirty || !this.run) return;
     this.dirty = false;

@@ -38,7 +38,7 @@ cairo_surface_t* make_surface(PictureFormat format,
       return cairo_svg_surface_create_for_stream(append, bytes, size.x(), size.y());
     case PictureFormat::Pdf: {
       cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(append, bytes, size.x(), size.y());
-      // Without it the file holds the time of its making: the same picture, other bytes.
+      // Otherwise the file would contain its creation time: the same picture, other bytes.
       cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
       return pdf;
     }
@@ -83,7 +83,7 @@ Canvas::Canvas(PictureFormat format, const Eigen::Vector2d& size)
   cairo_->surface = make_surface(format, size, cairo_->bytes.get());
   cairo_->context = cairo_create(cairo_->surface);
   if (format == PictureFormat::Png) cairo_scale(cairo_->context, kPngScale, kPngScale);
-  // All of it: the last row of dots may reach beyond the page by a part of a dot.
+  // Rounds up: the last row of dots may extend beyond the page by part of a dot.
   cairo_set_source_rgb(cairo_->context, 1.0, 1.0, 1.0);
   cairo_paint(cairo_->context);
   cairo_set_line_join(cairo_->context, CAIRO_LINE_JOIN_ROUND);
@@ -176,8 +176,8 @@ void Canvas::text(const Eigen::Vector2d& at, const std::string& text, const Text
   cairo_font_extents(c, &font);
   cairo_translate(c, at.x(), at.y());
   cairo_rotate(c, style.angle);
-  // Digits and capitals reach about 0.73 of the font size above the line: centred on that, not on
-  // the ascent, labels sit level with their ticks.
+  // Digits and capitals extend about 0.73 of the font size above the baseline. Labels centred on
+  // that height, not on the ascent, are level with their ticks.
   const double height = 0.73 * style.size;
   cairo_move_to(c, -style.anchor.x() * text_width(text, style), height - style.anchor.y() * height);
   cairo_set_source_rgba(c, style.color.red, style.color.green, style.color.blue, style.color.alpha);
@@ -218,7 +218,7 @@ void Canvas::image(const Raster& raster,
   cairo_matrix_init(&matrix, right.x(), right.y(), down.x(), down.y(), corner.x(), corner.y());
   cairo_transform(c, &matrix);
   cairo_set_source_surface(c, pixels, 0.0, 0.0);
-  // Cells stay sharp squares unless several share a dot; then all of them count.
+  // Cells stay sharp squares unless several share a dot; then the dot averages them.
   const bool sharp = right.norm() * kPngScale >= 1.0;
   cairo_pattern_set_filter(cairo_get_source(c), sharp ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
   cairo_paint(c);

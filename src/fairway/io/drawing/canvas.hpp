@@ -14,13 +14,14 @@
 
 namespace fairway::io {
 
-/// The kinds of picture file, chosen by a name's ending.
+/// The picture file formats, chosen by the file name's suffix.
 enum class PictureFormat : std::uint8_t { Svg, Png, Pdf };
 
-/// By `.svg`, `.png` or `.pdf` in either case; another ending is an error.
+/// From `.svg`, `.png` or `.pdf` in either case; any other suffix is an error.
 [[nodiscard]] Expected<PictureFormat> picture_format(const std::string& path);
 
-/// An axis-aligned box; on a canvas in points with y downward, in a plot in data units, y upward.
+/// An axis-aligned box: on a canvas in points with y downward, in a plot in data units with y
+/// upward.
 struct Box {
   Eigen::Vector2d min = Eigen::Vector2d::Zero();
   Eigen::Vector2d max = Eigen::Vector2d::Zero();
@@ -35,8 +36,8 @@ struct Stroke {
   std::vector<double> dash{};  ///< on and off lengths [pt]; empty: solid
 };
 
-/// Where a text's reference point lies in it, horizontally and vertically: 0 is left or top, 0.5
-/// the middle, 1 right or bottom.
+/// Where the reference point lies in a text, horizontally and vertically: 0 is left or top, 0.5 the
+/// middle, 1 right or bottom.
 struct TextStyle {
   double size = 8.0;  ///< of the font [pt]
   Color color = palette::kBlack;
@@ -52,8 +53,8 @@ struct Raster {
   std::vector<std::uint32_t> pixels;  ///< 0xRRGGBB
 };
 
-/// A page to draw on, in points (1/72 inch), origin at the top left. One set of calls gives SVG,
-/// PNG (at 300 dots per inch) and PDF.
+/// A page to draw on, in points (1/72 inch), with the origin at the top left. The same calls give
+/// SVG, PNG (at 300 dots per inch) and PDF.
 class Canvas {
  public:
   Canvas(PictureFormat format, const Eigen::Vector2d& size);
@@ -72,19 +73,19 @@ class Canvas {
               const Color& fill,
               const Stroke* outline);
 
-  /// Two strokes of half length `arm` in each direction, through a corner of their square.
+  /// Draws two diagonal strokes that extend `arm` from the centre along each axis.
   void cross(const Eigen::Vector2d& center, double arm, const Stroke& stroke);
 
   void text(const Eigen::Vector2d& at, const std::string& text, const TextStyle& style);
   [[nodiscard]] double text_width(const std::string& text, const TextStyle& style) const;
 
-  /// Draws an image with its top left corner at `corner`, a pixel spanning `right` and `down`.
+  /// Draws an image with its top left corner at `corner`; one pixel spans `right` and `down`.
   void image(const Raster& raster,
              const Eigen::Vector2d& corner,
              const Eigen::Vector2d& right,
              const Eigen::Vector2d& down);
 
-  /// Drawing between the two shows only inside `box`.
+  /// Drawing between these two calls is clipped to `box`.
   void begin_clip(const Box& box);
   void end_clip();
 

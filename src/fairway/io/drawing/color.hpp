@@ -22,7 +22,7 @@ struct Color {
   return {red / 255.0, green / 255.0, blue / 255.0, 1.0};
 }
 
-/// The palette of Okabe and Ito: told apart with every kind of colour vision.
+/// The palette of Okabe and Ito, which people with colour-vision deficiency can distinguish.
 namespace palette {
 inline constexpr Color kBlack = rgb(0, 0, 0);
 inline constexpr Color kOrange = rgb(230, 159, 0);

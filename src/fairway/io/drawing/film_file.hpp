@@ -9,7 +9,7 @@
 
 namespace fairway::io {
 
-/// A short film: frames of one size, shown for the same time each, for ever.
+/// A short film in an endless loop: frames of one size, each shown for the same time.
 struct Film {
   int width = 0;                                  ///< [px]
   int height = 0;                                 ///< [px]
@@ -17,8 +17,8 @@ struct Film {
   std::vector<std::vector<std::uint8_t>> frames;  ///< rows from the top, red, green, blue
 };
 
-/// The bytes of an animated GIF of it.
-/// @pre every frame has 3 * width * height bytes; there is one at least.
+/// Encodes the film as an animated GIF.
+/// @pre every frame has 3 * width * height bytes; there is at least one.
 [[nodiscard]] Expected<std::string> film_gif(const Film& film);
 
 }  // namespace fairway::io

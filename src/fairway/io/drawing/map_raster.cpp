@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kMostPixels = 3000;  // a side; more than a printed column can show
+constexpr int kMostPixels = 3000;  // per side; more than a printed column can show
 
 struct CellBox {
   CellIndex first;
   CellIndex last;
 };
 
-// The cells that a box of the world may touch, within the grid.
+// The cells of the grid that a box of the world may touch.
 CellBox cells_in(const Box& box, const GridFrame& frame) {
   Vector2d low = Vector2d::Constant(1e18);
   Vector2d high = -low;
@@ -43,7 +43,7 @@ std::uint32_t packed(const Color& color) {
   return byte(color.red) << 16U | byte(color.green) << 8U | byte(color.blue);
 }
 
-// By CellState's number; darker is worse.
+// In the order of CellState; darker cells take precedence.
 const std::array<std::uint32_t, 3> kColors = {packed(kFreeColor), packed(kOccupiedColor),
                                               packed(kUnknownColor)};
 

@@ -11,11 +11,11 @@ inline constexpr Color kFreeColor = rgb(255, 255, 255);
 inline constexpr Color kOccupiedColor = rgb(60, 60, 60);
 inline constexpr Color kUnknownColor = rgb(217, 217, 217);
 
-/// Whether a cell of the given state may be seen in `region` of the world.
+/// Whether `region` of the world may contain a cell of the given state.
 [[nodiscard]] bool shows(const OccupancyGrid& map, const Box& region, CellState state);
 
-/// Draws the cells that the axes show. Where cells are finer than anyone can see, several become
-/// one pixel with the colour of the worst: thin walls stay visible.
+/// Draws the cells that the axes show. Where cells are smaller than a visible dot, several become
+/// one pixel in the colour of the darkest, so that thin walls stay visible.
 void draw_map(Canvas& canvas, const PlotAxes& axes, const OccupancyGrid& map);
 
 }  // namespace fairway::io

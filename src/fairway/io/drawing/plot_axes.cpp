@@ -14,12 +14,13 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kTickLength = 3.0;      // [pt]
-constexpr double kPointsPerTick = 45.0;  // wished distance of ticks [pt]
+constexpr double kPointsPerTick = 45.0;  // desired distance between ticks [pt]
 constexpr double kRowHeight = 13.0;      // of a legend [pt]
 constexpr double kSampleWidth = 20.0;    // of a legend's line or box [pt]
 constexpr double kEntryGap = 14.0;       // between a legend's entries [pt]
 
-// Numbers at ticks `step` apart, with the decimals that the step needs and a true minus sign.
+// Formats numbers at ticks `step` apart, with the decimals that the step needs and a true minus
+// sign.
 std::string number(double value, double step) {
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
@@ -64,7 +65,7 @@ double tick_step(double low, double high, double about) {
 
 std::vector<double> ticks(double low, double high, double step) {
   std::vector<double> result;
-  constexpr double kSlack = 1e-9;  // a limit that is a tick counts although division rounds
+  constexpr double kSlack = 1e-9;  // accepts a limit that is a tick except for rounding
   const double first = std::ceil(low / step - kSlack);
   for (double i = first; i * step <= high + kSlack * step && result.size() < 1000; ++i)
     result.push_back(i * step);

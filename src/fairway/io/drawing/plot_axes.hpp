@@ -11,7 +11,7 @@ namespace fairway::io {
 /// A rectangle of a canvas that shows a rectangle of data, with ticks and labels around it.
 class PlotAxes {
  public:
-  /// `area` on the canvas shows `data`; both are not empty.
+  /// Maps `data` to `area` on the canvas; both are not empty.
   PlotAxes(const Box& area, const Box& data) : area_(area), data_(data) {}
 
   [[nodiscard]] const Box& area() const noexcept { return area_; }
@@ -24,8 +24,8 @@ class PlotAxes {
   /// Points per unit of x.
   [[nodiscard]] double scale() const noexcept { return area_.size().x() / data_.size().x(); }
 
-  /// Draws the frame, ticks with numbers, and the names of both axes; an empty name leaves an
-  /// axis's numbers out too. With `grid` faint lines cross the plot at the ticks.
+  /// Draws the frame, the ticks with numbers, and the names of both axes. An empty name also omits
+  /// the axis's numbers. With `grid` faint lines cross the plot at the ticks.
   void draw(Canvas& canvas, const std::string& x_name, const std::string& y_name, bool grid) const;
 
  private:
@@ -33,8 +33,8 @@ class PlotAxes {
   Box data_;
 };
 
-/// The round step (1, 2 or 5 times a power of ten) that gives at most `about` ticks. @pre low <
-/// high.
+/// The smallest round step (1, 2 or 5 times a power of ten) that gives at most `about` ticks.
+/// @pre low < high.
 [[nodiscard]] double tick_step(double low, double high, double about);
 
 /// The multiples of `step` from `low` to `high`.
@@ -54,7 +54,7 @@ struct LegendEntry {
                                    std::span<const LegendEntry> entries,
                                    double width);
 
-/// Draws entries from left to right in as many rows as needed, from `corner` (top left) on.
+/// Draws entries from left to right in as many rows as needed, starting at `corner` (top left).
 void draw_legend(Canvas& canvas,
                  std::span<const LegendEntry> entries,
                  const Eigen::Vector2d& corner,

@@ -30,7 +30,7 @@ Stroke executed_stroke(std::size_t robot, std::size_t count) {
   return {.color = count == 1 ? palette::kBlue : palette::of_robot(robot), .width = 1.1};
 }
 
-// A command holds for its cycle: a staircase, not a slope.
+// A command is constant during its cycle, so its line is a staircase.
 std::vector<Vector2d> staircase(const SpeedSeries& series, double Twist2::*speed) {
   std::vector<Vector2d> points;
   for (std::size_t i = 0; i < series.commands.size(); ++i) {

@@ -14,15 +14,15 @@ struct SpeedSeries {
   std::string name;
   std::vector<double> time;      ///< [s], increasing
   std::vector<Twist2> commands;  ///< as sent, one per time
-  std::vector<Twist2> executed;  ///< as driven, one per time; may be empty
+  std::vector<Twist2> executed;  ///< as measured, one per time; may be empty
 };
 
-/// A picture of speeds over time with their limits, like the paper's Figure 6: linear above,
-/// angular below.
+/// A picture of speeds over time with their limits, like the paper's Figure 6: linear speed above,
+/// angular speed below.
 struct SpeedDrawing {
   std::vector<SpeedSeries> robots;
-  Twist2 min;  ///< least allowed speeds
-  Twist2 max;  ///< greatest allowed speeds
+  Twist2 min;  ///< lower speed limits
+  Twist2 max;  ///< upper speed limits
 };
 
 /// The bytes of the picture file.

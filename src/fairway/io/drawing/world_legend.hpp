@@ -8,10 +8,10 @@
 
 namespace fairway::io {
 
-/// How things that move on their own are drawn.
+/// How moving obstacles are drawn.
 inline const Stroke kBodyStroke{.color = palette::kPurple, .width = 1.0};
 
-/// What distinguishes the parts of one robot; with several robots each has one colour for all.
+/// The colours of one robot's parts; with several robots each robot has one colour.
 struct RobotColors {
   Color corridor = palette::kGreen;
   Color path = palette::kOrange;
@@ -21,7 +21,7 @@ struct RobotColors {
 
 [[nodiscard]] RobotColors colors_of(std::size_t robot, std::size_t count);
 
-/// An entry for everything that a picture of `region` shows.
+/// Lists an entry for everything that a picture of `region` shows.
 [[nodiscard]] std::vector<LegendEntry> world_legend(const WorldDrawing& world, const Box& region);
 
 }  // namespace fairway::io

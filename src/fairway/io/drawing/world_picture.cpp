@@ -16,13 +16,13 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kPageWidth = 516.0;   // both columns of a journal [pt]
-constexpr double kLeft = 46.0;         // room for numbers and names [pt]
+constexpr double kLeft = 46.0;         // space for numbers and names [pt]
 constexpr double kRight = 10.0;        // [pt]
 constexpr double kBottom = 34.0;       // [pt]
 constexpr double kTop = 6.0;           // [pt]
-constexpr double kFlattest = 0.32;     // height over width of the plot, at least
-constexpr double kTallest = 1.15;      // and at most, in a picture of full width
-constexpr double kThinnest = 2.5;      // and at most in a narrower one
+constexpr double kFlattest = 0.32;     // least height of the plot over its width
+constexpr double kTallest = 1.15;      // largest such ratio in a picture of full width
+constexpr double kThinnest = 2.5;      // largest such ratio in a narrower picture
 constexpr double kSmallestView = 4.0;  // [m]
 
 class Bounds {
@@ -51,7 +51,7 @@ Box map_bounds(const OccupancyGrid& map) {
   return bounds.box();
 }
 
-// Widens [low, high] to `length`, about its middle but within [least, most] where that has room.
+// Widens [low, high] to `length` around its middle, shifted into [least, most] if possible.
 void widen(double& low, double& high, double length, double least, double most) {
   if (high - low >= length) return;
   const double middle = 0.5 * (low + high);
@@ -91,8 +91,8 @@ void draw_seeds(Canvas& canvas,
   }
 }
 
-// The body at about a dozen equal times: how fast it was shows in their distance. Where it stood it
-// is drawn once.
+// Draws the body at about a dozen equally spaced times, so that the spacing shows the speed. At
+// standstill the body is drawn once.
 void draw_bodies_along(Canvas& canvas,
                        const PlotAxes& axes,
                        std::span<const Vector2d> centers,
@@ -139,7 +139,7 @@ void draw_goal(Canvas& canvas,
 void draw_robots(Canvas& canvas, const PlotAxes& axes, const WorldDrawing& world) {
   const std::size_t count = world.robots.size();
   for (std::size_t i = 0; i < count; ++i) {
-    // The fills of several corridors would make mud of each other.
+    // Overlapping fills of several corridors would be unreadable.
     draw_corridor(canvas, axes, world.robots[i], colors_of(i, count).corridor,
                   count == 1 ? 0.10 : 0.0);
   }
@@ -158,7 +158,7 @@ void draw_robots(Canvas& canvas, const PlotAxes& axes, const WorldDrawing& world
     draw_seeds(canvas, axes, robot, colors.seed);
     draw_start(canvas, axes, robot, colors.track);
   }
-  // Last, for a goal may be where another robot starts.
+  // Goals are drawn last because another robot may start there.
   for (std::size_t i = 0; i < count; ++i) {
     draw_goal(canvas, axes, world.robots[i], colors_of(i, count).track);
   }
@@ -181,7 +181,7 @@ Box shown_region(const WorldDrawing& world) {
     }
   }
   Box box = bounds.box();
-  // What moves is shown where it came near; it must not make the robots small.
+  // Moving obstacles are shown near the robots only; they must not shrink the view of the robots.
   const Vector2d near = Vector2d::Constant(0.25 * box.size().maxCoeff());
   for (const BodyDrawing& body : world.bodies) {
     for (const Vector2d& p : body.track) {
@@ -200,7 +200,7 @@ Box shown_region(const WorldDrawing& world) {
     box.min = box.min.cwiseMax(limits.min);
     box.max = box.max.cwiseMin(limits.max);
   }
-  // A narrow map makes a narrow picture rather than one with nothing at its sides.
+  // A narrow map gives a narrow picture without empty margins.
   const double wished = std::max({kSmallestView, box.size().x(), box.size().y() / kTallest});
   const double width = std::min(wished, std::max(limits.size().x(), box.size().y() / kThinnest));
   widen(box.min.x(), box.max.x(), width, limits.min.x(), limits.max.x());
@@ -216,7 +216,7 @@ Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format
   const double plot_height = plot_width * ratio;
   const double page_width = kLeft + plot_width + kRight;
   const std::vector<LegendEntry> entries = world_legend(world, region);
-  // A canvas that is thrown away measures the legend's text.
+  // A temporary canvas measures the legend's text.
   const double legend_room =
       legend_height(Canvas(PictureFormat::Svg, {page_width, 100.0}), entries, plot_width) + 4.0;
   Canvas canvas(format, {page_width, kTop + legend_room + plot_height + kBottom});
@@ -225,7 +225,7 @@ Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format
   const PlotAxes axes(area, region);
   canvas.begin_clip(area);
   if (world.map != nullptr) {
-    canvas.box(area, kUnknownColor, nullptr);  // beyond the map nobody has seen anything
+    canvas.box(area, kUnknownColor, nullptr);  // the area beyond the map is unknown
     draw_map(canvas, axes, *world.map);
   }
   draw_robots(canvas, axes, world);

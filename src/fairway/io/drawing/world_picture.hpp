@@ -13,21 +13,21 @@
 
 namespace fairway::io {
 
-/// What is drawn of one robot; empty parts are left out, of the picture and of its legend.
+/// What is drawn of one robot; empty parts are omitted from the picture and its legend.
 struct RobotDrawing {
   std::string name;
-  double radius = 0.0;  ///< of the disc that covers it [m]
+  double radius = 0.0;  ///< of its circumscribed disc [m]
   Pose2 start;
   Eigen::Vector2d goal = Eigen::Vector2d::Zero();
   Path path;
   Corridor corridor;
-  std::vector<Pose2> track;  ///< where it drove, at equal times
+  std::vector<Pose2> track;  ///< driven poses, equally spaced in time
 };
 
-/// What is drawn of something that moves on its own.
+/// What is drawn of one moving obstacle.
 struct BodyDrawing {
   double radius = 0.0;                 ///< [m]
-  std::vector<Eigen::Vector2d> track;  ///< its centre, at equal times
+  std::vector<Eigen::Vector2d> track;  ///< its centre, equally spaced in time
 };
 
 /// A picture of a world from above, like the paper's Figure 5.
@@ -37,7 +37,7 @@ struct WorldDrawing {
   std::vector<BodyDrawing> bodies;
 };
 
-/// The part of the world that is shown: whatever the robots do, with a margin, within the map.
+/// The part of the world that is shown: all robots' motion, with a margin, within the map.
 [[nodiscard]] Box shown_region(const WorldDrawing& world);
 
 /// The bytes of the picture file.

@@ -3,8 +3,8 @@
 
 namespace fairway::io {
 
-/// To be called before anything of GraphicsMagick's. Without its signal handlers: a library has no
-/// business there.
+/// Initialises GraphicsMagick; call this before its other functions. Its signal handlers stay off,
+/// because a library must not install any.
 void initialize_graphics_magick();
 
 }  // namespace fairway::io

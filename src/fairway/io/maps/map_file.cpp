@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kLongestHeader = 1U << 16;      // [bytes]
 constexpr std::size_t kLongestImage = 1'000'000'000;  // [bytes]; text PGM needs the most
-constexpr double kFurthestOrigin = 1e7;  // [m]; a double then still resolves nanometres
+constexpr double kFurthestOrigin = 1e7;  // [m]; up to here a double resolves nanometres
 
 CellState state_of_percent(double percent, const MapHeader& header) {
   if (percent > 100.0) return CellState::Unknown;
@@ -33,7 +33,7 @@ CellState state_of(std::uint32_t brightness, bool opaque, const MapHeader& heade
     return state_of_percent(std::round(255.0 * brightness / kWhite), header);
   }
   if (!opaque) return CellState::Unknown;
-  // Subtracted before divided: then 51 of 255 is exactly the 0.2 of a threshold.
+  // Subtract before dividing, so that 51 of 255 is exactly a threshold of 0.2.
   const std::uint32_t level = header.negate ? brightness : MapImage::kWhite - brightness;
   const double occupancy = level / kWhite;
   if (occupancy > header.occupied_thresh) return CellState::Occupied;

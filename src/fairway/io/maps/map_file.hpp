@@ -11,15 +11,15 @@ namespace fairway::io {
 
 struct MapImage;
 
-/// How map_server turns brightness into occupancy.
+/// How map_server converts brightness to occupancy.
 enum class MapMode : std::uint8_t { Trinary, Scale, Raw };
 
-/// What the YAML file of a map_server map says.
+/// The contents of a map_server map's YAML file.
 struct MapHeader {
   std::string image;             ///< path of the picture, relative to the YAML file unless absolute
   double resolution = 0.0;       ///< side of a cell [m]
   Pose2 origin;                  ///< world pose of the lower-left corner of the lower-left cell
-  bool negate = false;           ///< white is occupied instead of black; not looked at in Raw
+  bool negate = false;           ///< white is occupied instead of black; ignored in Raw
   double occupied_thresh = 0.0;  ///< occupied above this occupancy, 0..1
   double free_thresh = 0.0;      ///< free below this occupancy, 0..1, below occupied_thresh
   MapMode mode = MapMode::Trinary;
@@ -28,7 +28,7 @@ struct MapHeader {
 /// Reads the text of a map's YAML file; `name` is the file in messages.
 ///
 /// Keys: image, resolution, origin [x, y, yaw], negate, occupied_thresh, free_thresh, and mode
-/// (trinary, scale or raw; trinary without it). A key too few, too many or twice is an error.
+/// (trinary, scale or raw; default trinary). A missing, unknown or repeated key is an error.
 [[nodiscard]] Expected<MapHeader> parse_map_header(const std::string& text,
                                                    const std::string& name);
 
@@ -38,15 +38,15 @@ struct MapHeader {
 ///   Trinary  o > occupied_thresh is occupied, o < free_thresh is free, the rest is unknown.
 ///   Scale    the same; what map_server scales to 1..99 between the thresholds is unknown here, and
 ///            what it rounds to 0 or 100 is free or occupied.
-///   Raw      round(255 s) is the occupancy in percent, unknown above 100; the thresholds then say
-///            free (at most) and occupied (at least), as map_saver reads percents.
-/// Pixels that are not opaque are unknown, except in Raw where alpha is not looked at.
+///   Raw      round(255 s) is the occupancy in percent, unknown above 100; free_thresh is then the
+///            highest free and occupied_thresh the lowest occupied percentage, as in map_saver.
+/// Pixels that are not opaque are unknown, except in Raw, which ignores alpha.
 /// `name` is the file in messages.
 [[nodiscard]] Expected<OccupancyGrid> make_grid(const MapHeader& header,
                                                 const MapImage& image,
                                                 const std::string& name);
 
-/// Reads a map_server map from its YAML file and the picture that it names.
+/// Reads a map_server map from its YAML file and the picture named there.
 [[nodiscard]] Expected<OccupancyGrid> read_map(const std::string& path);
 
 }  // namespace fairway::io

@@ -24,7 +24,7 @@ MapImage copy_pixels(Magick::Image& picture, int width, int height) {
     for (int x = 0; x < width; ++x) {
       const std::uint32_t sum = std::uint32_t{row[x].red} + row[x].green + row[x].blue;
       image.brightness.push_back(sum);
-      // GraphicsMagick stores opacity upside down: 0 is opaque.
+      // GraphicsMagick stores transparency: 0 is opaque.
       if (has_alpha) image.opaque.push_back(row[x].opacity == OpaqueOpacity);
     }
   }
@@ -39,9 +39,9 @@ Expected<MapImage> decode_map_image(std::string_view bytes, const std::string& n
   try {
     initialize_graphics_magick();
     Magick::Image picture;
-    picture.quiet(true);  // warnings are about colour profiles and the like; errors still throw
+    picture.quiet(true);  // warnings concern colour profiles and similar; errors still throw
     const Magick::Blob blob(checked->bytes.data(), checked->bytes.size());
-    // The format is given, so no name, environment or content can choose another reader.
+    // The format is set, so no name, environment or content can select another reader.
     picture.read(blob, Magick::Geometry(), checked->format);
     if (picture.columns() != static_cast<unsigned>(checked->width) ||
         picture.rows() != static_cast<unsigned>(checked->height)) {

@@ -10,7 +10,7 @@
 
 namespace fairway::io {
 
-/// The picture of a map, top row first, as map_server looks at it.
+/// The picture of a map, top row first, with the values that map_server reads.
 struct MapImage {
   static constexpr std::uint32_t kWhite = 3 * 65535;
 
@@ -20,12 +20,13 @@ struct MapImage {
   std::vector<bool> opaque;               ///< per pixel; empty when all are
 };
 
-/// Most cells of a map (10000 x 10000): what is larger is refused before memory is asked for.
+/// Most cells of a map (10000 x 10000); a larger one is refused before memory is allocated.
 inline constexpr std::int64_t kMaxMapCells = 100'000'000;
 
-/// Decodes a PGM (P5 or P2) or PNG picture, told by its first bytes and not by any name.
+/// Decodes a PGM (P5 or P2) or PNG picture, identified by its first bytes.
 ///
-/// Refuses whatever is not whole: a PGM with fewer samples than its header says or with one above
+/// Refuses an incomplete picture: a PGM with too few samples or a sample above its maximum, or a
+/// PNG with a missing or damaged chunk. `name` is the file in messages.
 /// its maximum; a PNG with a chunk missing or changed. `name` is the file in messages.
 [[nodiscard]] Expected<MapImage> decode_map_image(std::string_view bytes, const std::string& name);
 

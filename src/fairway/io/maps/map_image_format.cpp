@@ -16,7 +16,7 @@ namespace fairway::io {
 namespace {
 
 constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
-constexpr std::int64_t kHuge = 1'000'000'000'000;  // a header's number is not read beyond this
+constexpr std::int64_t kHuge = 1'000'000'000'000;  // largest number read from a header
 
 std::optional<std::string> wrong_size(std::int64_t width, std::int64_t height) {
   constexpr std::int64_t kSide = OccupancyGrid::kMaxSide;
@@ -28,7 +28,7 @@ std::optional<std::string> wrong_size(std::int64_t width, std::int64_t height) {
                      kMaxMapCells, width, height);
 }
 
-// Walks over the numbers and comments of a PGM's text.
+// Steps through the numbers and comments of a PGM's text.
 class PgmText {
  public:
   explicit PgmText(std::string_view text) : text_(text) {}
@@ -43,7 +43,7 @@ class PgmText {
     return at_ > begin ? std::optional(value) : std::nullopt;
   }
 
-  // The one blank that ends the header of a binary picture.
+  // The single whitespace that ends the header of a binary picture.
   bool skip_blank() { return at_ < text_.size() && is_space(text_[at_++]); }
 
   [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
@@ -82,7 +82,7 @@ Expected<PgmHeader> read_pgm_header(PgmText& text, const std::string& name) {
   const std::optional<std::int64_t> height = text.next_number();
   const std::optional<std::int64_t> maximum = text.next_number();
   if (!width || !height || !maximum) {
-    return fail(fmt::format("{}: expected a PGM header, found one that is broken", name));
+    return fail(fmt::format("{}: expected a PGM header, found a malformed one", name));
   }
   if (auto wrong = wrong_size(*width, *height)) return fail(fmt::format("{}: {}", name, *wrong));
   if (*maximum < 1 || *maximum > 65535) {
@@ -91,7 +91,7 @@ Expected<PgmHeader> read_pgm_header(PgmText& text, const std::string& name) {
   return PgmHeader{.width = *width, .height = *height, .maximum = *maximum};
 }
 
-// The samples of a binary picture, as they stand there.
+// The samples of a binary picture, unchanged.
 Expected<std::string> binary_samples(PgmText& text,
                                      const PgmHeader& header,
                                      const std::string& name) {
@@ -113,12 +113,12 @@ Expected<std::string> binary_samples(PgmText& text,
   return std::string(samples);
 }
 
-// The samples of a picture written as text, in binary form.
+// Converts the samples of a text picture to binary form.
 Expected<std::string> text_samples(PgmText& text,
                                    const PgmHeader& header,
                                    const std::string& name) {
   std::string samples;
-  // Every sample takes at least a digit and a blank: a header alone cannot ask for memory.
+  // Every sample takes at least two characters, so the header alone cannot cause an allocation.
   samples.reserve(std::min(text.rest().size(), header.samples() * header.bytes_per_sample()));
   for (std::size_t i = 0; i < header.samples(); ++i) {
     const std::optional<std::int64_t> sample = text.next_number();
@@ -143,7 +143,8 @@ Expected<CheckedPicture> check_pgm(std::string_view bytes, const std::string& na
   const Expected<std::string> samples =
       bytes[1] == '5' ? binary_samples(text, *header, name) : text_samples(text, *header, name);
   if (!samples) return tl::unexpected(samples.error());
-  // Written anew in the plainest form, so that no two readers can differ about comments and blanks.
+  // Rewritten in the simplest form, so that no two readers can differ about comments and
+  // whitespace.
   return CheckedPicture{
       .width = static_cast<int>(header->width),
       .height = static_cast<int>(header->height),
@@ -159,7 +160,7 @@ std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-// CRC-32 as PNG defines it (ISO 3309), one byte at a time by table.
+// CRC-32 as PNG defines it (ISO 3309), bytewise with a table.
 std::uint32_t crc(std::string_view bytes) {
   static const std::array<std::uint32_t, 256> table = [] {
     std::array<std::uint32_t, 256> entries{};
@@ -179,7 +180,7 @@ std::uint32_t crc(std::string_view bytes) {
 
 Expected<CheckedPicture> check_png(std::string_view bytes, const std::string& name) {
   const auto broken = [&](const char* why) {
-    return fail(fmt::format("{}: expected a whole PNG, found one that is {}", name, why));
+    return fail(fmt::format("{}: expected a complete PNG, found one that is {}", name, why));
   };
   CheckedPicture picture{.width = 0, .height = 0, .format = "PNG", .bytes = {}};
   bool has_pixels = false;

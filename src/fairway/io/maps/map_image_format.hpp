@@ -8,16 +8,16 @@
 
 namespace fairway::io {
 
-/// A picture that was found to be whole, ready for GraphicsMagick.
+/// A picture that is checked to be complete, ready for GraphicsMagick.
 struct CheckedPicture {
   int width = 0;
   int height = 0;
-  const char* format = "";  ///< GraphicsMagick's name of it
-  std::string bytes;        ///< exactly one picture, nothing after it
+  const char* format = "";  ///< GraphicsMagick's name of the format
+  std::string bytes;        ///< exactly one picture, without trailing bytes
 };
 
-/// Checks header, size and completeness of a PGM or PNG without decoding it: the decoders repair
-/// silently what a map must not have.
+/// Checks header, size and completeness of a PGM or PNG without decoding it: the decoders silently
+/// accept damaged pictures.
 [[nodiscard]] Expected<CheckedPicture> check_picture(std::string_view bytes,
                                                      const std::string& name);
 

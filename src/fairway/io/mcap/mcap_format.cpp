@@ -29,19 +29,19 @@ void append_record(std::string& bytes, Opcode opcode, std::string_view content) 
 
 std::string compress(std::string_view content) {
   std::string compressed(ZSTD_compressBound(content.size()), '\0');
-  // Level 6 takes a sixth off what the default leaves, at some ms for a chunk.
+  // Level 6 saves a sixth compared with the default level and costs some ms per chunk.
   constexpr int kLevel = 6;
   const std::size_t size =
       ZSTD_compress(compressed.data(), compressed.size(), content.data(), content.size(), kLevel);
-  // The bound leaves no way to fail but a want of memory.
+  // With this bound, compression can fail only for lack of memory.
   if (ZSTD_isError(size) != 0U) throw std::runtime_error(ZSTD_getErrorName(size));
   compressed.resize(size);
   return compressed;
 }
 
 std::optional<std::string> decompress(std::string_view compressed, std::uint64_t size) {
-  // What is no frame, or of another size, is refused before memory for it is taken. A frame may
-  // keep its size to itself, and others may follow it.
+  // Refuses data that are not a frame, or have another size, before memory is allocated. A frame
+  // may omit its size, and more frames may follow.
   const auto told = ZSTD_getFrameContentSize(compressed.data(), compressed.size());
   if (told == ZSTD_CONTENTSIZE_ERROR || (told != ZSTD_CONTENTSIZE_UNKNOWN && told > size))
     return std::nullopt;

@@ -8,8 +8,8 @@
 
 namespace fairway::io::mcap {
 
-// The container format MCAP (mcap.dev/spec): records of an opcode, a length and fields, all numbers
-// little-endian. Only what Fairway writes and reads is here.
+// The container format MCAP (mcap.dev/spec): records of an opcode, a length and fields, with
+// little-endian numbers. Only the part that Fairway writes and reads is here.
 
 inline constexpr std::string_view kMagic = "\x89MCAP0\r\n";
 
@@ -27,7 +27,7 @@ enum class Opcode : std::uint8_t {
   DataEnd = 0x0F,
 };
 
-/// Appends the format's numbers and strings to bytes.
+/// Appends MCAP's numbers and strings to a buffer.
 class ByteWriter {
  public:
   explicit ByteWriter(std::string& bytes) : bytes_(&bytes) {}
@@ -38,7 +38,7 @@ class ByteWriter {
       bytes_->push_back(static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xFFU));
   }
 
-  /// A length of 32 bits, then the text.
+  /// Appends a length of 32 bits, then the text.
   void text(std::string_view value) {
     number(static_cast<std::uint32_t>(value.size()));
     bytes_->append(value);
@@ -48,8 +48,8 @@ class ByteWriter {
   std::string* bytes_;
 };
 
-/// Takes them off the front of bytes that may end too early: then `ok` is false and stays so, and
-/// every value is 0 or empty.
+/// Reads values from the front of a buffer. When the buffer ends too early, `ok` becomes false and
+/// stays false, and every further value is 0 or empty.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -89,10 +89,10 @@ class ByteReader {
 /// Appends one record: opcode, length, content.
 void append_record(std::string& bytes, Opcode opcode, std::string_view content);
 
-/// Content compressed by zstd.
+/// Compresses content with zstd.
 [[nodiscard]] std::string compress(std::string_view content);
 
-/// The `size` bytes that were compressed; none if `compressed` is damaged or not of that size.
+/// Decompresses to `size` bytes; none if `compressed` is damaged or has another size.
 [[nodiscard]] std::optional<std::string> decompress(std::string_view compressed,
                                                     std::uint64_t size);
 

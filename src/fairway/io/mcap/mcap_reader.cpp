@@ -30,7 +30,7 @@ class Reader {
       return data;
     }
     if (!ended_ || !bytes_.ends_with(mcap::kMagic)) {
-      return fail(name_ + ": expected the end of an MCAP file, found the file cut off");
+      return fail(name_ + ": expected the end of an MCAP file, found a truncated file");
     }
     return {};
   }
@@ -42,10 +42,10 @@ class Reader {
   };
 
   [[nodiscard]] tl::unexpected<Error> damaged(const char* what) const {
-    return fail(name_ + ": expected a whole MCAP file, found a damaged " + what);
+    return fail(name_ + ": expected a complete MCAP file, found a damaged " + what);
   }
 
-  // The records of the data section, or of a chunk.
+  // Reads the records of the data section, or of a chunk.
   Expected<void> records(std::string_view bytes, bool in_chunk) {
     ByteReader in(bytes);
     while (!ended_ && !in.rest().empty()) {
@@ -59,12 +59,12 @@ class Reader {
     return {};
   }
 
-  // `from` is where the record starts, for the checksum of the data section.
+  // `from` is the start of the record, for the checksum of the data section.
   Expected<void> record(Opcode opcode,
                         std::string_view content,
                         std::string_view from,
                         bool in_chunk) {
-    // Records that are not needed, and kinds that a later version may add, are passed over.
+    // Skips records that are not needed, and kinds that a later version may add.
     if (opcode == Opcode::Schema) return schema(content);
     if (opcode == Opcode::Channel) return channel(content);
     if (opcode == Opcode::Message) return message(content);
@@ -95,9 +95,9 @@ class Reader {
   Expected<void> message(std::string_view content) {
     ByteReader in(content);
     const auto id = in.number<std::uint16_t>();
-    static_cast<void>(in.number<std::uint32_t>());  // its number in the channel
+    static_cast<void>(in.number<std::uint32_t>());  // sequence number in the channel
     const auto time = in.number<std::uint64_t>();
-    static_cast<void>(in.number<std::uint64_t>());  // when it was published
+    static_cast<void>(in.number<std::uint64_t>());  // publish time
     const auto channel = channels_.find(id);
     if (!in.ok() || channel == channels_.end()) return damaged("message");
     return on_message_({.topic = channel->second.topic,

@@ -10,7 +10,7 @@
 
 namespace fairway::io {
 
-/// One message as it stands in a file.
+/// One message of a file.
 struct McapMessage {
   std::string_view topic;
   std::string_view schema_name;
@@ -18,11 +18,11 @@ struct McapMessage {
   std::string_view content;
 };
 
-/// Reads the messages of an MCAP file in the order in which they were written, and checks their
-/// CRCs on the way. Chunks may be plain or compressed by zstd.
+/// Reads the messages of an MCAP file in the order in which they were written, and checks all CRCs.
+/// Chunks may be uncompressed or compressed by zstd.
 ///
 /// Stops at the first error, its own or one that `on_message` returns. A file without a summary
-/// (its writer was killed) is read as far as it goes, and then is an error. `name` is the file in
+/// (its writer was killed) is read to its end, and then gives an error. `name` is the file in
 /// messages.
 [[nodiscard]] Expected<void> read_mcap(
     std::string_view bytes,

@@ -169,7 +169,7 @@ std::string McapWriter::statistics() const {
   return content;
 }
 
-// Everything between the data's end and the closing magic: summary, summary offsets, footer.
+// Writes everything between the data's end and the closing magic: summary, summary offsets, footer.
 std::string McapWriter::summary() const {
   std::string bytes;
   std::string offsets;
@@ -216,7 +216,7 @@ std::string McapWriter::summary() const {
   });
   const std::uint64_t offsets_start = written_ + bytes.size();
   bytes.append(offsets);
-  // The summary's CRC covers the footer up to the CRC itself.
+  // The summary's CRC covers the footer up to the CRC field.
   ByteWriter out(bytes);
   out.number(static_cast<std::uint8_t>(Opcode::Footer));
   out.number<std::uint64_t>(20);

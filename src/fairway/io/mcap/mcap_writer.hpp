@@ -9,34 +9,34 @@
 
 namespace fairway::io {
 
-/// A named stream of messages of one kind.
+/// A named stream of messages of one type.
 struct McapChannel {
   std::string topic;
-  std::string schema_name;  ///< channels of one schema name have the same schema
+  std::string schema_name;  ///< channels with equal schema names have equal schemas
   std::string schema;       ///< JSON Schema; messages are JSON
 };
 
-/// Writes MCAP: chunks compressed by zstd, indexed by time and channel, every CRC computed.
+/// Writes MCAP: chunks compressed by zstd, indexed by time and channel, with all CRCs.
 ///
-/// It makes bytes, not files: `take` hands over what has become ready. A copy can be finished while
-/// the original goes on, which gives a whole file of a run that has not ended.
+/// It produces bytes, not files: `take` returns the bytes that are ready. A copy can be finished
+/// while the original continues, which gives a complete file of an unfinished run.
 class McapWriter {
  public:
   McapWriter();
 
-  /// Numbers count up from 0. At most 65535 channels.
+  /// Adds a channel; numbers count up from 0. At most 65535 channels.
   std::uint16_t add_channel(const McapChannel& channel);
 
-  /// @param time  When it was true [ns].
+  /// @param time  The time to which the message refers [ns].
   void write(std::uint16_t channel, std::uint64_t time, std::string_view message);
 
-  /// Writes what is left, and the summary. Nothing can be written afterwards.
+  /// Writes the remaining data and the summary. Nothing can be written afterwards.
   void finish();
 
-  /// The bytes made since the last call.
+  /// The bytes produced since the last call.
   [[nodiscard]] std::string take();
 
-  /// Bytes made so far, taken or not, and those of the open chunk before compression.
+  /// The number of bytes produced, including taken ones and the open chunk before compression.
   [[nodiscard]] std::uint64_t size() const noexcept { return written_ + chunk_.size(); }
 
  private:
@@ -44,7 +44,7 @@ class McapWriter {
     std::string record;  // the channel's content
     std::uint16_t schema = 0;
     std::uint32_t messages = 0;
-    bool declared = false;  // whether schema and channel stand in a chunk already
+    bool declared = false;  // whether schema and channel are already in a chunk
     std::vector<std::pair<std::uint64_t, std::uint64_t>> index;  // time, offset in the open chunk
   };
 
@@ -66,7 +66,7 @@ class McapWriter {
 
   std::string ready_;
   std::uint64_t written_ = 0;
-  std::uint32_t crc_ = 0;  // of all bytes so far
+  std::uint32_t crc_ = 0;  // of all bytes written
   std::vector<std::string> schemas_;
   std::map<std::string, std::uint16_t> schema_ids_;
   std::vector<Channel> channels_;

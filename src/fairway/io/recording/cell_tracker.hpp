@@ -8,27 +8,27 @@
 
 namespace fairway::io {
 
-/// Tells which of the maps that robots drive on have changed since they were last looked at.
+/// Detects which of the robots' maps have changed since they were last looked at.
 ///
-/// Maps are told apart by where they are in memory and numbered from 0 in order of appearance.
+/// Maps are identified by their address and numbered from 0 in order of appearance.
 class CellTracker {
  public:
   struct Look {
     int slot = 0;                     ///< the map's number
-    bool whole = false;               ///< new, or lies elsewhere: all of it has to be told
+    bool whole = false;               ///< new, or its frame differs: all cells must be written
     bool changed = false;             ///< some cells are different; false when whole
-    const BitGrid* before = nullptr;  ///< as it was; lives until the next call of `settle`
+    const BitGrid* before = nullptr;  ///< earlier contents; valid until the next call of `settle`
   };
 
-  /// Looks at a map. After `whole` or `changed`, `settle` must follow.
+  /// Compares a map with its last state. After `whole` or `changed`, `settle` must follow.
   [[nodiscard]] Look look(const BitGrid& grid);
 
-  /// Takes the map as told.
+  /// Stores the map as written.
   void settle(const BitGrid& grid);
 
   void clear() { slots_.clear(); }
 
-  /// Gives every map as it was told last.
+  /// Calls `give` with the last written state of every map.
   void for_each(const std::function<void(int slot, const BitGrid& told)>& give) const;
 
  private:

@@ -89,7 +89,7 @@ Json changed_cells(const BitGrid& before, const BitGrid& now) {
       while (difference != 0) {
         const int first = std::countr_zero(difference);
         const bool blocked = (row[i] >> first & 1U) != 0;
-        // Changed cells of one value, side by side, within the word.
+        // Adjacent changed cells of one value within the word.
         const std::uint64_t alike = difference & (blocked ? row[i] : ~row[i]);
         const int count = std::countr_one(alike >> first);
         for (const int number :

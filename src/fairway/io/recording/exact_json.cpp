@@ -26,7 +26,7 @@ Enumeration to_enumerated(const Json& json, Enumeration last) {
   return static_cast<Enumeration>(number);
 }
 
-// What nobody computes with, to 0.1 mm as in all messages for the eye: it compresses to a quarter.
+// Display values are rounded to 0.1 mm as in all displayed messages: they compress to a quarter.
 double shortened(double value) { return std::round(value * 1e4) / 1e4; }
 
 Twist2 shortened(const Twist2& twist) {

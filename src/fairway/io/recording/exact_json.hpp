@@ -9,10 +9,10 @@
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
-// The inputs of a run as JSON, to the bit: a number is written with as many digits as it takes to
-// get the same double back, and one that is not finite as "NaN", "Infinity" or "-Infinity".
-// What reads throws nlohmann::json::exception or std::invalid_argument where something is missing
-// or has the wrong type; `read_recording` turns these into an Error.
+// The inputs of a run as exact JSON. A number has as many digits as its double needs, and a number
+// that is not finite is "NaN", "Infinity" or "-Infinity". The readers throw
+// nlohmann::json::exception or std::invalid_argument where a value is missing or has the wrong
+// type; `read_recording` turns these into an Error.
 namespace fairway::io::exact {
 
 using Json = nlohmann::json;
@@ -42,7 +42,7 @@ using Json = nlohmann::json;
 [[nodiscard]] Plan to_plan(const Json& json);
 
 [[nodiscard]] Json to_json(const GridFrame& frame);
-/// @throws std::invalid_argument also where OccupancyGrid would.
+/// @throws std::invalid_argument under the same conditions as OccupancyGrid.
 [[nodiscard]] GridFrame to_frame(const Json& json);
 
 /// All cells: frame and bits.
@@ -52,11 +52,11 @@ using Json = nlohmann::json;
 /// The cells of `now` that differ from `before`, as runs [y, first x, count, blocked, ...].
 /// @pre the same frame.
 [[nodiscard]] Json changed_cells(const BitGrid& before, const BitGrid& now);
-/// Carries out such changes.
+/// Applies such changes.
 void change_cells(const Json& runs, BitGrid& grid);
 
-/// The plan a navigator has in mind; only poses and commands, and what limits it. It is an answer
-/// that is looked at, not an input: poses and commands are rounded to 1e-4 m, rad, m/s, rad/s.
+/// The predicted plan of a navigator: its poses, commands and limiting constraint. It is for
+/// display, not an input: values are rounded to 1e-4 m, rad, m/s, rad/s.
 [[nodiscard]] Json to_json(const MpcSolution& solution);
 [[nodiscard]] MpcSolution to_solution(const Json& json);
 

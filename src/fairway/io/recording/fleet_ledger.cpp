@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kRemembered = 80;  // messages of a robot; more than a radio can be late
+constexpr std::size_t kRemembered = 80;  // messages kept per robot; covers the longest radio delay
 
 json samples_json(const SampledMotion& motion) {
   json positions = json::array();
@@ -111,7 +111,7 @@ Fleet FleetReader::read(const json& list) {
     const auto number = item.at("told").get<std::int64_t>();
     if (item.contains("motion")) told_.insert_or_assign(number, motion_of(item.at("motion")));
     const auto found = told_.find(number);
-    if (found == told_.end()) throw std::invalid_argument("expected a motion that was told before");
+    if (found == told_.end()) throw std::invalid_argument("expected a motion recorded earlier");
     fleet_.push_back({.motion = &found->second, .unseen = exact::to_number(item.at("unseen"))});
   }
   return fleet_;

@@ -12,12 +12,12 @@
 namespace fairway::io {
 
 [[nodiscard]] nlohmann::json motion_json(const SharedMotion& motion);
-/// @throws nlohmann::json::exception or std::invalid_argument where something is missing or wrong.
+/// @throws nlohmann::json::exception or std::invalid_argument where a value is missing or wrong.
 [[nodiscard]] SharedMotion motion_of(const nlohmann::json& json);
 
-/// What robots told, by number, so that each is written once however many robots heard it.
+/// Numbers the published motions, so that each is written once for all its receivers.
 ///
-/// The fleet as JSON: [{told, unseen, motion}, ...], `motion` only with the first that heard it.
+/// The fleet as JSON: [{told, unseen, motion}, ...], `motion` only with the first receiver.
 class FleetLedger {
  public:
   [[nodiscard]] nlohmann::json to_json(Fleet fleet);
@@ -33,10 +33,10 @@ class FleetLedger {
   std::int64_t next_ = 0;
 };
 
-/// The other way round. What it returns is valid until the next call.
+/// Reads what FleetLedger wrote. The result is valid until the next call.
 class FleetReader {
  public:
-  /// @throws like motion_of, also for a number that was not told before.
+  /// @throws like motion_of, also for an unknown number.
   [[nodiscard]] Fleet read(const nlohmann::json& json);
 
  private:

@@ -17,7 +17,7 @@ constexpr double kLineWidth = 0.03;  // [m]
 constexpr int kLineStrip = 0;
 constexpr int kLineList = 2;
 
-// JSON has no NaN or infinity; what is not finite is drawn at 0.
+// JSON has no NaN or infinity; such values are drawn at 0.
 double rounded(double value) { return std::isfinite(value) ? std::round(value * 1e4) / 1e4 : 0.0; }
 
 Json vector(double x, double y, double z) {
@@ -47,7 +47,7 @@ Json line_primitive(int type, Json points, const Tint& tint) {
           {"indices", Json::array()}};
 }
 
-// The shortest decimal number that is this float again.
+// The shortest decimal number that converts to the same float.
 double shortest(float value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.begin(), text.end(), value).ptr;
@@ -123,7 +123,7 @@ Scene::Scene(std::uint64_t time, std::string frame_id)
       frame_id_(std::move(frame_id)),
       json_({{"deletions", Json::array()}, {"entities", Json::array()}}) {}
 
-// Every kind of primitive is listed, so that no reader misses one.
+// All primitive lists are present, because some readers require them.
 Json& Scene::entity(const std::string& id) {
   Json entity{{"timestamp", time_json(time_)},
               {"frame_id", frame_id_},

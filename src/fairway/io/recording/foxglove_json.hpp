@@ -13,14 +13,13 @@
 #include "fairway/map/grid_frame.hpp"
 #include "fairway/perception/lidar_scan.hpp"
 
-// Messages that Foxglove and Lichtblick draw as they are: the well-known schemas foxglove.*, as
-// JSON. Coordinates are rounded to 0.1 mm: these are for looking, the exact numbers are in
-// fairway.*.
+// Messages that Foxglove and Lichtblick draw directly: the well-known schemas foxglove.*, as JSON.
+// Coordinates are rounded to 0.1 mm for display; the exact numbers are in fairway.*.
 namespace fairway::io::foxglove {
 
 using Json = nlohmann::json;
 
-/// The frame that everything is given in unless another one is named.
+/// The default frame of all messages.
 inline constexpr const char* kMapFrame = "map";
 
 /// Red, green, blue and opacity, 0..1.
@@ -37,7 +36,7 @@ struct Tint {
 
 [[nodiscard]] Json time_json(std::uint64_t nanoseconds);
 
-/// A map; `cells` holds a byte per cell, lowest row first: 0 free, 100 occupied, 255 unknown.
+/// A map; `cells` holds one byte per cell, lowest row first: 0 free, 100 occupied, 255 unknown.
 [[nodiscard]] Json grid(std::uint64_t time,
                         const GridFrame& frame,
                         const std::string& cells,
@@ -47,23 +46,23 @@ struct Tint {
                                  const Pose2& pose,
                                  const std::string& frame_id = kMapFrame);
 
-/// Where the frame `child` is in the frame `parent`.
+/// The pose of the frame `child` in the frame `parent`.
 [[nodiscard]] Json frame_transform(std::uint64_t time,
                                    const std::string& child,
                                    const Pose2& pose,
                                    const std::string& parent = kMapFrame);
 
-/// A scan. Its ranges are exact: a lost beam is 0, one that met nothing has the largest range.
-/// Where the sensor moved, it is shown where it was at the last beam.
+/// A scan with exact ranges: a lost beam is 0, and one without a hit has the largest range. A
+/// moving sensor is shown at its pose of the last beam.
 [[nodiscard]] Json laser_scan(std::uint64_t time,
                               const LidarScan& scan,
                               const std::string& frame_id);
 
 /// The ranges of such a message.
-/// @throws nlohmann::json::exception where it holds something else.
+/// @throws nlohmann::json::exception where it has another content.
 [[nodiscard]] std::vector<float> ranges_of(const Json& laser_scan);
 
-/// Things to draw, each under a name; a later one under the same name replaces it.
+/// Named primitives to draw; a later one replaces an earlier one of the same name.
 class Scene {
  public:
   explicit Scene(std::uint64_t time, std::string frame_id = kMapFrame);

@@ -82,7 +82,7 @@ Json grid_schema() {
                                   {"data", bytes}});
 }
 
-// Primitives that Fairway never draws are lists of anything.
+// Fairway does not draw these primitives, so their items have no schema.
 Json entity_schema() {
   const Json line_type =
       choice("foxglove.LineType", {{"LINE_STRIP", 0}, {"LINE_LOOP", 1}, {"LINE_LIST", 2}});

@@ -8,7 +8,7 @@
 
 namespace fairway::io {
 
-/// Where messages go: a recording, or viewers that listen.
+/// The destination of messages: a recording, or connected viewers.
 class MessageSink {
  public:
   MessageSink() = default;
@@ -19,10 +19,10 @@ class MessageSink {
   /// Announces a channel; the numbers count up from 0.
   virtual std::uint16_t add_channel(const McapChannel& channel) = 0;
 
-  /// Whether anybody wants the channel's messages now: those that nobody wants need not be made.
+  /// Whether any receiver wants the channel's messages now; otherwise they need not be made.
   [[nodiscard]] virtual bool wants(std::uint16_t channel) const = 0;
 
-  /// @param time  When it was true [ns].
+  /// @param time  The time to which the message refers [ns].
   virtual void write(std::uint16_t channel, std::uint64_t time, std::string_view message) = 0;
 };
 

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-// How messages are written, whatever they tell.
+// The text format that all messages share.
 namespace fairway::io {
 
 // A cell of foxglove.Grid.
@@ -16,12 +16,12 @@ inline constexpr char kFreeCell = 0;
 inline constexpr char kOccupiedCell = 100;
 inline constexpr char kUnknownCell = static_cast<char>(255);
 
-/// A time of a run as messages have it [ns]; what was before it is at its start.
+/// Converts a run's time to a message's time [ns]; times before the start become the start.
 [[nodiscard]] inline std::uint64_t nanoseconds(double time) {
   return static_cast<std::uint64_t>(std::llround(std::max(0.0, time) * 1e9));
 }
 
-/// JSON as text. Names come from people and may hold bytes that are not UTF-8: they are replaced.
+/// Serialises JSON. Bytes of names that are not UTF-8 are replaced.
 [[nodiscard]] inline std::string dumped(const nlohmann::json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

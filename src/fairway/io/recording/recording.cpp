@@ -23,7 +23,7 @@ RecordingFile::RecordingFile(std::string path, std::ofstream stream)
 
 Expected<std::unique_ptr<RecordingFile>> RecordingFile::create(const std::string& path) {
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-  if (!stream) return fail(path + ": expected a file that can be written");
+  if (!stream) return fail(path + ": expected a writable file");
   return std::unique_ptr<RecordingFile>(new RecordingFile(path, std::move(stream)));
 }
 
@@ -31,7 +31,7 @@ Expected<void> RecordingFile::close() {
   recording_.finish();
   stream_ << recording_.take();
   stream_.close();
-  if (!stream_) return fail(path_ + ": expected a file that can be written, found the disk full?");
+  if (!stream_) return fail(path_ + ": expected a writable file, found a write error (disk full?)");
   return {};
 }
 

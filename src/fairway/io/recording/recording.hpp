@@ -11,14 +11,14 @@
 
 namespace fairway::io {
 
-/// A recording in memory: everything that `RunMessages` tells, as MCAP.
+/// A recording in memory: all messages of `RunMessages`, as MCAP.
 class Recording final : public MessageSink {
  public:
   std::uint16_t add_channel(const McapChannel& channel) override;
   [[nodiscard]] bool wants(std::uint16_t channel) const override;
   void write(std::uint16_t channel, std::uint64_t time, std::string_view message) override;
 
-  /// The bytes that have become ready since the last call.
+  /// The bytes that are ready since the last call.
   [[nodiscard]] std::string take() { return writer_.take(); }
   void finish() { writer_.finish(); }
   [[nodiscard]] const McapWriter& writer() const noexcept { return writer_; }
@@ -29,7 +29,7 @@ class Recording final : public MessageSink {
 
 /// Records a run into a file while it happens, for `--log FILE.mcap`:
 ///
-///     auto file = RecordingFile::create(path);        // at once an error if it cannot be written
+///     auto file = RecordingFile::create(path);        // an error if it cannot be written
 ///     run_episode(scenario, {.observer = &file->observer()});
 ///     if (auto closed = file->close(); !closed) ...
 class RecordingFile {
@@ -38,11 +38,11 @@ class RecordingFile {
 
   [[nodiscard]] EpisodeObserver& observer() noexcept { return observer_; }
 
-  /// Writes the rest and the index. Without it the file can be read only up to its last chunk.
+  /// Writes the rest and the index. Without this call the file can be read only to its last chunk.
   [[nodiscard]] Expected<void> close();
 
  private:
-  // Passes everything on, and what has become ready to the file.
+  // Passes all events on, and writes the bytes that are ready to the file.
   class Spill final : public EpisodeObserver {
    public:
     explicit Spill(RecordingFile& file) : file_(file) {}

@@ -17,7 +17,7 @@ namespace {
 
 using exact::Json;
 
-// A robot's name as a part of a topic.
+// A robot's name as part of a topic.
 std::string topic_part(const std::string& name) {
   std::string part;
   for (const char c : name)
@@ -157,12 +157,12 @@ void RunMessages::on_navigators(double time,
 }
 
 void RunMessages::on_goal(double time, std::size_t robot, const Goal& goal) {
-  if (!lidar_) return;  // the plan tells it
+  if (!lidar_) return;  // the plan contains the goal
   write(robots_.at(robot).goal, time,
         dumped({{"time", exact::to_json(time)}, {"robot", robot}, {"goal", exact::to_json(goal)}}));
 }
 
-// Two messages: the ranges for every viewer, and what else the navigator was told.
+// Writes two messages: the ranges for every viewer, and the navigator's other inputs.
 void RunMessages::on_scan(const ObservedScan& seen) {
   const Robot& robot = robots_.at(seen.robot);
   const LidarScan& scan = seen.scan;

@@ -12,13 +12,13 @@
 
 namespace fairway::io {
 
-/// Turns what happens in a run into messages.
+/// Turns the events of a run into messages.
 ///
-/// Topics: /map, /tf, /scene of the world, and /NAME/pose, /NAME/way and /NAME/scene per robot, in
-/// the well-known schemas foxglove.*, for the eye; /fairway/... and /NAME/plan and /NAME/cycle in
-/// schemas fairway.*, which hold all inputs and answers of the navigators to the bit. Of a robot
-/// with a lidar also /NAME/scan and /NAME/map, what it has seen, for the eye, and /NAME/goal and
-/// /NAME/lidar; what it believes is in a frame of its own, "NAME_odom".
+/// For display: topics /map, /tf, /scene of the world, and /NAME/pose, /NAME/way and /NAME/scene
+/// per robot, in the well-known schemas foxglove.*. Exact to the bit: /fairway/... and /NAME/plan
+/// and /NAME/cycle in schemas fairway.*, with all inputs and outputs of the navigators. A robot
+/// with a lidar also has /NAME/scan and its seen map /NAME/map, for display, and /NAME/goal and
+/// /NAME/lidar. Its estimates are in its own frame "NAME_odom".
 class RunMessages final : public EpisodeObserver {
  public:
   /// @param sink  Must outlive this.
@@ -36,19 +36,19 @@ class RunMessages final : public EpisodeObserver {
 
  private:
   struct Robot {
-    std::string name;  // fit for a topic, different for each
+    std::string name;  // valid in a topic, unique
     std::uint16_t plan = 0;
     std::uint16_t cycle = 0;
     std::uint16_t pose = 0;
-    std::uint16_t scene = 0;  // what changes in every cycle
+    std::uint16_t scene = 0;  // what changes every cycle
     std::uint16_t way = 0;    // path, corridor and goal
-    // Of a robot with a lidar only:
+    // For a robot with a lidar only:
     std::uint16_t goal = 0;
     std::uint16_t scan = 0;
-    std::uint16_t lidar = 0;  // where and when it was taken
+    std::uint16_t lidar = 0;  // pose and time of the scan
     std::uint16_t map = 0;    // as seen
-    std::string frame{};      // that it believes to be in
-    double map_shown = 0.0;   // when [s]
+    std::string frame{};      // of its odometry
+    double map_shown = 0.0;   // last time [s]
   };
 
   std::uint16_t channel(const std::string& topic, const std::string& schema);
@@ -71,10 +71,10 @@ class RunMessages final : public EpisodeObserver {
   std::uint16_t world_;
   std::vector<Robot> robots_;
   std::vector<Plan> plans_;
-  std::vector<Pose2> true_poses_;  // in this time step
+  std::vector<Pose2> true_poses_;  // in the current time step
   bool lidar_ = false;
   RobotSettings body_;
-  std::string shown_cells_;  // of the map as shown last, a byte each
+  std::string shown_cells_;  // of the last written map, one byte per cell
   BitGrid shown_obstacles_;
   double shown_time_ = 0.0;
   CellTracker tracker_;

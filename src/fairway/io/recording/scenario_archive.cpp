@@ -16,7 +16,7 @@ namespace {
 
 using mcap::ByteWriter;
 
-// A double-quoted YAML string is one of JSON.
+// JSON strings are double-quoted YAML strings.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
@@ -91,7 +91,7 @@ std::string map_picture(const OccupancyGrid& map) {
   return bytes;
 }
 
-// What the header in front of a file and its entry in the directory have in common.
+// The fields that a file's local header and its directory entry share.
 void append_description(ByteWriter& out, const ArchiveFile& file) {
   constexpr std::uint16_t kVersion = 20;
   constexpr std::uint16_t kFirstOfJanuary1980 = 0x21;

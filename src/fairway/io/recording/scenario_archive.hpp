@@ -14,12 +14,12 @@ struct ArchiveFile {
   std::string content;
 };
 
-/// The files of a scenario: scenario.yaml, map.yaml and map.pgm. Unpacked into one folder,
-/// `read_scenario` gives the same scenario back.
+/// The files of a scenario: scenario.yaml, map.yaml and map.pgm. `read_scenario` gives the same
+/// scenario after they are unpacked into one folder.
 [[nodiscard]] std::vector<ArchiveFile> scenario_files(const Scenario& scenario);
 
-/// Files as a ZIP archive, stored without compression. The same files give the same bytes.
-/// @pre the names are ASCII; everything together is below 4 GB.
+/// Packs files into a ZIP archive without compression. Equal files give equal bytes.
+/// @pre the names are ASCII; the total size is below 4 GB.
 [[nodiscard]] std::string zip_archive(const std::vector<ArchiveFile>& files);
 
 }  // namespace fairway::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The messages of a run that are only looked at.
+// The messages of a run that are for display only.
 #include <algorithm>
 #include <array>
 
@@ -11,10 +11,11 @@ namespace fairway::io {
 
 namespace {
 
-constexpr double kMapPeriod = 1.0;        // a changing map is shown no more often [s]
-constexpr std::size_t kShownTracks = 12;  // what moves, as a robot with a lidar believes
+constexpr double kMapPeriod = 1.0;        // least time between two writes of a changing map [s]
+constexpr std::size_t kShownTracks = 12;  // moving obstacles estimated by a robot with a lidar
 
-// Where a frame lies in which a robot believes to be at `believed` while it truly is at `truth`.
+// The true pose of a frame in which a robot estimates its pose as `believed` and is truly at
+// `truth`.
 Pose2 frame_pose(const Pose2& truth, const Pose2& believed) {
   const double turn = truth.heading - believed.heading;
   const Pose2 turned{.position = Eigen::Vector2d::Zero(), .heading = turn};

@@ -36,7 +36,7 @@ std::string read_name(YamlMapping& mapping,
                       std::set<std::string>& seen) {
   std::string name = mapping.text("name", fallback);
   if (!seen.insert(name).second) {
-    mapping.complain("name", fmt::format("expected a name of its own, found '{}' again", name));
+    mapping.complain("name", fmt::format("expected a unique name, found '{}' again", name));
   }
   return name;
 }
@@ -96,7 +96,7 @@ std::vector<MovingBody> read_bodies(YamlMapping& root) {
   return bodies;
 }
 
-// People who were recorded walk through the scene, whatever the robots do.
+// Recorded people walk through the scene and do not react to the robots.
 void add_pedestrians(YamlMapping& root, const std::filesystem::path& folder, Scenario& scenario) {
   std::optional<YamlMapping> mapping = root.mapping("pedestrians");
   if (!mapping) return;
@@ -128,7 +128,7 @@ void read_radio(YamlMapping& root, RadioModel& radio) {
   mapping->finish();
 }
 
-// One of the names of an enumeration; the first when the key is missing.
+// Reads a name of an enumeration; the first one when the key is missing.
 template <typename Enum>
 Enum read_choice(YamlMapping& root, const char* key) {
   constexpr auto kNames = setting_names(Enum{});
@@ -141,7 +141,7 @@ Enum read_choice(YamlMapping& root, const char* key) {
   return Enum{};
 }
 
-// How the robots sense and what moves them.
+// Reads how the robots sense and which engine moves them.
 void read_models(YamlMapping& root, Scenario& scenario) {
   scenario.sensing.sensing = read_choice<Sensing>(root, "sensing");
   if (read_choice<SensorNoise>(root, "noise") == SensorNoise::Standard)

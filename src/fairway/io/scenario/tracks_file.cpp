@@ -21,7 +21,7 @@ constexpr double kFurthestPlace = 1e7;            // [m]
 constexpr double kMostFrames = 1e9;
 constexpr std::array<const char*, 8> kColumns{"frame", "id", "x", "z", "y", "vx", "vz", "vy"};
 
-// The next word of a line, which it leaves; empty at the end.
+// Removes the next word from a line and returns it; empty at the end.
 std::string_view take_word(std::string_view& line) {
   const std::size_t begin = line.find_first_not_of(" \t\r");
   if (begin == std::string_view::npos) {

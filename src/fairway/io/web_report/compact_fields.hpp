@@ -11,9 +11,9 @@
 
 namespace fairway::io {
 
-/// Appends numbers in few bytes: seven bits a byte, the last byte below 128; signed ones zigzag
-/// (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). What is not finite becomes 0, what is huge is
-/// clipped.
+/// Appends numbers in few bytes: seven bits a byte, the last byte below 128; signed numbers as
+/// zigzag (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). Numbers that are not finite become 0, and
+/// large ones are clamped.
 class CompactFields {
  public:
   explicit CompactFields(std::string& bytes) : bytes_(&bytes) {}
@@ -24,14 +24,14 @@ class CompactFields {
   void angle(double value);   ///< tenths of thousandths
   void time(double value) { millis(value); }
   void point(const Eigen::Vector2d& p);
-  void real(double value);  ///< as it is in memory, little-endian
+  void real(double value);  ///< as in memory, little-endian
   void text(std::string_view value);
 
  private:
   std::string* bytes_;
 };
 
-/// Appends points as steps from one to the next, without rounding errors that add up.
+/// Appends points as differences, without accumulating rounding errors.
 class PointDeltas {
  public:
   explicit PointDeltas(CompactFields& out, const Eigen::Vector2d& from = Eigen::Vector2d::Zero());
@@ -43,8 +43,8 @@ class PointDeltas {
   std::int64_t y_;
 };
 
-/// Appends a time and the runs of cells that differ: number of runs, then y, x, count, value of
-/// each.
+/// Appends a time and the runs of cells that differ: the number of runs, then y, x, count and value
+/// of each.
 /// @return the number of runs. @pre the same frame.
 std::size_t append_changes(CompactFields& out,
                            double time,

@@ -1,4 +1,4 @@
-# Writes SOURCE, a C++ file that holds the bytes of PAGE.
+# Writes SOURCE, a C++ file with the bytes of PAGE.
 file(READ ${PAGE} bytes HEX)
 string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")

@@ -13,17 +13,18 @@ namespace fairway::io {
 
 namespace {
 
-// Where the run goes in the page.
+// The place of the run in the page.
 constexpr std::string_view kPlace = "<script id=\"run\" type=\"text/plain\">";
 
-// In zlib's form, which browsers unpack.
+// Compresses in zlib's format, which browsers decompress.
 std::string deflated(std::string_view bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
   const int result =
       compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                 reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
-  if (result != Z_OK) throw std::bad_alloc();  // the bound leaves no other way to fail
+  // With this bound, compression can fail only for lack of memory.
+  if (result != Z_OK) throw std::bad_alloc();
   packed.resize(size);
   return packed;
 }

@@ -9,7 +9,7 @@
 
 namespace fairway::io {
 
-/// The replay page of a run: one HTML file that holds everything and needs nothing else.
+/// The replay page of a run: one self-contained HTML file.
 /// @param stream  All records of a RunStream.
 [[nodiscard]] std::string report_page(std::string_view stream);
 
@@ -21,7 +21,7 @@ namespace fairway::io {
 class Report {
  public:
   [[nodiscard]] EpisodeObserver& observer() noexcept { return stream_; }
-  [[nodiscard]] std::string page();  ///< once
+  [[nodiscard]] std::string page();  ///< call once
 
  private:
   RunStream stream_;

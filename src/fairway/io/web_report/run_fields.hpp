@@ -8,13 +8,13 @@
 #include "fairway/io/web_report/compact_fields.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
-// The parts that several records of a RunStream share.
+// The fields that several records of a RunStream share.
 namespace fairway::io {
 
 /// A map's frame: width and height [cells], resolution, and the pose of its origin.
 void append_frame(CompactFields& out, const GridFrame& frame);
 
-/// Runs of equal values over `count` cells, row by row.
+/// Run-length encodes `count` cells, line by line of the map.
 template <typename ValueAt>
 void append_cells(CompactFields& out, std::size_t count, const ValueAt& value_at) {
   for (std::size_t i = 0; i < count;) {
@@ -43,7 +43,7 @@ void append_whole_map(CompactFields& out,
                value_at);
 }
 
-/// The fields of a whole map that a robot sees: 1 where a cell is blocked, else 0.
+/// The fields of a complete map that a robot sees: 1 where a cell is blocked, else 0.
 [[nodiscard]] std::string seen_map_fields(std::uint64_t slot, double time, const BitGrid& grid);
 
 void append_mark(CompactFields& out, const LimitMark& mark);

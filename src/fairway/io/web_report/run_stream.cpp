@@ -14,7 +14,7 @@ namespace fairway::io {
 
 namespace {
 
-constexpr std::uint64_t kWorldSlot = 0;  // of the true map; those that robots see follow
+constexpr std::uint64_t kWorldSlot = 0;  // of the true map; the robots' maps follow
 
 void append_record(std::string& bytes, RunStream::Kind kind, const std::string& fields) {
   bytes.push_back(static_cast<char>(kind));
@@ -79,7 +79,7 @@ void RunStream::on_navigators(double time,
 }
 
 void RunStream::on_goal(double time, std::size_t robot, const Goal& goal) {
-  if (!lidar_) return;  // the plan tells it
+  if (!lidar_) return;  // the plan contains the goal
   std::string fields;
   CompactFields out(fields);
   out.count(robot);
@@ -89,7 +89,7 @@ void RunStream::on_goal(double time, std::size_t robot, const Goal& goal) {
   goals_.at(robot) = std::move(fields);
 }
 
-// Distances in cm, as differences from beam to beam; 0 where nothing was hit.
+// Distances in cm, as differences from beam to beam; 0 for a beam without a hit.
 void RunStream::on_scan(const ObservedScan& seen) {
   const LidarScan& scan = seen.scan;
   std::string fields;
@@ -113,7 +113,7 @@ void RunStream::on_scan(const ObservedScan& seen) {
   scans_.at(seen.robot) = std::move(fields);
 }
 
-// Of several scans between two cycles only the last can be seen.
+// Of several scans between two cycles only the last can be displayed.
 void RunStream::tell_scan(std::size_t robot) {
   std::string& scan = scans_.at(robot);
   if (scan.empty()) return;
@@ -146,7 +146,7 @@ void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
   plans_.at(robot) = std::move(fields);
 }
 
-// The number of the map that a robot drives on; tells it first, where it is new or has changed.
+// Returns the number of a robot's map, and writes the map first if it is new or has changed.
 std::uint64_t RunStream::tell_cells(double time, const BitGrid* grid) {
   if (grid == nullptr || grid == true_map_) return kWorldSlot;
   const CellTracker::Look look = tracker_.look(*grid);
@@ -193,7 +193,7 @@ void RunStream::on_cycle(const NavigationCycle& cycle) {
   out.millis(1e3 * cycle.seconds);  // microseconds
   append_mark(out, cycle.mark);
   append_prediction(out, cycle.step.plan);
-  // What the robot believes to move; the page knows the true bodies already.
+  // The moving obstacles that only the robot estimates; the page has the true bodies already.
   std::vector<MovingObstacle> believed;
   for (const MovingObstacle& obstacle : cycle.input.obstacles) {
     if (!is_known(obstacle)) believed.push_back(obstacle);
@@ -226,7 +226,7 @@ void RunStream::tell_true_map(double time, const BitGrid& obstacles) {
 
 void RunStream::on_world(const WorldView& world) {
   for (std::size_t i = 0; i < scans_.size(); ++i)
-    tell_scan(i);  // of those that had no cycle: they stand at their goals
+    tell_scan(i);  // robots without a cycle have arrived
   tell_true_map(world.time, *world.obstacles);
   true_map_ = world.obstacles;
   true_positions_.clear();

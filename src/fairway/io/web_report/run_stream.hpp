@@ -10,23 +10,23 @@
 
 namespace fairway::io {
 
-/// A run in few bytes, for the pages that show it: the replay page holds all of it, the live page
-/// gets it piece by piece. viewer/src/stream.ts reads it; the two change together.
+/// A compact run for the pages that show it: the replay page contains all of it, the live page
+/// receives it piece by piece. viewer/src/stream.ts reads this format; change both together.
 ///
-/// Records of a kind, a length and fields; numbers are variable-length integers, lengths in mm,
-/// angles in 0.1 mrad, speeds in mm/s and mrad/s, times in ms. Rounded: for looking, not for
-/// replaying (that is what recordings are for).
+/// A record has a kind, a length and fields. Numbers are variable-length integers: lengths in mm,
+/// angles in 0.1 mrad, speeds in mm/s and mrad/s, times in ms. The rounded values are for display;
+/// recordings are for replaying.
 class RunStream final : public EpisodeObserver {
  public:
   enum class Kind : std::uint8_t {
     Begin = 1,   ///< JSON: names, texts, settings; a new run
-    Cells = 2,   ///< a map, or cells of it that changed
+    Cells = 2,   ///< a map, or its changed cells
     Plan = 3,    ///< path and corridor of a robot from now on
     Cycle = 4,   ///< a robot in a control cycle
-    World = 5,   ///< where everything is: begins a time step
+    World = 5,   ///< state of the world: begins a time step
     Tuning = 6,  ///< JSON: other settings from now on
-    Scan = 7,    ///< what the lidar of a robot sees
-    Goal = 8,    ///< where a robot with a lidar is sent; its plans may lead to places before that
+    Scan = 7,    ///< the lidar scan of a robot
+    Goal = 8,    ///< a goal of a robot with a lidar; its plans may end at other places first
   };
 
   void on_start(const Scenario& scenario) override;
@@ -39,14 +39,14 @@ class RunStream final : public EpisodeObserver {
   void on_cycle(const NavigationCycle& cycle) override;
   void on_world(const WorldView& world) override;
 
-  /// Tells cells of the true map that have changed, at once: for a world that stands still.
+  /// Writes changed cells of the true map at once, for a paused world.
   void tell_true_map(double time, const BitGrid& obstacles);
 
-  /// The records made since the last call.
+  /// The records written since the last call.
   [[nodiscard]] std::string take();
 
-  /// Records that begin the run as it is now, for someone who joins late: what is said once, the
-  /// maps, the plans that are followed, and the newest time step. @pre a run has started.
+  /// Records from which a late viewer can start: the constant data, the maps, the current plans,
+  /// and the newest time step. @pre a run has started.
   [[nodiscard]] std::string beginning(double time) const;
 
  private:
@@ -58,15 +58,15 @@ class RunStream final : public EpisodeObserver {
 
   std::string ready_;
   std::vector<Eigen::Vector2d> true_positions_;  // of all bodies and robots in this time step
-  const BitGrid* true_map_ = nullptr;            // only to tell it from others
+  const BitGrid* true_map_ = nullptr;            // only compared with other maps
   CellTracker tracker_;
-  BitGrid shown_;                  // the true map, as it was told last
-  std::vector<CellState> states_;  // of its cells; unknown ones look different
-  std::string begin_;              // as told last, as are the next two
+  BitGrid shown_;                  // the true map, as last written
+  std::vector<CellState> states_;  // of its cells; unknown cells are drawn differently
+  std::string begin_;              // as last written, like the next two
   std::string tuning_;
   std::vector<std::string> plans_;  // by robot
-  std::vector<std::string> goals_;  // likewise, of those with a lidar
-  std::vector<std::string> scans_;  // by robot: the newest, until it is told
+  std::vector<std::string> goals_;  // by robot with a lidar
+  std::vector<std::string> scans_;  // by robot: the newest, until it is written
   bool lidar_ = false;
   std::string newest_;  // records of the newest time step
 };

@@ -9,15 +9,15 @@
 
 namespace fairway::io {
 
-/// The settings as a list of {group, name, unit, meaning, min, max, value, kind, choices}: what the
-/// page needs for a table or for sliders. `kind` is number, integer, switch or choice; min and max
-/// are left out where there is none.
+/// The settings as a list of {group, name, unit, meaning, min, max, value, kind, choices}, from
+/// which the page makes tables and sliders. `kind` is number, integer, switch or choice; min and
+/// max are omitted where there is no limit.
 [[nodiscard]] nlohmann::json settings_list(const Settings& settings);
 
 /// JSON that begins a run in `RunStream`.
 [[nodiscard]] std::string begin_text(const Scenario& scenario);
 
-/// JSON that tells other settings.
+/// JSON that announces changed settings.
 [[nodiscard]] std::string tuning_text(double time, const Settings& settings);
 
 }  // namespace fairway::io

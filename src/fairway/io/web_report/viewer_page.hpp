@@ -5,7 +5,7 @@
 
 namespace fairway::io {
 
-/// The page that viewer/ builds: with a run in it the replay page, served as it is the live page.
+/// The page built from viewer/: the replay page with a run inserted, the live page without one.
 [[nodiscard]] std::string_view viewer_page() noexcept;
 
 }  // namespace fairway::io

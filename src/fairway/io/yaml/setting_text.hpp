@@ -20,7 +20,7 @@ concept NamedEnumeration = std::is_enum_v<Value> && requires(Value value) {
   setting_names(value);
 };
 
-/// What may be written for a setting: "a number from 0 to 10", "mdsrc or fewest".
+/// Describes the allowed values of a setting: "a number from 0 to 10", "mdsrc or fewest".
 template <typename Value>
 [[nodiscard]] std::string expected_text(const SettingInfo& info) {
   if constexpr (std::same_as<Value, bool>) {
@@ -35,7 +35,7 @@ template <typename Value>
   }
 }
 
-/// A setting's value as it is written in a file.
+/// A setting's value as text for a file.
 template <typename Value>
 [[nodiscard]] std::string value_text(const Value& value) {
   if constexpr (std::same_as<Value, bool>) {
@@ -51,7 +51,7 @@ template <typename Value>
   }
 }
 
-/// The value that `text` stands for; none if it is not what `expected_text` says.
+/// Parses a value; none if `text` is not what `expected_text` describes.
 template <typename Value>
 [[nodiscard]] std::optional<Value> parse_value(std::string_view text, const SettingInfo& info) {
   if constexpr (std::same_as<Value, bool>) {

@@ -20,14 +20,14 @@ constexpr std::array<const char*, 2> kPresets{"default", "paper"};
 
 constexpr const char* kAllHead =
     "# Every setting of Fairway. After each value: [unit] meaning (what is allowed; default).\n"
-    "# A file may leave out what it does not change. `preset: paper` as a first line takes the\n"
-    "# values of the paper for what the file leaves out.\n";
+    "# A file needs only the settings that it changes. With `preset: paper` as its first line, it\n"
+    "# takes all other settings from the paper.\n";
 constexpr const char* kEssentialHead =
-    "# What to check for every robot. After each value: [unit] meaning (what is allowed; "
+    "# Settings to check for every robot. After each value: [unit] meaning (what is allowed; "
     "default).\n"
     "# `fairway settings` prints every setting.\n";
 
-// A list as people write it in YAML, in one line or one disc per line.
+// Formats a list for YAML, in one line or with one disc per line.
 void read_discs(YamlMapping& mapping, const char* key, BodyDiscs& discs) {
   BodyDiscs read;
   for (const std::vector<double>& row : mapping.rows(key, 3)) {
@@ -41,8 +41,8 @@ void read_discs(YamlMapping& mapping, const char* key, BodyDiscs& discs) {
 std::string group_of(std::string_view name) { return std::string(name.substr(0, name.find('.'))); }
 std::string key_of(std::string_view name) { return std::string(name.substr(name.find('.') + 1)); }
 
-// Sets the setting `name` (group.name) to what `text` says. @return what is wrong, if anything;
-// `known` tells whether there is such a setting.
+// Sets the setting `name` (group.name) to the value in `text`. @return the error, or an empty text;
+// `known` becomes whether the setting exists.
 std::string assign(Settings& settings, std::string_view name, std::string_view text, bool& known) {
   std::string error;
   known = false;
@@ -62,8 +62,8 @@ std::string assign(Settings& settings, std::string_view name, std::string_view t
   return error;
 }
 
-// Old names of settings, before the groups are read, so that a file may hold both: the new one
-// counts.
+// Reads old names of settings before the groups are read; a file may hold both, and the new name
+// takes precedence.
 void read_renamed(YamlMapping& root, Settings& settings) {
   for (const RenamedSetting& renamed : kRenamedSettings) {
     const std::string group = group_of(renamed.old_name);
@@ -80,7 +80,7 @@ void read_renamed(YamlMapping& root, Settings& settings) {
   }
 }
 
-// Makes the old names of a group known to the check for unknown keys.
+// Makes the old names of a group known, so that they are not reported as unknown keys.
 void allow_renamed(YamlMapping& mapping, std::string_view group) {
   for (const RenamedSetting& renamed : kRenamedSettings) {
     const std::string key = key_of(renamed.old_name);

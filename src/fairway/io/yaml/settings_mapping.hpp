@@ -6,11 +6,11 @@
 
 namespace fairway::io {
 
-/// Reads the groups of settings that a mapping holds over `base`; complains in its file. Does not
-/// check that the groups agree.
+/// Reads the groups of settings in a mapping over `base`, and reports errors in its file. Does not
+/// check the consistency of the groups.
 [[nodiscard]] Settings read_settings_mapping(YamlMapping& mapping, const Settings& base);
 
-/// `validate`, with the complaint moved to the line of the key that it names.
+/// Calls `validate`, and reports an error at the line of the key that it names.
 void complain_unless_valid(const Settings& settings, YamlMapping& mapping);
 
 }  // namespace fairway::io

@@ -12,12 +12,12 @@ namespace fairway::io {
 
 namespace {
 
-// What a document must not contain before nodes are built from it.
+// Checks a document before nodes are built from it.
 class Inspection : public YAML::EventHandler {
  public:
-  // The parser makes empty documents without end in front of a token that belongs to none.
+  // The parser emits endless empty documents before a token outside any document.
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (mark.pos == start_) throw YAML::ParserException(mark, "what belongs to no document");
+    if (mark.pos == start_) throw YAML::ParserException(mark, "a token outside any document");
     start_ = mark.pos;
   }
   void OnDocumentEnd() override {}

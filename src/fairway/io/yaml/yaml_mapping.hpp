@@ -14,18 +14,19 @@
 
 namespace fairway::io {
 
-/// One mapping of a YAML file, whose keys are asked for by name. Every reader ends with `finish`,
-/// which complains about keys that nobody asked for.
+/// A mapping of a YAML file with typed access to its keys. Every reader ends with `finish`, which
+/// reports the keys that were not read.
 class YamlMapping {
  public:
   YamlMapping(YamlFile& file, const YAML::Node& node, std::string prefix = "");
 
   [[nodiscard]] bool has(const char* key) const;
   [[nodiscard]] int line() const noexcept { return line_; }
-  [[nodiscard]] int line(const char* key) const;  ///< of the key's value; of the mapping without it
+  [[nodiscard]] int line(const char* key) const;  ///< of the key's value; of the mapping for a
+                                                  ///< missing key
 
-  /// Each asks for a key and returns its value; without the key `fallback`, and complains when that
-  /// is not given either.
+  /// Each returns the value of a key. A missing key gives `fallback`, or an error without a
+  /// fallback.
   double number(const char* key,
                 const NumberRange& range = {},
                 std::optional<double> fallback = std::nullopt);
@@ -40,35 +41,35 @@ class YamlMapping {
                      std::span<const char* const> names,
                      std::optional<std::size_t> fallback = std::nullopt);
 
-  /// A list of `least` to `most` finite numbers; empty without the key if `least` is 0 or after an
-  /// error.
+  /// A list of `least` to `most` finite numbers; empty after an error, or for a missing key if
+  /// `least` is 0.
   std::vector<double> numbers(const char* key, std::size_t least, std::size_t most);
 
-  /// A list of lists of `columns` finite numbers each; empty without the key or after an error.
+  /// A list of lists of `columns` finite numbers each; empty for a missing key or after an error.
   std::vector<std::vector<double>> rows(const char* key, std::size_t columns);
 
-  /// The mapping below a key; none without the key.
+  /// The mapping below a key; none for a missing key.
   std::optional<YamlMapping> mapping(const char* key);
 
-  /// The mappings listed below a key; none without the key.
+  /// The mappings listed below a key; none for a missing key.
   std::vector<YamlMapping> mappings(const char* key);
 
-  /// The scalar below a key as it is written; none, and a complaint, where it is none.
+  /// The scalar below a key as text; none after an error.
   std::optional<std::string> scalar(const char* key);
 
   /// Makes a key known to `finish` without reading it.
   void expect(const char* key) { asked_.insert(key); }
 
-  /// Complains about a key of this mapping: `expected ..., found ...` and the like.
+  /// Reports an error at a key of this mapping: `expected ..., found ...`.
   void complain(const char* key, const std::string& message);
 
-  /// Complains about this mapping as a whole.
+  /// Reports an error of this mapping as a whole.
   void complain_here(const std::string& message) { file_->complain(line_, prefix_, message); }
 
-  /// Notes something in the file that is accepted, but should be written differently; once.
+  /// Warns once about a part that is accepted but should be written differently.
   void warn(const std::string& message);
 
-  /// Complains about the first key that was not asked for.
+  /// Reports the first key that was not read.
   void finish();
 
  private:

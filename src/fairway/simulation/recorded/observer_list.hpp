@@ -7,7 +7,7 @@
 
 namespace fairway {
 
-/// Tells several observers, in the order in which they were added. They must outlive it.
+/// Passes events to several observers, in the order in which they were added. They must outlive it.
 class ObserverList final : public EpisodeObserver {
  public:
   void add(EpisodeObserver& observer) { observers_.push_back(&observer); }

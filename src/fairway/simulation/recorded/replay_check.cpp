@@ -64,8 +64,8 @@ void ReplayCheck::on_plan(double /*time*/, std::size_t robot, const Plan& plan) 
   }
 }
 
-// Without a map the plans are made again, too, unless a thread made them: then they arrive when
-// they did.
+// Without a map the plans are computed again, too. Plans that a thread made arrive when they did in
+// the recording.
 NavigationStep ReplayCheck::replay(const NavigationCycle& cycle) {
   const NavigationInput& input = cycle.input;
   if (without_map_.empty()) return navigators_.at(cycle.robot).update(input);

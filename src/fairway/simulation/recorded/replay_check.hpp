@@ -10,12 +10,12 @@
 
 namespace fairway {
 
-/// Runs the navigators of a recorded run over its inputs again and compares what they give, bit by
-/// bit: what a robot with a lidar drives on, its map and its plans too, is made anew from its scans
-/// and poses. It is an observer, so that a recording is replayed by reading it to this.
+/// Runs the navigators of a recorded run again on its inputs and compares all outputs bit by bit.
+/// Maps and plans of a robot with a lidar are computed again from its scans and poses. This is an
+/// observer: pass it to the reader of a recording.
 class ReplayCheck final : public EpisodeObserver {
  public:
-  /// The first cycle that came out differently.
+  /// The first cycle whose output differs.
   struct Difference {
     double time = 0.0;
     std::size_t robot = 0;
@@ -23,8 +23,7 @@ class ReplayCheck final : public EpisodeObserver {
     NavigationStep replayed;  ///< without its plan
   };
 
-  /// @param solver  To be used instead of the structured solver, as in the run that was recorded;
-  ///                must outlive this.
+  /// @param solver  Replaces the structured solver, as in the recorded run; must outlive this.
   explicit ReplayCheck(ControlSolver* solver = nullptr) : solver_(solver) {}
 
   void on_start(const Scenario& scenario) override;
@@ -51,8 +50,8 @@ class ReplayCheck final : public EpisodeObserver {
   SensingModel sensing_;
   std::vector<Navigator> navigators_;           // of robots that know the map
   std::vector<MaplessNavigator> without_map_;   // of robots with a lidar
-  bool background_ = false;                     // plans were made in a thread
-  std::vector<std::optional<Plan>> arrived_{};  // of each robot, for its next cycle
+  bool background_ = false;                     // the plans were made in a thread
+  std::vector<std::optional<Plan>> arrived_{};  // per robot, for its next cycle
   long cycles_ = 0;
   long different_ = 0;
   std::optional<Difference> first_difference_;

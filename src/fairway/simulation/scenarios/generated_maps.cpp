@@ -16,11 +16,11 @@ constexpr double kCell = 0.05;         // [m]
 constexpr double kClearCorner = 1.5;   // start and goal lie this far inside the corners [m]
 constexpr double kCornerRadius = 1.0;  // kept free around them [m]
 
-// SplitMix64: small, and the same everywhere, unlike the standard distributions.
+// SplitMix64 is small and gives the same numbers everywhere, unlike the standard distributions.
 class Draw {
  public:
-  // The state advances by a constant, so seeds must not be multiples of it apart: then one stream
-  // would be another's, shifted. Mixed, neighbouring seeds start anywhere.
+  // The state advances by a constant, and seeds that differ by a multiple of it would give shifted
+  // copies of one stream. So the seed is mixed first.
   explicit Draw(std::uint64_t seed) noexcept : state_(mixed(seed)) {}
 
   double uniform(double low, double high) noexcept {
@@ -87,7 +87,7 @@ class Canvas {
     }
   }
 
-  // A line one cell wide.
+  // Draws a line that is one cell wide.
   void line(const Vector2d& from, const Vector2d& to) {
     const double length = (to - from).norm();
     const int steps = 1 + static_cast<int>(length / (0.5 * kCell));
@@ -111,7 +111,7 @@ class Canvas {
   OccupancyGrid grid_;
 };
 
-// A convex polygon: corners at rising angles on an ellipse that is turned anyhow.
+// Draws a convex polygon: corners at increasing angles on a randomly turned ellipse.
 void draw_polygon(Canvas& canvas, Draw& draw, double least, double most) {
   std::array<Vector2d, 8> corners;
   const auto count = static_cast<std::size_t>(draw.integer(3, 8));
@@ -145,7 +145,7 @@ void draw_unstructured(Canvas& canvas, Draw& draw) {
 }
 
 void draw_structured(Canvas& canvas, Draw& draw) {
-  // Walls every 5 to 7 m in both directions, each piece between two crossings with a door.
+  // Draws walls every 5 to 7 m in both directions, with a door between any two crossings.
   const int n = canvas.grid().frame().width;
   constexpr int kRoom = 120;  // [cells]
   constexpr int kDoor = 28;   // 1.4 m

@@ -7,8 +7,8 @@
 
 namespace fairway {
 
-/// Kinds of maps in the manner of the paper's Case 2, whose originals are not public. All have
-/// cells of 0.05 m, a closed outer wall, and free space around two opposite corners (1.5 m inside).
+/// Kinds of maps like those of the paper's Case 2, which are not public. All have cells of 0.05 m,
+/// a closed outer wall, and free space around two opposite corners (1.5 m inside).
 enum class MapKind : std::uint8_t {
   UnstructuredLarge,  ///< 50 m x 50 m: irregular polygons, posts and thin slanted walls
   UnstructuredSmall,  ///< 25 m x 25 m: the same
@@ -33,8 +33,8 @@ enum class MapKind : std::uint8_t {
 /// Side of a map of this kind [m].
 [[nodiscard]] double side_length(MapKind kind) noexcept;
 
-/// Draws a map. The same arguments give the same cells on every machine.
-/// @param num_obstacles  Of Field only: the number of polygons.
+/// Draws a map. Equal arguments give equal cells on every machine.
+/// @param num_obstacles  The number of polygons; for Field only.
 [[nodiscard]] OccupancyGrid generate_map(MapKind kind, std::uint64_t seed, int num_obstacles = 10);
 
 }  // namespace fairway

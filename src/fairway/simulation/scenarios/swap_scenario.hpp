@@ -5,14 +5,15 @@
 
 namespace fairway {
 
-/// The radius that N robots on a circle are given by default [m]: the larger of 4 m and 1.5 m of
-/// circle per robot.
+/// The default radius of the circle for N robots [m]: 4 m, or 1.5 m of circumference per robot if
+/// that is larger.
 [[nodiscard]] double swap_radius(int robots) noexcept;
 
-/// Robots on a circle in the open that exchange places with their opposites, looking there.
+/// Robots on a circle in open space that swap places with the opposite robot and keep their
+/// heading.
 ///
-/// @param seed  Moves every start by up to 0.05 m along each axis and turns it by up to 0.1 rad;
-///              goals stay. 0 leaves all as it is: exactly symmetric.
+/// @param seed  Shifts every start by up to 0.05 m along each axis and turns it by up to 0.1 rad;
+///             goals do not change. 0: exactly symmetric starts.
 /// @pre robots >= 2; radius > 0.
 [[nodiscard]] Scenario swap_scenario(int robots,
                                      double radius,

@@ -11,7 +11,7 @@
 
 namespace fairway {
 
-/// A planar lidar as built in. Defaults: the one of BARN, without errors.
+/// A mounted planar lidar. The defaults are BARN's sensor, without errors.
 struct LidarModel {
   double field_of_view = 1.5 * std::numbers::pi;  ///< symmetric about the robot's heading [rad]
   int beams = 720;                                ///< at least 2
@@ -19,21 +19,22 @@ struct LidarModel {
   double max_range = 30.0;                        ///< [m]
   Eigen::Vector2d mount{-0.065, 0.0};             ///< of the sensor, in the robot's frame [m]
   double rate = 20.0;                             ///< scans per second [1/s]
-  double latency = 0.0;                           ///< from the scan to when it is known [s]
-  double range_sigma = 0.0;                       ///< of the normal error of every range [m]
+  double latency = 0.0;                           ///< from the scan to its availability [s]
+  double range_sigma = 0.0;                       ///< standard deviation of the normal error of
+                                                  ///< each range [m]
   double dropout = 0.0;                           ///< share of beams that are lost []
 };
 
-/// Distance from `from` in direction `angle` to the first blocked cell, the outside of the grid or
-/// a disc, exact; `max_range` when there is none nearer. 0 from inside one of them.
+/// Exact distance from `from` in direction `angle` to the first blocked cell, the grid's border or
+/// a disc, at most `max_range`. It is 0 from inside an obstacle.
 [[nodiscard]] double cast_ray(const BitGrid& obstacles,
                               MovingObstacles discs,
                               const Eigen::Vector2d& from,
                               double angle,
                               double max_range);
 
-/// One scan from `sensor`, all beams at once: beam 0 looks field_of_view / 2 to the right.
-/// Lost beams are NaN, those that meet nothing infinite.
+/// Takes one scan from `sensor`, all beams at once: beam 0 points field_of_view / 2 to the right.
+/// Lost beams are NaN, beams without a hit infinite.
 /// @param ranges  Filled with one range per beam; keeps its memory.
 void scan_surroundings(const LidarModel& lidar,
                        const BitGrid& obstacles,

@@ -5,8 +5,7 @@
 
 namespace fairway {
 
-// Marsaglia's polar method: needs neither sine nor cosine, whose last bits differ between
-// libraries.
+// Marsaglia's polar method needs neither sine nor cosine, whose last bits differ between libraries.
 double Noise::normal(double sigma) {
   double u = 0.0;
   double square = 0.0;

@@ -6,12 +6,12 @@
 
 namespace fairway {
 
-/// A seeded source of random numbers that gives the same ones with every standard library.
+/// A seeded random number generator that gives equal numbers with every standard library.
 class Noise {
  public:
   explicit Noise(std::uint64_t seed) : engine_(seed) {}
 
-  /// In [low, high).
+  /// Uniform in [low, high).
   [[nodiscard]] double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1.0p-53);
   }

@@ -8,25 +8,25 @@
 
 namespace fairway {
 
-/// How wrong the counting of wheel turns can be.
+/// Errors of the wheel odometry.
 struct OdometryModel {
-  double most_scale_error = 0.0;  ///< of every distance, as a share of it []
-  double most_drift = 0.0;        ///< of the heading, per metre driven [rad/m]
+  double most_scale_error = 0.0;  ///< largest relative error of distances []
+  double most_drift = 0.0;        ///< largest drift of the heading per metre driven [rad/m]
 };
 
-/// A pose that is put together from true motions measured with constant errors, drawn once.
+/// A pose integrated from the true motion with constant errors, which are drawn once.
 ///
-/// It starts exactly where the robot does and then drifts away: its frame is the one in which a
-/// robot without a map drives.
+/// It starts at the true pose and then drifts. Its frame is the one in which a robot without a map
+/// drives.
 class Odometry {
  public:
-  /// Errors are drawn evenly from minus to plus the most that `model` allows.
+  /// Draws errors uniformly within plus and minus the largest that `model` allows.
   Odometry(const OdometryModel& model, const Pose2& start, Noise& noise);
 
-  /// Takes in that the robot is now truly at `pose`.
+  /// Integrates the motion to the true pose `pose`.
   void move_to(const Pose2& pose);
 
-  /// Where the robot believes to be.
+  /// The robot's estimated pose.
   [[nodiscard]] const Pose2& pose() const noexcept { return believed_; }
 
  private:

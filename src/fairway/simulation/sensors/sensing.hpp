@@ -10,8 +10,8 @@ namespace fairway {
 
 /// What a robot knows.
 enum class Sensing : std::uint8_t {
-  Map,    ///< its pose, the map, and all that moves, exactly
-  Lidar,  ///< what its lidar and its wheels tell, from the start on
+  Map,    ///< its exact pose, the map, and all moving obstacles
+  Lidar,  ///< only its lidar scans and odometry
 };
 
 [[nodiscard]] constexpr std::array<const char*, 2> setting_names(Sensing /*type*/) noexcept {
@@ -35,8 +35,8 @@ struct SensingModel {
   OdometryModel odometry;
 };
 
-/// The errors that "--noise standard" stands for: range sigma 0.01 m, 1 % of beams lost, 50 ms of
-/// latency, up to 1 % of scale error and up to 0.2 degrees of heading drift per metre.
+/// The errors of "--noise standard": range sigma 0.01 m, 1 % of beams lost, 50 ms of latency, up to
+/// 1 % of scale error and up to 0.2 degrees of heading drift per metre.
 inline void use_standard_noise(SensingModel& model) noexcept {
   model.lidar.range_sigma = 0.01;
   model.lidar.dropout = 0.01;
@@ -45,7 +45,7 @@ inline void use_standard_noise(SensingModel& model) noexcept {
   model.odometry.most_drift = 0.2 * std::numbers::pi / 180.0;
 }
 
-/// Chooses the errors, and forgets those chosen before.
+/// Sets these errors, and replaces all earlier ones.
 inline void use_noise(SensingModel& model, SensorNoise noise) noexcept {
   const SensingModel exact;
   model.lidar.range_sigma = exact.lidar.range_sigma;
@@ -55,7 +55,7 @@ inline void use_noise(SensingModel& model, SensorNoise noise) noexcept {
   if (noise == SensorNoise::Standard) use_standard_noise(model);
 }
 
-/// Which errors a model has: standard, as soon as its ranges have any.
+/// Which errors a model has: standard if its ranges have noise.
 [[nodiscard]] inline SensorNoise noise_of(const SensingModel& model) noexcept {
   return model.lidar.range_sigma > 0.0 ? SensorNoise::Standard : SensorNoise::None;
 }

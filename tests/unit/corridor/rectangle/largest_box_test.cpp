@@ -41,7 +41,7 @@ Scene random_scene(test::Random& random) {
   return scene;
 }
 
-// Every box whose sides each touch a point or the limit that the core sets: slow and plain.
+// Tests every box whose sides each touch a point or the limit of the core. Slow and simple.
 double largest_area(const Scene& scene) {
   std::vector<Vector2d> points;
   for (const Vector2d& p : scene.points)
@@ -108,7 +108,7 @@ TEST(LargestBox, IsTheLargestOfAllThatTouchPointsOrTheLimit) {
   EXPECT_GT(possible, 100);
 }
 
-TEST(LargestBox, IsTheSameInWhicheverOrderPointsComeIn) {
+TEST(LargestBox, DoesNotDependOnTheOrderOfThePoints) {
   test::Random random(52);
   for (int trial = 0; trial < 1000; ++trial) {
     Scene scene = random_scene(random);
@@ -122,15 +122,15 @@ TEST(LargestBox, IsTheSameInWhicheverOrderPointsComeIn) {
   }
 }
 
-TEST(LargestBox, TakesAsManyPointsAsThereAreInOneQuadrant) {
-  // Beyond 32 and 64 points in a quadrant: a long staircase, and all of it behind the origin.
+TEST(LargestBox, HandlesManyPointsInOneQuadrant) {
+  // More than 32 and 64 points in a quadrant: a long staircase, all of it behind the origin.
   for (const int count : {31, 32, 33, 64, 65, 200, 256, 300}) {
     Scene scene{.longest_side = 1000.0};
     const int kept = std::min(count, static_cast<int>(ObstaclePoints::kCapacity));
     for (int i = 0; i < count; ++i)
       scene.points.emplace_back(-1.0 - i, -1.0 - (kept - 1 - i));
-    // Corner i + 1 reaches -(i + 2), -(kept - i): the best is in the middle, or lies on one side.
-    double expected = 1000.0 * 1000.0;  // upwards and to the right, all points left behind
+    // Corner i + 1 extends to -(i + 2), -(kept - i): the best one is in the middle, or at one side.
+    double expected = 1000.0 * 1000.0;  // upwards and to the right, without any point
     const std::optional<Box> box = largest_box_of(scene);
     ASSERT_TRUE(box.has_value());
     EXPECT_NEAR(box->area(), expected, 1e-3 * expected) << count;
@@ -140,7 +140,9 @@ TEST(LargestBox, TakesAsManyPointsAsThereAreInOneQuadrant) {
     scene.points.emplace_back(0.1, 0.6);
     const std::optional<Box> confined = largest_box_of(scene);
     ASSERT_TRUE(confined.has_value());
-    if (count > static_cast<int>(ObstaclePoints::kCapacity) - 2) continue;  // no room for them
+    if (count > static_cast<int>(ObstaclePoints::kCapacity) - 2)
+      continue;  // their capacity is
+                 // exceeded
     expected = 0.0;
     for (int i = 0; i <= kept; ++i) {
       const double width = i == 0 ? 1.6 : i == kept ? 1000.0 : 1.6 + i;

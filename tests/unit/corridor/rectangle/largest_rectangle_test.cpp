@@ -31,7 +31,7 @@ TEST(LargestRectangle, FillsAnEmptyMap) {
   EXPECT_LT(r->area(), 25.0);
 }
 
-TEST(LargestRectangle, TurnsWithAPassageBetweenTwoSlantedWalls) {
+TEST(LargestRectangle, AlignsWithAPassageBetweenTwoSlantedWalls) {
   BitGrid obstacles = empty_map(400);
   const double turn = 0.4;
   for (double t = -8.0; t < 8.0; t += 0.02) {
@@ -46,7 +46,7 @@ TEST(LargestRectangle, TurnsWithAPassageBetweenTwoSlantedWalls) {
   EXPECT_GT(r->area(), 16.0 * 1.0);
 }
 
-TEST(LargestRectangle, IsFreeAndHoldsItsAnchorsInRandomWorlds) {
+TEST(LargestRectangle, IsFreeAndContainsItsAnchorsInRandomWorlds) {
   test::Random random(31);
   int found = 0;
   for (int trial = 0; trial < 400; ++trial) {
@@ -83,7 +83,7 @@ TEST(LargestRectangle, IsNearTheTrueOptimum) {
     share += r->area() / test::largest_area_oracle(obstacles, seed, 16.0, 45);
     ++found;
   }
-  // The oracle is an upper bound that lets cells stick out by up to half a cell.
+  // The oracle is an upper bound that lets cells protrude by up to half a cell.
   EXPECT_GT(share / found, 0.96);
 }
 
@@ -95,7 +95,7 @@ TEST(LargestRectangle, HasNoSideAboveTheLimit) {
   EXPECT_GT(r->area(), 8.9);
 }
 
-TEST(LargestRectangle, GivesTheSameBitsAgain) {
+TEST(LargestRectangle, IsDeterministic) {
   test::Random random(33);
   for (int trial = 0; trial < 50; ++trial) {
     const BitGrid obstacles(test::random_world(random, 100));
@@ -110,7 +110,7 @@ TEST(LargestRectangle, GivesTheSameBitsAgain) {
   }
 }
 
-TEST(LargestRectangle, SaysNoToBadSeeds) {
+TEST(LargestRectangle, RefusesInvalidSeeds) {
   BitGrid blocked = empty_map(20);
   blocked.set({10, 10}, true);
   const double nan = std::nan("");

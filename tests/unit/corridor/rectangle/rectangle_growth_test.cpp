@@ -19,7 +19,7 @@ Vector2d random_seed_point(test::Random& random, const GridFrame& frame) {
   return frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
 }
 
-TEST(RectangleGrowth, IsFreeHoldsTheSeedAndCannotGrowByACell) {
+TEST(RectangleGrowth, IsFreeContainsTheSeedAndCannotGrowByACell) {
   test::Random random(41);
   int found = 0;
   for (int trial = 0; trial < 300; ++trial) {
@@ -52,7 +52,7 @@ TEST(RectangleGrowth, IsFreeHoldsTheSeedAndCannotGrowByACell) {
   EXPECT_GT(found, 120);
 }
 
-TEST(RectangleGrowth, IsWhatGrowingStepByStepOnTheMapGives) {
+TEST(RectangleGrowth, EqualsGrowthStepByStepOnTheMap) {
   test::Random random(44);
   int compared = 0;
   for (int trial = 0; trial < 300; ++trial) {
@@ -103,7 +103,7 @@ TEST(RectangleGrowth, ShiftingTheWorldByWholeCellsShiftsTheAnswer) {
     OccupancyGrid world = test::random_world(random, 80);
     GridFrame frame = world.frame();
     frame.origin = {};
-    frame.resolution = 0.0625;  // whole cells are exact numbers
+    frame.resolution = 0.0625;  // multiples of the cell size are exact numbers
     const int dx = random.integer(1, 9);
     const int dy = random.integer(1, 9);
     GridFrame large = frame;
@@ -131,7 +131,7 @@ TEST(RectangleGrowth, ShiftingTheWorldByWholeCellsShiftsTheAnswer) {
   }
 }
 
-TEST(RectangleGrowth, KeepsOutASinglePostAndAOneCellDiagonal) {
+TEST(RectangleGrowth, ExcludesASinglePostAndAOneCellDiagonal) {
   BitGrid obstacles(GridFrame{.width = 200, .height = 200, .resolution = 0.05, .origin = {}},
                     false);
   obstacles.set({120, 103}, true);
@@ -142,7 +142,7 @@ TEST(RectangleGrowth, KeepsOutASinglePostAndAOneCellDiagonal) {
   EXPECT_GT(test::clearance(obstacles, *r), 0.0);
 }
 
-TEST(RectangleGrowth, SaysNoToBadSeeds) {
+TEST(RectangleGrowth, RefusesInvalidSeeds) {
   BitGrid obstacles(GridFrame{.width = 20, .height = 20, .resolution = 0.05, .origin = {}}, false);
   obstacles.set({10, 10}, true);
   EXPECT_FALSE(grow_rectangle(obstacles, 0.0, {0.52, 0.52}, {}));

@@ -34,7 +34,7 @@ TEST(CorridorStudy, SoundCorridorsAreFreeAndConnected) {
   }
 }
 
-TEST(CorridorStudy, TheFirstMapHasTheSeedAskedFor) {
+TEST(CorridorStudy, TheFirstMapHasTheRequestedSeed) {
   StudyOptions options = corridor_options();
   options.seed = 3;
   const auto maps = compare_corridors_on_maps(MapKind::Structured, 1, options);
@@ -51,7 +51,7 @@ TEST(CorridorStudy, DoesNotDependOnThreads) {
   EXPECT_EQ(corridor_numbers({first}).dump(), corridor_numbers({second}).dump());
 }
 
-TEST(CorridorTables, StateThePaperBesideOurs) {
+TEST(CorridorTables, ShowThePaperBesideOurs) {
   const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 2, corridor_options());
   const Table table = table_two({{MapKind::UnstructuredSmall, "Environment 2", maps}});
   ASSERT_EQ(table.rows.size(), kCorridorKinds);

@@ -8,7 +8,7 @@
 namespace fairway::reproduction {
 namespace {
 
-TEST(DriveStudy, ThePapersTwoDifferInTheirTargetsOnly) {
+TEST(DriveStudy, ThePapersMethodsDifferOnlyInTheirTargets) {
   Settings smpc = driver_settings(DriveCourse::Structured, DriverKind::Smpc);
   const Settings ismpc = driver_settings(DriveCourse::Structured, DriverKind::Ismpc);
   EXPECT_EQ(smpc.tracking.target_mode, TargetMode::OverlapCentroid);
@@ -27,7 +27,7 @@ TEST(DriveStudy, SettingsAreValid) {
   }
 }
 
-TEST(DriveStudy, DrivesKeepTheirBoundsAndTouchNothing) {
+TEST(DriveStudy, DrivesKeepTheirBoundsWithoutContact) {
   const auto maps = compare_drivers(DriveCourse::Structured, 2, {.threads = 2});
   ASSERT_EQ(maps.size(), 2U);
   for (const DriveComparison& map : maps) {
@@ -38,7 +38,7 @@ TEST(DriveStudy, DrivesKeepTheirBoundsAndTouchNothing) {
       EXPECT_LE(drive.greatest.linear, 1.0 + 1e-9);
       EXPECT_LE(drive.greatest.angular, 1.5 + 1e-9);
       EXPECT_GE(drive.least.angular, -1.5 - 1e-9);
-      // No way is shorter than the straight one, less the tolerance at the goal.
+      // No path is shorter than the straight one, less the tolerance at the goal.
       EXPECT_GT(drive.length, 27.0 * std::sqrt(2.0) - 0.3);
     }
   }

@@ -29,8 +29,8 @@ TEST(FieldStudy, EveryPointLiesInAFreeRectangle) {
   }
 }
 
-TEST(FieldStudy, TheFirstRectangleGrowsWithTheFreedomToTurn) {
-  // All three start at the same point; more orientations can only help there.
+TEST(FieldStudy, TheFirstRectangleGrowsWithTheNumberOfOrientations) {
+  // All three start at the same point, where more orientations can only help.
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     for (const Field& field : make_fields(seed)) {
       const double src = field.rectangles.at(0).front().area();

@@ -26,7 +26,7 @@ TEST(Page, ShowsAllPartsWithTextEscaped) {
   }
 }
 
-TEST(Page, LoadsNothingFromElsewhereAndHoldsNoTimes) {
+TEST(Page, LoadsNoOtherFilesAndContainsNoTimes) {
   const Chapter chapter = small_chapter();
   const std::string html = page_html({{.chapter = &chapter, .figures = {}}}, "command");
   EXPECT_EQ(html.find("http"), std::string::npos);

@@ -18,7 +18,7 @@ TEST(ParallelRuns, GiveResultsInOrderWithAnyNumberOfThreads) {
   }
 }
 
-TEST(ParallelRuns, TellOfEveryTaskOnce) {
+TEST(ParallelRuns, ReportEveryTaskOnce) {
   int calls = 0;
   std::string last;
   StudyOptions options{.threads = 3};

@@ -9,7 +9,7 @@ namespace fairway::reproduction {
 namespace {
 
 // Student's own data (Biometrika 1908): extra hours of sleep of ten people with two drugs. The
-// expected numbers are those that R's t.test prints for it.
+// expected numbers are those of R's t.test.
 const std::vector<double> kFirst = {0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
 const std::vector<double> kSecond = {1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
 
@@ -53,7 +53,7 @@ TEST(SampleStatistics, IntervalAgreesWithAPublishedExample) {
   EXPECT_NEAR(e.high, 2.4598858, 5e-8);
 }
 
-TEST(SampleStatistics, SmallAndConstantSamplesTellWhatTheyCan) {
+TEST(SampleStatistics, SmallAndConstantSamplesGiveDefinedResults) {
   const std::vector<double> none;
   const std::vector<double> one = {3.0};
   const std::vector<double> same = {3.0, 3.0, 3.0};

@@ -24,7 +24,7 @@ WorldDrawing one_robot(const OccupancyGrid& map) {
           .bodies = {}};
 }
 
-TEST(Picture, IsChosenByTheEndingOfItsName) {
+TEST(Picture, HasTheFormatOfItsSuffix) {
   EXPECT_EQ(picture_format("a/b.svg").value(), PictureFormat::Svg);
   EXPECT_EQ(picture_format("b.PNG").value(), PictureFormat::Png);
   EXPECT_EQ(picture_format("b.x.pdf").value(), PictureFormat::Pdf);
@@ -47,7 +47,7 @@ TEST(Picture, IsTheSameEveryTime) {
             draw_world(one_robot(map), PictureFormat::Png).value());
 }
 
-TEST(Picture, ShowsWhatHappensAndNotTheWholeMap) {
+TEST(Picture, ShowsTheRunAndNotTheWholeMap) {
   const OccupancyGrid map({.width = 1000, .height = 1000, .resolution = 0.1, .origin = {}});
   WorldDrawing world = one_robot(map);
   world.robots[0].start.position = {50, 50};
@@ -60,7 +60,7 @@ TEST(Picture, ShowsWhatHappensAndNotTheWholeMap) {
   EXPECT_LT(shown.max.x(), 65.0);
 }
 
-TEST(Picture, StaysOnTheMapWhereTheMapHasRoom) {
+TEST(Picture, StaysWithinTheMapIfPossible) {
   const OccupancyGrid map({.width = 100, .height = 60, .resolution = 0.1, .origin = {}});
   const Box shown = shown_region(one_robot(map));
   EXPECT_GE(shown.min.x(), 0.0);
@@ -70,7 +70,7 @@ TEST(Picture, StaysOnTheMapWhereTheMapHasRoom) {
 }
 
 TEST(Picture, ShowsCellsWhereTheyAreInTheWorld) {
-  // A turned map: the occupied cell lies up and to the left of the turned origin.
+  // A turned map: the occupied cell lies above and to the left of the turned origin.
   OccupancyGrid map({.width = 20,
                      .height = 20,
                      .resolution = 1.0,

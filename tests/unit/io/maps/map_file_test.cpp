@@ -22,7 +22,7 @@ MapHeader header(MapMode mode, bool negate = false) {
           .mode = mode};
 }
 
-// The state that a grey level from 0 to 255 becomes.
+// The cell state for a grey level from 0 to 255.
 CellState state(int level, const MapHeader& header, bool opaque = true) {
   const MapImage image{.width = 1,
                        .height = 1,
@@ -47,12 +47,12 @@ TEST(MapFile, ComparesWithBothThresholdsStrictly) {
   EXPECT_EQ(state(101, h), Occupied);  // 154 / 255 > 0.6
 }
 
-TEST(MapFile, TurnsLevelsAroundWhenNegated) {
+TEST(MapFile, InvertsLevelsWhenNegated) {
   EXPECT_EQ(state(254, header(MapMode::Trinary, true)), Occupied);
   EXPECT_EQ(state(0, header(MapMode::Trinary, true)), Free);
 }
 
-TEST(MapFile, KnowsNothingBehindTransparency) {
+TEST(MapFile, TransparentPixelsAreUnknown) {
   EXPECT_EQ(state(254, header(MapMode::Trinary), false), Unknown);
   EXPECT_EQ(state(254, header(MapMode::Scale), false), Unknown);
   EXPECT_EQ(state(0, header(MapMode::Scale), false), Unknown);
@@ -95,11 +95,11 @@ TEST(MapFile, PutsTheTopRowHighestAndTurnsTheOrigin) {
   EXPECT_EQ(grid.at({0, 2}), Occupied);
   EXPECT_EQ(grid.at({0, 0}), Unknown);
   EXPECT_EQ(grid.at({1, 0}), Free);
-  // A quarter turn about the origin: the column axis points along +y, the row axis along -x.
+  // The map is turned by 90 degrees: the column axis points along +y, the row axis along -x.
   EXPECT_TRUE(grid.frame().center({0, 2}).isApprox(Eigen::Vector2d(1 - 1.25, 2 + 0.25), 1e-12));
 }
 
-TEST(MapFile, SaysWhichOfItsFilesIsMissing) {
+TEST(MapFile, NamesAMissingFile) {
   const TemporaryFolder folder;
   const std::string yaml = folder.write("m.yaml", kYaml);
   EXPECT_EQ(read_map(yaml).error().message, yaml + ": image: " + folder.path("m.pgm") +
@@ -108,7 +108,7 @@ TEST(MapFile, SaysWhichOfItsFilesIsMissing) {
   EXPECT_FALSE(read_map(folder.path("")));
 }
 
-TEST(MapFile, TakesAnAbsoluteImagePath) {
+TEST(MapFile, AcceptsAnAbsoluteImagePath) {
   const TemporaryFolder folder;
   const TemporaryFolder other;
   std::string yaml = kYaml;

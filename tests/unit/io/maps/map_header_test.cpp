@@ -7,7 +7,7 @@
 namespace fairway::io {
 namespace {
 
-// A good header with one line replaced or, if `line` is empty, left out.
+// A valid header with one line replaced or, if `line` is empty, omitted.
 std::string header_with(const std::string& key = "", const std::string& line = "") {
   std::string text;
   for (const char* good :
@@ -26,7 +26,7 @@ std::string header_complaint(const std::string& text) {
   return header ? "none" : header.error().message;
 }
 
-TEST(MapHeader, HoldsEveryKey) {
+TEST(MapHeader, ReadsEveryKey) {
   const auto header = parse_map_header(header_with(), "m.yaml");
   ASSERT_TRUE(header) << header.error().message;
   EXPECT_EQ(header->image, "map.pgm");
@@ -44,7 +44,7 @@ TEST(MapHeader, IsTrinaryWithoutMode) {
   EXPECT_EQ(parse_map_header(header_with("mode", "mode: raw"), "m").value().mode, MapMode::Raw);
 }
 
-TEST(MapHeader, TakesNegateAsNumberOrWord) {
+TEST(MapHeader, AcceptsNegateAsNumberOrWord) {
   EXPECT_TRUE(parse_map_header(header_with("negate", "negate: 1"), "m").value().negate);
   EXPECT_TRUE(parse_map_header(header_with("negate", "negate: true"), "m").value().negate);
 }

@@ -42,7 +42,7 @@ TEST(MapImage, ReadsCommentsInTheHeader) {
   EXPECT_EQ(image.value().brightness, Levels{MapImage::kWhite});
 }
 
-TEST(MapImage, TakesAFirstPixelThatLooksLikeABlankOrComment) {
+TEST(MapImage, AcceptsAFirstPixelThatLooksLikeWhitespaceOrAComment) {
   EXPECT_EQ(decode_map_image(p5(2, 1, "# "), "m").value().brightness,
             (Levels{3 * 257 * '#', 3 * 257 * ' '}));
 }
@@ -66,13 +66,13 @@ TEST(MapImage, ReadsGreyAndColourPng) {
             (Levels{257 * 6}));
 }
 
-TEST(MapImage, KnowsWhichPixelsAreOpaque) {
+TEST(MapImage, DetectsOpaquePixels) {
   const auto image =
       decode_map_image(png(2, 1, "RGBA", "\xff\xff\xff\xff\xff\xff\xff\x80"), "m").value();
   EXPECT_EQ(image.opaque, (std::vector<bool>{true, false}));
 }
 
-TEST(MapImage, NoticesATruncatedFileAtEveryLength) {
+TEST(MapImage, DetectsATruncatedFileAtEveryLength) {
   const std::string pgm = p5(4, 4, std::string(16, 'x'));
   for (std::size_t length = 0; length < pgm.size(); ++length) {
     EXPECT_NE(image_complaint(pgm.substr(0, length)), "none") << length;
@@ -86,7 +86,7 @@ TEST(MapImage, NoticesATruncatedFileAtEveryLength) {
   EXPECT_NE(image_complaint("P2 2 2 255 1 2 3"), "none");
 }
 
-TEST(MapImage, NoticesAChangedPng) {
+TEST(MapImage, DetectsADamagedPng) {
   const std::string good = png(4, 4, "I", std::string(16, 'x'));
   ASSERT_EQ(image_complaint(good), "none");
   for (std::size_t i = 0; i < good.size(); ++i) {
@@ -111,7 +111,7 @@ TEST(MapImage, RefusesSamplesAboveTheMaximum) {
   EXPECT_NE(image_complaint("P5 1 1 70000\n\x10\x10"), "none");
 }
 
-TEST(MapImage, TakesOnlyPgmAndPng) {
+TEST(MapImage, AcceptsOnlyPgmAndPng) {
   for (const char* bytes : {"", "P6 1 1 255\nabc", "GIF89a", "BM", "<svg/>", "P5", "P", "%PDF",
                             "push graphic-context", "P5x"}) {
     EXPECT_NE(image_complaint(bytes), "none") << bytes;

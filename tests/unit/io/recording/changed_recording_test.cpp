@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings that somebody changed: refused with a reason, or played. Found by tests/fuzz.
+// Modified recordings are refused with a reason, or played. Found by tests/fuzz.
 #include "support/changed_recording.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using test::ChangedRecording;
 
-// Reads it as `fairway replay --report` does.
+// Reads it like `fairway replay --report`.
 Expected<void> read(const ChangedRecording& recording) {
   ReplayCheck check;
   RunStream stream;
@@ -33,7 +33,7 @@ void expect_refused(const ChangedRecording& recording, const std::string& part) 
   EXPECT_EQ(done.error().message.find('\n'), std::string::npos);
 }
 
-TEST(ChangedRecording, IsReadWhereNothingIsChanged) {
+TEST(ChangedRecording, IsReadWithoutAChange) {
   for (const Sensing sensing : {Sensing::Map, Sensing::Lidar})
     EXPECT_TRUE(read(test::short_recording(sensing)));
 }
@@ -45,7 +45,7 @@ TEST(ChangedRecording, IsRefusedWhereTheWorldHasAnotherFrame) {
   expect_refused(recording, "the scenario's map");
 }
 
-TEST(ChangedRecording, IsRefusedBeforeMemoryForAMapIsTakenThatIsNotThere) {
+TEST(ChangedRecording, IsRefusedBeforeMemoryForAMissingMapIsAllocated) {
   ChangedRecording recording = test::short_recording(Sensing::Map);
   auto& frame = recording.first("fairway.Scenario")["frame"];
   frame["width"] = 32768;

@@ -30,10 +30,10 @@ std::string recorded(const SyntheticRun& run) {
   return recording.take();
 }
 
-TEST(Recording, TellsWhenReadExactlyWhatWasTold) {
+TEST(Recording, ReadsBackExactlyTheSameEvents) {
   const SyntheticRun run;
   const std::string bytes = recorded(run);
-  // What is told is compared as what it becomes when recorded once more.
+  // Events are compared by recording them again.
   Recording again;
   RunMessages messages(again);
   const auto read = read_recording(bytes, "run.mcap", messages);
@@ -42,14 +42,14 @@ TEST(Recording, TellsWhenReadExactlyWhatWasTold) {
   EXPECT_EQ(again.take(), bytes);
 }
 
-// So that five minutes of four robots are below ten megabytes.
+// This keeps five minutes of four robots below ten megabytes.
 TEST(Recording, OfHalfAMinuteOfFourRobotsIsBelowAMegabyte) {
   const std::string bytes = recorded({.robots = 4, .bodies = 3, .seconds = 30.0, .map_side = 1000});
   EXPECT_LT(bytes.size(), 1'000'000U);
   RecordProperty("bytes", static_cast<int>(bytes.size()));
 }
 
-// A robot that sees a wall between itself and its goal with a lidar that errs.
+// A robot that detects a wall between itself and its goal with a noisy lidar.
 Scenario lidar_scenario() {
   Scenario scenario;
   scenario.map =
@@ -70,7 +70,7 @@ Scenario lidar_scenario() {
   return scenario;
 }
 
-TEST(Recording, OfARobotWithALidarHoldsAllThatItDrivesOn) {
+TEST(Recording, OfARobotWithALidarContainsAllItsInputs) {
   const Scenario scenario = lidar_scenario();
   Recording recording;
   RunMessages messages(recording);
@@ -83,7 +83,7 @@ TEST(Recording, OfARobotWithALidarHoldsAllThatItDrivesOn) {
   EXPECT_EQ(check.cycles(), result.robots[0].cycles);
   EXPECT_GT(check.cycles(), 40);
   EXPECT_EQ(check.different(), 0);
-  // And nothing is lost when it is recorded once more.
+  // Nothing is lost when it is recorded again.
   Recording again;
   RunMessages once_more(again);
   ASSERT_TRUE(read_recording(bytes, "run.mcap", once_more));
@@ -91,7 +91,7 @@ TEST(Recording, OfARobotWithALidarHoldsAllThatItDrivesOn) {
   EXPECT_EQ(again.take(), bytes);
 }
 
-TEST(Recording, OfARobotWithALidarDamagedIsNoticedOrHarmless) {
+TEST(Recording, OfARobotWithALidarWithDamageIsRefusedOrHarmless) {
   Scenario scenario = lidar_scenario();
   scenario.time_limit = 0.5;
   Recording recording;
@@ -125,14 +125,14 @@ TEST(FoxgloveLaserScan, KeepsEveryRangeToTheBit) {
     EXPECT_EQ(back[i], ranges[i]) << i;
 }
 
-TEST(FoxgloveLaserScan, TellsOfABeamThatMetNothingByTheLargestRange) {
+TEST(FoxgloveLaserScan, GivesABeamWithoutAHitTheLargestRange) {
   const std::vector<float> ranges = {std::numeric_limits<float>::infinity(), 45.0F};
   const LidarScan scan{.max_range = 30.0, .ranges = ranges};
   EXPECT_EQ(foxglove::laser_scan(0, scan, "odom").at("ranges"), (exact::Json{30.0, 30.0}));
 }
 
-// Four robots that tell each other what they intend exchange places again and again.
-TEST(Recording, OfAMinuteOfFourRobotsThatTellEachOtherIsBelowTwoMegabytesAndReplays) {
+// Four robots that publish their motions exchange places repeatedly.
+TEST(Recording, OfAMinuteOfFourRobotsWithMessagesIsBelowTwoMegabytesAndReplays) {
   Scenario scenario;
   scenario.map =
       OccupancyGrid(GridFrame{.width = 240, .height = 240, .resolution = 0.05, .origin = {}});
@@ -143,7 +143,7 @@ TEST(Recording, OfAMinuteOfFourRobotsThatTellEachOtherIsBelowTwoMegabytesAndRepl
                                .goal = {.position = corners[(i + 2) % 4], .heading = {}}});
   }
   constexpr double kMinute = 60.0;
-  constexpr int kShift = 150;  // cycles until they turn round
+  constexpr int kShift = 150;  // cycles until they turn back
   int cycle = 0;
   const auto play = [&](EpisodeControl& control) {
     if (++cycle % kShift == 0) {
@@ -158,7 +158,7 @@ TEST(Recording, OfAMinuteOfFourRobotsThatTellEachOtherIsBelowTwoMegabytesAndRepl
   static_cast<void>(run_episode(scenario, {.observer = &messages, .play = play}));
   recording.finish();
   const std::string bytes = recording.take();
-  EXPECT_LT(bytes.size(), 2'000'000U);  // so that five minutes are below ten megabytes
+  EXPECT_LT(bytes.size(), 2'000'000U);  // this keeps five minutes below ten megabytes
   RecordProperty("bytes", static_cast<int>(bytes.size()));
   ReplayCheck check;
   ASSERT_TRUE(read_recording(bytes, "run.mcap", check));
@@ -186,7 +186,7 @@ TEST(Recording, ShowsTheTrueBodiesOfTheRobots) {
   }
 }
 
-TEST(Recording, IsTheSameWhenItIsTakenPieceByPiece) {
+TEST(Recording, IsTheSameInPieces) {
   const SyntheticRun run;
   Recording recording;
   RunMessages messages(recording);
@@ -198,7 +198,7 @@ TEST(Recording, IsTheSameWhenItIsTakenPieceByPiece) {
   EXPECT_EQ(pieces, recorded(run));
 }
 
-TEST(Recording, OfARunThatGoesOnCanBeFinishedAsACopy) {
+TEST(Recording, OfAnUnfinishedRunCanBeFinishedAsACopy) {
   Recording recording;
   RunMessages messages(recording);
   SyntheticRun{.seconds = 1.0}.play(messages);
@@ -209,19 +209,19 @@ TEST(Recording, OfARunThatGoesOnCanBeFinishedAsACopy) {
   EXPECT_TRUE(read_recording(so_far, "run.mcap", stream));
 }
 
-TEST(Recording, EveryDamagedByteIsNoticedOrHarmless) {
+TEST(Recording, EveryDamagedByteIsDetectedOrHarmless) {
   const std::string bytes = recorded({.robots = 1, .bodies = 1, .seconds = 0.5, .map_side = 20});
   test::Random random(7);
   for (int trial = 0; trial < 300; ++trial) {
     std::string damaged = bytes;
     const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << random.integer(0, 7)));
-    RunStream stream;  // must not crash, whatever it is told
+    RunStream stream;  // must not crash on any input
     static_cast<void>(read_recording(damaged, "run.mcap", stream));
   }
 }
 
-TEST(Recording, ThatIsCutOffIsAnErrorThatSaysSo) {
+TEST(Recording, ThatIsTruncatedIsReportedAsSuch) {
   const std::string bytes = recorded({});
   for (const double share : {0.0, 0.1, 0.5, 0.9}) {
     RunStream stream;
@@ -267,7 +267,7 @@ TEST(ExactJson, ChangedCellsLeadFromOneGridToTheOther) {
   }
 }
 
-TEST(ExactJson, RefusesWhatNoMapCouldHold) {
+TEST(ExactJson, RefusesInvalidMaps) {
   const BitGrid grid(GridFrame{.width = 8, .height = 4, .resolution = 0.1, .origin = {}}, false);
   exact::Json json = exact::to_json(grid);
   json["frame"]["width"] = 1000000;

@@ -76,7 +76,7 @@ void SyntheticRun::play(EpisodeObserver& observer) const {
       all.map.frame().origin.position + Eigen::Vector2d::Constant(0.5 * side);
   const double radius = 0.35 * side;
   BitGrid obstacles(all.map);
-  // The first robot drives on what it sees, and believes in somebody who is not there.
+  // The first robot uses its own map, and estimates a person who does not exist.
   BitGrid seen(all.map.frame(), false);
   for (int x = 0; x < map_side / 2; ++x)
     seen.set({.x = x, .y = map_side / 3}, true);

@@ -5,8 +5,8 @@
 
 namespace fairway::test {
 
-/// A run that nobody drove, put together so that every field has something in it: robots go round
-/// on a circle, bodies cross it, plans change, cells appear, and one robot sees a world of its own.
+/// A synthetic run in which every field has content. Robots drive on a circle, bodies cross it,
+/// plans change, cells appear, and one robot has a separate map.
 struct SyntheticRun {
   int robots = 2;
   int bodies = 2;
@@ -16,7 +16,7 @@ struct SyntheticRun {
 
   [[nodiscard]] Scenario scenario() const;
 
-  /// Tells all of it to an observer.
+  /// Passes the whole run to an observer.
   void play(EpisodeObserver& observer) const;
 };
 

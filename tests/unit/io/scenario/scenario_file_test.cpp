@@ -21,7 +21,7 @@ void write_map(const TemporaryFolder& folder) {
                "free_thresh: 0.196\n");
 }
 
-TEST(ScenarioFile, HoldsEverything) {
+TEST(ScenarioFile, ReadsEveryKey) {
   const TemporaryFolder folder;
   write_map(folder);
   const auto scenario = read_scenario(folder.write(
@@ -56,7 +56,7 @@ TEST(ScenarioFile, HoldsEverything) {
   EXPECT_FALSE(scenario->bodies[1].loop);
 }
 
-TEST(ScenarioFile, SaysHowRobotsSenseAndWhatMovesThem) {
+TEST(ScenarioFile, ReadsSensingAndPhysics) {
   const TemporaryFolder folder;
   write_map(folder);
   const std::string rest = "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [8, 4]}]\n";
@@ -77,7 +77,7 @@ TEST(ScenarioFile, SaysHowRobotsSenseAndWhatMovesThem) {
       << wrong.error().message;
 }
 
-TEST(ScenarioFile, SaysHowRobotsHearEachOther) {
+TEST(ScenarioFile, ReadsTheRadio) {
   const TemporaryFolder folder;
   write_map(folder);
   const std::string rest = "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [8, 4]}]\n";
@@ -121,7 +121,7 @@ TEST(ScenarioFile, ReplaysPedestriansFromATimeOfTheRecording) {
   EXPECT_EQ(later->bodies[0].radius, 0.25);
 }
 
-TEST(ScenarioFile, SaysWhatIsWrongWithTracks) {
+TEST(ScenarioFile, ReportsErrorsInTracks) {
   const TemporaryFolder folder;
   write_map(folder);
   const std::string path = folder.write(
@@ -151,7 +151,7 @@ TEST(ScenarioFile, SaysWhatIsWrongWithTracks) {
       << absent.error().message;
 }
 
-TEST(ScenarioFile, TakesDefaultsForWhatItLeavesOut) {
+TEST(ScenarioFile, UsesDefaultsForMissingKeys) {
   const TemporaryFolder folder;
   write_map(folder);
   const auto scenario = read_scenario(
@@ -162,7 +162,7 @@ TEST(ScenarioFile, TakesDefaultsForWhatItLeavesOut) {
   EXPECT_EQ(scenario->robots[0].name, "robot 1");
 }
 
-TEST(ScenarioFile, ItsErrorsAreOneLineWhateverItHolds) {
+TEST(ScenarioFile, ItsErrorsAreOneLineForAnyContent) {
   const TemporaryFolder folder;
   const auto scenario = read_scenario(folder.write("s.yaml", "map: \"a\\nb.yaml\"\nrobots: []\n"));
   ASSERT_FALSE(scenario);
@@ -177,7 +177,7 @@ TEST(ScenarioFile, RefusesTwoRobotsOfOneName) {
                    "map: m.yaml\nrobots:\n  - {name: a, start: [1, 1, 0], goal: [2, 2]}\n"
                    "  - {name: a, start: [3, 1, 0], goal: [2, 2]}\n");
   EXPECT_EQ(read_scenario(path).error().message,
-            path + ":4: robots[1].name: expected a name of its own, found 'a' again");
+            path + ":4: robots[1].name: expected a unique name, found 'a' again");
 }
 
 TEST(ScenarioFile, ReadsOurOwnScenarios) {
@@ -196,7 +196,7 @@ TEST(ScenarioFile, ReadsOurOwnScenarios) {
   EXPECT_GT(count, 0);
 }
 
-TEST(TraceFile, HasARowPerRobotAndCycle) {
+TEST(TraceFile, HasALinePerRobotAndCycle) {
   EpisodeResult episode;
   episode.robots = {{.name = "a"}, {.name = "b, \"c\""}};
   episode.trace.rows = {{.time = 0.5,

@@ -12,7 +12,7 @@ namespace {
 
 using test::SyntheticRun;
 
-// Numbers as the page reads them; what the records mean is tested in the browser.
+// Reads numbers like the page; the browser tests check the meaning of records.
 std::uint64_t take_count(std::string_view& bytes) {
   std::uint64_t value = 0;
   for (int shift = 0; !bytes.empty(); shift += 7) {
@@ -21,18 +21,18 @@ std::uint64_t take_count(std::string_view& bytes) {
     value |= static_cast<std::uint64_t>(byte & 127U) << shift;
     if (byte < 128) return value;
   }
-  ADD_FAILURE() << "a number ends too early";
+  ADD_FAILURE() << "a number is truncated";
   return 0;
 }
 
-// How many records of each kind there are.
+// Counts the records of each kind.
 std::vector<int> kinds(std::string_view records) {
   std::vector<int> counts(9);
   while (!records.empty()) {
     const auto kind = take_count(records);
     const std::uint64_t size = take_count(records);
     if (kind >= counts.size() || size > records.size()) {
-      ADD_FAILURE() << "no record";
+      ADD_FAILURE() << "not a record";
       break;
     }
     records.remove_prefix(size);
@@ -48,15 +48,15 @@ TEST(RunStream, IsACompleteListOfRecords) {
   EXPECT_EQ(kinds(stream.take()), (std::vector<int>{0, 1, 3, 3, 63, 21, 1, 0, 0}));
 }
 
-TEST(RunStream, BeginsAnewWithMapsPlansAndTheNewestTimeStep) {
+TEST(RunStream, StartsForALateViewerWithMapsPlansAndTheNewestTimeStep) {
   const SyntheticRun run{.robots = 3, .bodies = 1, .seconds = 2.0};
   RunStream stream;
   run.play(stream);
   EXPECT_EQ(kinds(stream.beginning(2.0)), (std::vector<int>{0, 1, 2, 3, 3, 1, 1, 0, 0}));
 }
 
-// The lidar looks twice in a cycle: only the last look can be seen.
-TEST(RunStream, TellsOneScanForACycleAndOneGoal) {
+// The lidar scans twice in a cycle; only the last scan can be displayed.
+TEST(RunStream, WritesOneScanPerCycleAndOneGoal) {
   Scenario scenario;
   scenario.map =
       OccupancyGrid(GridFrame{.width = 80, .height = 40, .resolution = 0.1, .origin = {}});
@@ -96,7 +96,7 @@ TEST(Report, OfFiveMinutesOfFourRobotsIsBelowTenMegabytes) {
   RecordProperty("bytes", static_cast<int>(page.size()));
 }
 
-TEST(Report, NeedsNothingFromOutside) {
+TEST(Report, IsSelfContained) {
   Report report;
   SyntheticRun{.seconds = 1.0}.play(report.observer());
   const std::string page = report.page();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings under the names that they had up to version 0.1.
+// Settings under their names up to version 0.1.
 #include "fairway/navigation/renamed_settings.hpp"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ Values values_of(const Settings& settings) {
   return values;
 }
 
-// A value of the setting `name` that differs from its default, as text; empty where the setting is
-// not there.
+// A value of the setting `name` that differs from its default, as text; empty for an unknown
+// setting.
 std::string other_value(const std::string& name) {
   std::string text;
   const Settings defaults;
@@ -49,7 +49,7 @@ std::string other_value(const std::string& name) {
   return text;
 }
 
-// The settings that one old name stands for.
+// The settings that replace one old name.
 std::vector<std::string> names_of(std::string_view old_name) {
   std::vector<std::string> names;
   for (const RenamedSetting& renamed : kRenamedSettings) {
@@ -105,7 +105,7 @@ TEST(RenamedSettings, MeanTheSameInAnAssignment) {
   }
 }
 
-TEST(RenamedSettings, LoseAgainstTheNewNameInTheSameFile) {
+TEST(RenamedSettings, YieldToTheNewNameInTheSameFile) {
   const auto read = parse_settings(
       "mpc: {dt: 0.2, linear_max: 0.5, step_length: 0.15}\nrobot: {linear_max: 0.7}\n", "s.yaml");
   ASSERT_TRUE(read) << read.error().message;
@@ -114,7 +114,7 @@ TEST(RenamedSettings, LoseAgainstTheNewNameInTheSameFile) {
   EXPECT_EQ(read->navigation.control_period, 0.2);
 }
 
-TEST(RenamedSettings, TheOldStepWasAlsoTheControlPeriod) {
+TEST(RenamedSettings, TheOldStepSetsTheControlPeriodToo) {
   Settings settings;
   ASSERT_TRUE(assign_setting(settings, "mpc.dt=0.125"));
   EXPECT_EQ(settings.mpc.step_length, 0.125);
@@ -123,7 +123,7 @@ TEST(RenamedSettings, TheOldStepWasAlsoTheControlPeriod) {
   EXPECT_FALSE(renaming_text("mpc.step_length"));
 }
 
-TEST(RenamedSettings, TheOldTargetModeHasItsOldValue) {
+TEST(RenamedSettings, TheOldTargetModeAcceptsItsOldValue) {
   const auto read = parse_settings("navigation: {target_mode: timed_string}\n", "s.yaml");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(values_of(*read).at("tracking.target_mode"), "reference_path");
@@ -132,7 +132,7 @@ TEST(RenamedSettings, TheOldTargetModeHasItsOldValue) {
   EXPECT_EQ(values_of(settings).at("tracking.target_mode"), "reference_path");
 }
 
-TEST(RenamedSettings, AreCheckedAsTheNewOnesAre) {
+TEST(RenamedSettings, AreCheckedLikeTheNewOnes) {
   const auto read = parse_settings("mpc:\n  linear_max: 11\n", "s.yaml");
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().message,

@@ -20,7 +20,7 @@ std::string complaint_about(const std::string& assignment) {
   return done ? "none" : done.error().message;
 }
 
-// Every value as text, for comparison.
+// All values as text, for comparison.
 std::vector<std::string> values(const Settings& settings) {
   std::vector<std::string> result;
   visit_settings(settings, [&](const char* group, auto&& visit_fields) {
@@ -63,7 +63,7 @@ TEST(SettingsFile, ReadsBackEveryValueThatIsNotTheDefault) {
   EXPECT_EQ(values(*read), values(settings));
 }
 
-TEST(SettingsFile, KeepsWhatItDoesNotName) {
+TEST(SettingsFile, KeepsSettingsThatItDoesNotName) {
   Settings base;
   base.robot.radius = 0.4;
   const auto read = parse_settings("mpc:\n  horizon: 12\n", "s", base);
@@ -79,7 +79,7 @@ TEST(SettingsFile, StartsFromAPreset) {
   EXPECT_FALSE(preset_settings("papers"));
 }
 
-TEST(SettingsFile, NamesFileLineKeyRangeAndWhatWasFound) {
+TEST(SettingsFile, AnErrorNamesFileLineKeyRangeAndValue) {
   EXPECT_EQ(complaint("mpc:\n  horizon: 51"),
             "s.yaml:2: mpc.horizon: expected an integer from 1 to 50, found '51'");
   EXPECT_EQ(complaint("mpc:\n  horizon: 1.5"),
@@ -103,13 +103,13 @@ TEST(SettingsFile, NamesFileLineKeyRangeAndWhatWasFound) {
   EXPECT_NE(complaint("mpc:\n  dt:"), "none");
 }
 
-// Found by tests/fuzz: yaml-cpp makes empty documents of these without end.
-TEST(SettingsFile, RefusesWhatNeverBecomesADocument) {
+// Found by tests/fuzz: yaml-cpp emits endless empty documents for these.
+TEST(SettingsFile, RefusesTokensOutsideADocument) {
   for (const char* text : {",\nf\n", ",\xff'", "]", "}", "robot: {}\n...\n,", "a\n---\n]"})
     EXPECT_NE(complaint(text), "none") << text;
 }
 
-TEST(SettingsFile, ItsErrorsAreOneLineWhateverItHolds) {
+TEST(SettingsFile, ItsErrorsAreOneLineForAnyContent) {
   for (const std::string& text : {std::string("?\n\0\n", 4), std::string("\"\\\n\""),
                                   std::string("\"a\\nb\": 1"), std::string("robot: \"a\\nb\"")}) {
     const std::string message = complaint(text);
@@ -128,7 +128,7 @@ TEST(SettingsFile, AssignsOneSetting) {
   EXPECT_FALSE(settings.path.any_angle);
 }
 
-TEST(SettingsFile, SaysWhatIsWrongWithAnAssignment) {
+TEST(SettingsFile, ReportsErrorsInAnAssignment) {
   EXPECT_EQ(complaint_about("robot.radius=-1"),
             "robot.radius: expected a number from 0.01 to 10, found '-1'");
   EXPECT_EQ(complaint_about("robot.breadth=1"),
@@ -158,7 +158,7 @@ TEST(SettingsFile, ReadsABodyOfDiscsInOneLineOrInSeveral) {
   EXPECT_EQ(settings.robot.discs.count, 0);
 }
 
-TEST(SettingsFile, ABodyOfDiscsThatIsWrittenWrongIsOneLine) {
+TEST(SettingsFile, AnErrorInABodyOfDiscsIsOneLine) {
   const auto complaint = [](const std::string& text) {
     const auto read = parse_settings(text, "s.yaml");
     return read ? "none" : read.error().message;

@@ -13,7 +13,7 @@
 namespace fairway {
 namespace {
 
-TEST(AllocationGuard, SeesMalloc) {
+TEST(AllocationGuard, CountsMalloc) {
   if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
   const test::AllocationGuard guard;
   void* volatile block = std::malloc(10);  // NOLINT(cppcoreguidelines-no-malloc)

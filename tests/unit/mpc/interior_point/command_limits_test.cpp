@@ -80,7 +80,7 @@ TEST(CommandLimits, ClippedSequencesKeepEveryBoundExactly) {
   }
 }
 
-TEST(CommandLimits, HeadBackToTheRangeAsFastAsTheChangeBoundAllows) {
+TEST(CommandLimits, ReturnToTheRangeAsFastAsTheChangeBoundAllows) {
   ControlProblem problem;
   problem.horizon = 6;
   problem.previous_command.linear = -0.75;
@@ -93,7 +93,7 @@ TEST(CommandLimits, HeadBackToTheRangeAsFastAsTheChangeBoundAllows) {
   EXPECT_FALSE(limits.fixed[3]);
 }
 
-TEST(CommandLimits, WithoutAChangeBoundOnlyTheRangeCounts) {
+TEST(CommandLimits, WithoutAChangeBoundOnlyTheRangeApplies) {
   ControlProblem problem;
   CommandLimits limits;
   find_command_limits(problem, 1, limits);

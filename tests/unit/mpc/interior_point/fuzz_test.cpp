@@ -32,7 +32,7 @@ class RandomSource {
   test::Random random_;
 };
 
-TEST(InteriorPointFuzz, AnswersAreFiniteAndWithinTheBoundsWhateverTheNumbers) {
+TEST(InteriorPointFuzz, AnswersAreFiniteAndWithinTheBoundsForAnyNumbers) {
   const auto solver = std::make_unique<InteriorPointSolver>();
   RandomSource source(101);
   std::array<int, 5> seen{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solver's own, fast expressions against evaluation.hpp and against differences.
+// Compares the solver's own, fast expressions with evaluation.hpp and with differences.
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -63,7 +63,7 @@ double stationarity_of(Workspace& w) {
   return linearise_trajectory<Lanes>(w);
 }
 
-/// The iteration at its beginning, with duals that are anything but central.
+/// The first iterate, with duals far from the central path.
 double begin(const ControlProblem& problem, test::Random& random, Workspace& w) {
   load_problem(problem, w);
   InitialGuess guess;
@@ -114,10 +114,9 @@ TEST(InteriorPointModel, PosesCostAndConstraintsAreThoseOfTheEvaluation) {
     }
     EXPECT_NEAR(w.now->cost, cost(problem, commands, poses), 1e-11);
 
-    evaluate_soft_constraints<Lanes>(
-        w,
-        *w.now);  // of watched constraints too, which the iteration does not need
-    // Every constraint is either listed with its value, or left out and then far from being
+    // This includes the watched constraints, which the iteration skips.
+    evaluate_soft_constraints<Lanes>(w, *w.now);
+    // Every constraint is either listed with its value, or omitted because it is far from being
     // violated.
     visit_soft_constraints(problem, [&](const RowName& name) {
       const double margin = soft_constraint(problem, poses, name).margin;
@@ -136,7 +135,7 @@ TEST(InteriorPointModel, PosesCostAndConstraintsAreThoseOfTheEvaluation) {
         EXPECT_GT(margin, 0.0);
       }
     });
-    // What is only watched is satisfied, and what fills up the four of a constraint too.
+    // Watched constraints are satisfied, and so are the unused lanes of a constraint block.
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
       const ConstraintRange& range = w.constraint_ranges[b];
       for (std::size_t i = range.corridor; i < range.end; ++i) {
@@ -154,7 +153,7 @@ TEST(InteriorPointModel, PosesCostAndConstraintsAreThoseOfTheEvaluation) {
   });
 }
 
-// The Lagrangian with the duals that the workspace holds, as a function of the commands.
+// The Lagrangian with the workspace's duals, as a function of the commands.
 double lagrangian(Workspace& w, const VectorXd& v) {
   Point& point = *w.trial;
   set_commands(w, v, point);
@@ -175,7 +174,7 @@ double lagrangian(Workspace& w, const VectorXd& v) {
   return value;
 }
 
-// The step balances rounding, which second differences magnify, against the third derivative.
+// The step balances rounding, which second differences amplify, against the third derivative.
 VectorXd lagrangian_gradient(Workspace& w, const VectorXd& v) {
   return test::central_difference(
              [&](const VectorXd& x) { return VectorXd::Constant(1, lagrangian(w, x)); }, v, 2e-5)
@@ -195,7 +194,7 @@ TEST(InteriorPointModel, StationarityIsTheDerivativeOfTheLagrangian) {
       });
 }
 
-// Model gradient at the commands: that of cost, barrier and aimed-at duals.
+// Model gradient at the commands: that of cost, barrier and target duals.
 VectorXd model_gradient(Workspace& w, const VectorXd& v) {
   const std::array<SoftConstraintBlock, kMaxSoftConstraints> saved_constraints = w.soft_constraints;
   const std::array<Bounds, 4> saved_bounds = w.bounds;
@@ -237,7 +236,7 @@ TEST(InteriorPointModel, RiccatiStepSolvesTheNewtonSystem) {
     VectorXd residual =
         (lagrangian_gradient(w, at + h * step) - lagrangian_gradient(w, at - h * step)) / (2.0 * h);
     residual += gradient;
-    // ... and the terms sigma grad c (grad c . step) of all constraints.
+    // ... plus the terms sigma grad c (grad c . step) of all constraints.
     const auto values = [&](const VectorXd& v) {
       set_commands(w, v, *w.trial);
       evaluate<Lanes>(w, *w.trial);
@@ -281,7 +280,7 @@ TEST(InteriorPointModel, RiccatiStepSolvesTheNewtonSystem) {
     const double scale = 1.0 + gradient.cwiseAbs().maxCoeff();
     EXPECT_LT(residual.cwiseAbs().maxCoeff(), 2e-4 * scale) << "horizon " << problem.horizon;
 
-    // The slope is that of the model, whose gradient fixed commands do not follow.
+    // The slope is that of the model, in which fixed commands do not change.
     double slope = 0.0;
     for (Eigen::Index c = 0; c < at.size(); ++c)
       slope += gradient[c] * step[c];

@@ -37,7 +37,7 @@ void for_each_problem(std::uint64_t seed,
 constexpr RandomProblemOptions kPaper{.every_feature = false};
 constexpr RandomProblemOptions kLong{.max_horizon = kMaxHorizon, .max_obstacles = kMaxObstacles};
 
-TEST(InteriorPointSolver, ReportsWhatAnIndependentRolloutFinds) {
+TEST(InteriorPointSolver, AgreesWithAnIndependentRollout) {
   for (const RandomProblemOptions& options : {kPaper, RandomProblemOptions{}, kLong}) {
     for_each_problem(71, 300, options, [](const ControlProblem& problem, auto& solver) {
       const MpcSolution& solution = solver.solve(problem);
@@ -67,7 +67,7 @@ TEST(InteriorPointSolver, SatisfiesTheOptimalityConditions) {
       if (solution.status != SolveStatus::Solved && solution.status != SolveStatus::LeastViolation)
         return;
       ++solved;
-      // Gradients are of order 100; what is left of them is rounding and the last barrier.
+      // Gradients are of order 100; the residuals are rounding and the last barrier.
       EXPECT_LT(test::optimality_residual(problem, solution), 5e-2);
     });
   }
@@ -104,9 +104,9 @@ TEST(InteriorPointSolver, GivesTheSameBitsInRegistersOfAnyWidth) {
   }
 }
 
-// An obstacle exactly ahead, as much room on both sides, and a guess that goes straight at it: by
-// symmetry every iterate would stay between both ways round, at the crest.
-TEST(InteriorPointSolver, GoesRoundAnObstacleThatIsExactlyAhead) {
+// An obstacle exactly ahead, with equal clearance on both sides, and a guess straight at it. By
+// symmetry every iterate would stay between both passages, at the maximum.
+TEST(InteriorPointSolver, PassesAnObstacleThatIsExactlyAhead) {
   const auto solver = std::make_unique<InteriorPointSolver>();
   int total = 0;
   int beaten = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every way in which a solve can end, and situations that no robot should be in.
+// Provokes every status of a solve, and extreme situations.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -42,7 +42,7 @@ class InteriorPointStatus : public testing::Test {
   std::unique_ptr<InteriorPointSolver> solver_ = std::make_unique<InteriorPointSolver>();
 };
 
-TEST_F(InteriorPointStatus, SolvedWhenAllRowsHold) {
+TEST_F(InteriorPointStatus, SolvedWhenAllConstraintsHold) {
   const MpcSolution& solution = solve(straight_ahead());
   EXPECT_EQ(solution.status, SolveStatus::Solved);
   EXPECT_EQ(solution.max_violation, 0.0);
@@ -53,11 +53,11 @@ TEST_F(InteriorPointStatus, SolvedWhenAllRowsHold) {
 
 TEST_F(InteriorPointStatus, LeastViolationWhenTheStartIsOutsideItsRectangle) {
   ControlProblem problem = straight_ahead();
-  problem.start.position = {-2.0, 0.0};  // 1 m behind, reaches it after the horizon
+  problem.start.position = {-2.0, 0.0};  // 1 m behind, reached after the horizon
   const MpcSolution& solution = solve(problem);
   EXPECT_EQ(solution.status, SolveStatus::LeastViolation);
   EXPECT_EQ(solution.limiting.kind, RowKind::Corridor);
-  EXPECT_NEAR(solution.poses[10].position.x(), -1.0, 1e-4) << "straight to it at full speed";
+  EXPECT_NEAR(solution.poses[10].position.x(), -1.0, 1e-4) << "drives straight to it at full speed";
   EXPECT_NEAR(solution.max_violation, 0.9, 1e-4);
 }
 
@@ -87,13 +87,13 @@ TEST_F(InteriorPointStatus, LeastViolationWhenThePreviousCommandIsTooFast) {
   EXPECT_EQ(solution.status, SolveStatus::LeastViolation);
   for (std::size_t k = 0; k < 5; ++k) {
     EXPECT_NEAR(solution.commands[k].linear, 1.45 - 0.1 * static_cast<double>(k), 1e-12)
-        << "the change bound wins";
+        << "the change bound takes precedence";
   }
   for (std::size_t k = 5; k < 10; ++k)
     EXPECT_LE(solution.commands[k].linear, 1.0);
 }
 
-TEST_F(InteriorPointStatus, BrakesAsFastAsItMayWhenItCannotStop) {
+TEST_F(InteriorPointStatus, BrakesAtTheLimitWhenItCannotStop) {
   ControlProblem problem = straight_ahead(5);
   problem.stop_at_end = true;
   problem.previous_command.linear = 1.0;
@@ -116,7 +116,7 @@ TEST_F(InteriorPointStatus, StopsAtTheEnd) {
   EXPECT_GT(solution.commands[4].linear, 0.9);
 }
 
-TEST_F(InteriorPointStatus, SolvesWhereNothingIsFree) {
+TEST_F(InteriorPointStatus, SolvesWithoutFreeCommands) {
   ControlProblem problem = straight_ahead();
   problem.max_change = {.linear = 0.0, .angular = 0.0};
   problem.previous_command = {.linear = 0.5, .angular = 0.25};
@@ -137,7 +137,7 @@ TEST_F(InteriorPointStatus, SolvesWithoutAnyWeight) {
   EXPECT_EQ(solve(problem).status, SolveStatus::Solved);
 }
 
-TEST_F(InteriorPointStatus, IterationLimitReturnsSomethingNoWorseThanTheGuess) {
+TEST_F(InteriorPointStatus, IterationLimitGivesAResultNoWorseThanTheGuess) {
   ControlProblem problem = straight_ahead();
   put_obstacle(problem, {1.0, 0.05}, 0.7);
   InteriorPointSettings settings;
@@ -159,10 +159,11 @@ TEST_F(InteriorPointStatus, StalledWhenTheToleranceIsBelowRounding) {
   settings.max_iterations = 100000;
   const MpcSolution solution = solve(straight_ahead(), settings);
   EXPECT_EQ(solution.status, SolveStatus::Stalled);
-  EXPECT_NEAR(solution.cost, solve(straight_ahead()).cost, 1e-4) << "yet the answer is good";
+  EXPECT_NEAR(solution.cost, solve(straight_ahead()).cost, 1e-4)
+      << "the solution is good nevertheless";
 }
 
-TEST_F(InteriorPointStatus, InvalidProblemStandsStill) {
+TEST_F(InteriorPointStatus, InvalidProblemGivesZeroCommands) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto expect_invalid = [&](auto&& spoil) {
     ControlProblem problem = straight_ahead();
@@ -190,7 +191,7 @@ TEST_F(InteriorPointStatus, InvalidProblemStandsStill) {
   expect_invalid([&](ControlProblem& p) { p.violation_weight = 0.0; });
 }
 
-TEST_F(InteriorPointStatus, GuessesMayHoldAnything) {
+TEST_F(InteriorPointStatus, GuessesMayContainAnyNumbers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double cost = solve(straight_ahead()).cost;
   for (const double value : {nan, std::numeric_limits<double>::infinity(), 1e300, -1e300}) {

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Ipopt::Index;
 
-// Asks a TNLP as IPOPT does and returns dense matrices.
+// Calls a TNLP like IPOPT and returns dense matrices.
 class DenseView {
  public:
   explicit DenseView(IpoptProblem& nlp) : nlp_(&nlp) {
@@ -99,7 +99,7 @@ TEST_P(IpoptProblemDerivatives, AgreeWithDifferences) {
         test::central_difference(
             [&](const VectorXd& z) { return VectorXd(VectorXd::Constant(1, view.cost(z))); }, x)
             .row(0);
-    // The penalty makes the cost large, and differences as coarse.
+    // The penalty makes the cost large, and differences less accurate.
     EXPECT_LT((view.cost_gradient(x) - gradient).cwiseAbs().maxCoeff(),
               1e-9 * (1.0 + std::abs(view.cost(x))) / 1e-3);
     const MatrixXd jacobian =

@@ -15,7 +15,7 @@ namespace {
 
 using test::Random;
 
-// What holds for every answer, whatever its status.
+// Checks what holds for every solution, with any status.
 void expect_sound(const ControlProblem& problem, const MpcSolution& solution) {
   EXPECT_LE(bound_violation(problem, solution.commands).max, 1e-9);
   MpcSolution again;
@@ -27,7 +27,7 @@ void expect_sound(const ControlProblem& problem, const MpcSolution& solution) {
     EXPECT_TRUE(is_finite(solution.poses[static_cast<std::size_t>(k)]));
 }
 
-// A straight way to the target, with a wall in between if `wall` is below the target's x.
+// A straight path to the target, with a wall in between if `wall` is below the target's x.
 ControlProblem straight_ahead(double wall) {
   PaperScene scene;
   scene.current_target = scene.next_target = {.position = {2.0, 0.0}, .heading = 0.0};
@@ -60,8 +60,8 @@ TEST(IpoptSolver, StopsAtTheWallAndNamesIt) {
 }
 
 TEST(IpoptSolver, ReturnsTheLeastViolationWhereNothingIsFeasible) {
-  // Outside by 0.2 m, driving away from the wall and never allowed to stop. Slightly askew:
-  // straight on is a stationary point where both turns are better.
+  // Outside by 0.2 m, driving away from the wall and never allowed to stop. The heading is slightly
+  // off: exactly straight is a stationary point where both turns are better.
   ControlProblem problem = straight_ahead(-0.2);
   problem.start.heading = 0.1;
   for (const IpoptConstraints constraints : {IpoptConstraints::Soft, IpoptConstraints::Hard}) {
@@ -71,7 +71,7 @@ TEST(IpoptSolver, ReturnsTheLeastViolationWhereNothingIsFeasible) {
     EXPECT_GT(solution.max_violation, 0.0);
     expect_sound(problem, solution);
     if (constraints == IpoptConstraints::Hard) continue;
-    // The slowest with full turns to either side, or straight on.
+    // The slowest speed with full turns to either side, or straight ahead.
     for (const double turn : {-1.5, 0.0, 1.5}) {
       MpcSolution other;
       other.commands.fill({.linear = 0.05, .angular = turn});
@@ -81,7 +81,7 @@ TEST(IpoptSolver, ReturnsTheLeastViolationWhereNothingIsFeasible) {
   }
 }
 
-TEST(IpoptSolver, KeepsOutOfAMovingObstaclesWay) {
+TEST(IpoptSolver, KeepsItsDistanceFromAMovingObstacle) {
   PaperScene scene;
   scene.current_target = scene.next_target = {.position = {2.0, 0.0}, .heading = 0.0};
   scene.region = {.min = {-3.0, -3.0}, .max = {5.0, 3.0}};

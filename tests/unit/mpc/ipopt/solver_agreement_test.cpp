@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interior-point solver against IPOPT on random problems. FAIRWAY_AGREEMENT_PROBLEMS sets how
-// many; 2000 take some minutes.
+// Compares the interior-point solver with IPOPT on random problems. FAIRWAY_AGREEMENT_PROBLEMS sets
+// their number; 2000 take some minutes.
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -15,7 +15,7 @@
 namespace fairway {
 namespace {
 
-// What both minimise: cost plus price of the violations.
+// The objective of both solvers: cost plus penalty.
 double objective(const ControlProblem& problem, const MpcSolution& solution) {
   return solution.cost + problem.violation_weight * solution.sum_violation;
 }
@@ -28,13 +28,13 @@ struct Tally {
   int problems = 0;
   int compared = 0;         // both converged
   int same = 0;             // to 0.1 %
-  int worse = 0;            // ours above IPOPT's by more
-  int missed_feasible = 0;  // IPOPT found a feasible point, we did not
-  int not_a_minimum = 0;    // IPOPT, started from ours, leaves it for a better one
+  int worse = 0;            // ours exceeds IPOPT's by more
+  int missed_feasible = 0;  // only IPOPT found a feasible point
+  int not_a_minimum = 0;    // IPOPT, started from ours, finds a better one
   int not_converged = 0;    // ours
 };
 
-constexpr double kSame = 1e-3;  // relative; least violations are priced at 1e4
+constexpr double kSame = 1e-3;  // relative; least violations have the penalty weight 1e4
 
 Tally compare(std::uint64_t seed, int count, const test::RandomProblemOptions& options) {
   Tally tally;
@@ -58,7 +58,7 @@ Tally compare(std::uint64_t seed, int count, const test::RandomProblemOptions& o
       continue;
     }
     if (difference > 0.0) ++tally.worse;
-    // Another local minimum then, and IPOPT must stay there.
+    // This must be another local minimum, where IPOPT stays.
     InitialGuess guess;
     guess.count = problem.horizon;
     guess.commands = a.commands;
@@ -84,8 +84,8 @@ void expect_agreement(const Tally& tally) {
     return static_cast<int>(std::ceil(part * tally.problems));
   };
   EXPECT_GE(tally.compared, tally.problems - share(0.02));
-  EXPECT_GE(tally.same,
-            tally.compared - share(0.10));  // the others: another local minimum, as often better
+  // The others are in another local minimum, better as often as worse.
+  EXPECT_GE(tally.same, tally.compared - share(0.10));
   EXPECT_LE(tally.worse, share(0.03));
   EXPECT_LE(tally.missed_feasible, share(0.01));
   EXPECT_LE(tally.not_a_minimum, share(0.01));

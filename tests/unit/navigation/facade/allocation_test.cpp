@@ -21,7 +21,7 @@ OccupancyGrid hall() {
   return map;
 }
 
-// Another robot that comes the other way, and an obstacle that crosses.
+// Another robot approaches, and an obstacle crosses.
 struct Traffic {
   SharedMotion other;
   std::vector<MovingObstacle> obstacles{

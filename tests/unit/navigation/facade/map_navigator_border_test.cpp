@@ -21,7 +21,7 @@ TEST(MapNavigator, RefusesAWindowOfAnotherMap) {
   EXPECT_THROW(navigator.update_map(other, {0, 0}, {1, 1}), std::invalid_argument);
 }
 
-TEST(MapNavigator, AnswersGoalsThatCannotBe) {
+TEST(MapNavigator, ReportsInvalidGoals) {
   const TwoRooms rooms;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   MapNavigator navigator({}, rooms.map);
@@ -38,10 +38,10 @@ TEST(MapNavigator, AnswersGoalsThatCannotBe) {
   drive.cycle();
   EXPECT_EQ(drive.step.limit, LimitingFactor::InvalidGoal);
   navigator.set_goal(kGoal);
-  EXPECT_TRUE(drive.reaches_goal(30.0)) << "a good goal after bad ones";
+  EXPECT_TRUE(drive.reaches_goal(30.0)) << "a valid goal after invalid ones";
 }
 
-TEST(MapNavigator, AnswersMeasurementsThatCannotBe) {
+TEST(MapNavigator, ReportsInvalidMeasurements) {
   const TwoRooms rooms;
   MapNavigator navigator({}, rooms.map);
   navigator.set_goal(kGoal);
@@ -57,7 +57,7 @@ TEST(MapNavigator, AnswersMeasurementsThatCannotBe) {
   EXPECT_EQ(step.status, NavigationStatus::Stale);
 }
 
-TEST(MapNavigator, NoticesTimesInMilliseconds) {
+TEST(MapNavigator, DetectsTimesInMilliseconds) {
   const TwoRooms rooms;
   MapNavigator navigator({}, rooms.map);
   navigator.set_goal(kGoal);
@@ -83,14 +83,14 @@ TEST(MapNavigator, GivesUpWithoutProgress) {
   Settings settings;
   settings.navigation.patience = 3.0;
   MapNavigator navigator(settings, rooms.map);
-  navigator.set_goal({.position = {6.02, 6.0}});  // in the wall
+  navigator.set_goal({.position = {6.02, 6.0}});  // inside the wall
   Drive drive{navigator};
   drive.run(2.9);
   EXPECT_EQ(drive.step.status, NavigationStatus::NoPlan);
   drive.run(0.3);
   EXPECT_EQ(drive.step.status, NavigationStatus::GaveUp);
   navigator.set_goal(kGoal);
-  EXPECT_TRUE(drive.reaches_goal(30.0)) << "a new goal is a new start";
+  EXPECT_TRUE(drive.reaches_goal(30.0)) << "a new goal starts a new attempt";
 }
 
 TEST(MapNavigator, CancelBrakesToAStandstill) {
@@ -105,7 +105,7 @@ TEST(MapNavigator, CancelBrakesToAStandstill) {
   EXPECT_EQ(drive.step.status, NavigationStatus::NoPlan);
 }
 
-TEST(MapNavigator, DrivesOnWithOtherSettings) {
+TEST(MapNavigator, ContinuesWithOtherSettings) {
   const TwoRooms rooms;
   MapNavigator navigator({}, rooms.map);
   navigator.set_goal(kGoal);
@@ -119,7 +119,7 @@ TEST(MapNavigator, DrivesOnWithOtherSettings) {
   Settings bad;
   bad.robot.radius = -1.0;
   EXPECT_THROW(navigator.set_settings(bad), std::invalid_argument);
-  EXPECT_TRUE(drive.reaches_goal(60.0)) << "and nothing changed";
+  EXPECT_TRUE(drive.reaches_goal(60.0)) << "and the settings are unchanged";
 }
 
 TEST(MapNavigator, TheControlPeriodIsNotTheStepLength) {

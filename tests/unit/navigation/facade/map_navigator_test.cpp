@@ -23,7 +23,7 @@ TEST(MapNavigator, DrivesToAGoal) {
   EXPECT_LT((drive.robot.position - kGoal.position).norm(), 0.12);
 }
 
-TEST(MapNavigator, StopsLongBeforeADoorThatClosesAndGoesOnWhenItOpens) {
+TEST(MapNavigator, StopsEarlyForAClosedDoorAndContinuesWhenItOpens) {
   TwoRooms rooms;
   MapNavigator navigator({}, rooms.map);
   navigator.set_goal(kGoal);
@@ -36,13 +36,13 @@ TEST(MapNavigator, StopsLongBeforeADoorThatClosesAndGoesOnWhenItOpens) {
   EXPECT_EQ(drive.step.status, NavigationStatus::NoPlan);
   EXPECT_EQ(drive.step.limit, LimitingFactor::NoPath);
   EXPECT_EQ(drive.last.linear, 0.0);
-  EXPECT_LT(drive.robot.position.x(), 4.2) << "it did not drive up to the wall";
+  EXPECT_LT(drive.robot.position.x(), 4.2) << "it stopped before the wall";
   rooms.set_wall(2.0, 3.2, CellState::Free);
   navigator.update_map(rooms.map, {119, 0}, {121, 159});
   EXPECT_TRUE(drive.reaches_goal(30.0)) << "'no plan' is not final";
 }
 
-TEST(MapNavigator, TakesAnotherDoorWhenItsOwnCloses) {
+TEST(MapNavigator, UsesAnotherDoorWhenItsOwnCloses) {
   TwoRooms rooms;
   rooms.set_wall(5.0, 6.2, CellState::Free);
   MapNavigator navigator({}, rooms.map);
@@ -55,7 +55,7 @@ TEST(MapNavigator, TakesAnotherDoorWhenItsOwnCloses) {
   EXPECT_FALSE(drive.has_seen(NavigationStatus::NoPlan));
 }
 
-TEST(MapNavigator, TakesAShorterWayThatOpens) {
+TEST(MapNavigator, UsesAShorterPathThatOpens) {
   TwoRooms rooms;
   rooms.set_wall(2.0, 3.2, CellState::Occupied);
   rooms.set_wall(6.5, 7.7, CellState::Free);
@@ -71,7 +71,7 @@ TEST(MapNavigator, TakesAShorterWayThatOpens) {
   EXPECT_TRUE(drive.reaches_goal(30.0));
 }
 
-TEST(MapNavigator, AWindowThatChangedIsAsGoodAsAnotherMap) {
+TEST(MapNavigator, AChangedWindowIsEquivalentToANewMap) {
   TwoRooms rooms;
   MapNavigator by_window({}, rooms.map);
   MapNavigator by_map({}, rooms.map);
@@ -117,7 +117,7 @@ TEST(MapNavigator, PlansInAThread) {
   EXPECT_EQ(drive.step.status, NavigationStatus::GoalReached);
 }
 
-TEST(MapNavigator, ANewGoalReplacesThePlanThatIsBeingMade) {
+TEST(MapNavigator, ANewGoalReplacesTheUnfinishedPlan) {
   const TwoRooms rooms;
   Settings settings;
   settings.planning.background = true;
@@ -133,7 +133,7 @@ TEST(MapNavigator, ANewGoalReplacesThePlanThatIsBeingMade) {
   EXPECT_LT((drive.robot.position - Eigen::Vector2d(2.5, 6.5)).norm(), 0.12);
 }
 
-// Through the further of two doors, because the path says so.
+// The robot uses the further of two doors, because the path leads there.
 TEST(MapNavigator, FollowsAPathFromAnotherPlanner) {
   TwoRooms rooms;
   rooms.set_wall(6.0, 7.2, CellState::Free);
@@ -160,7 +160,7 @@ TEST(MapNavigator, APathThatLeavesTheMapIsNotReachedAtItsEdge) {
   EXPECT_GT(drive.robot.position.y(), 6.5);
 }
 
-// The limits hold per control period, whatever the step length of the horizon is.
+// The limits hold per control period, for any step length of the horizon.
 
 }  // namespace
 }  // namespace fairway

@@ -12,7 +12,7 @@
 namespace fairway {
 namespace {
 
-// A robot in a hall of 8 m x 6 m with a post, that knows what its lidar has seen.
+// A robot in a hall of 8 m x 6 m with a post; it knows only what its lidar has seen.
 class BlindDrive {
  public:
   explicit BlindDrive(const Settings& settings = {}) : navigator(settings, robot.position) {
@@ -71,7 +71,7 @@ TEST(MaplessNavigator, DrivesToAGoalInBothModes) {
   }
 }
 
-// The robot still stands at the old goal, with a plan that leads there.
+// The robot is still at the old goal, with a plan that leads there.
 TEST(MaplessNavigator, ANewGoalIsNotReachedAtTheOldOne) {
   for (const bool background : {false, true}) {
     BlindDrive drive(in_a_thread(background));
@@ -84,7 +84,7 @@ TEST(MaplessNavigator, ANewGoalIsNotReachedAtTheOldOne) {
   }
 }
 
-TEST(MaplessNavigator, AnswersAGoalThatCannotBe) {
+TEST(MaplessNavigator, ReportsAnInvalidGoal) {
   BlindDrive drive;
   drive.navigator.set_goal({.position = {6.5, 3.0}, .heading = 90.0});
   const NavigationStep step = drive.cycle();

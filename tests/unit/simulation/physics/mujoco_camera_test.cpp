@@ -38,7 +38,7 @@ int orange_pixels(const CameraImage& image, int first_column, int last_column) {
   return count;
 }
 
-TEST(MujocoCamera, ShowsTheRobotWhereItIs) {
+TEST(MujocoCamera, ShowsTheRobotAtItsPosition) {
   MujocoCamera camera(floor_with_a_wall(), 160, 90);
   CameraView view;
   view.look_at = {5.0, 5.0};

@@ -29,7 +29,7 @@ World with_mujoco(const Scenario& scenario) {
   return World(scenario, make_mujoco_physics(scenario));
 }
 
-TEST(MujocoPhysics, StandsStillWithoutACommand) {
+TEST(MujocoPhysics, DoesNotMoveWithoutACommand) {
   const Scenario scenario = open_floor();
   World world = with_mujoco(scenario);
   for (int i = 0; i < 50; ++i)
@@ -38,7 +38,7 @@ TEST(MujocoPhysics, StandsStillWithoutACommand) {
   EXPECT_FALSE(world.encounters()[0].collided);
 }
 
-// Commands of ten seconds, and how far from the unicycle they may leave a robot on wheels.
+// Commands of ten seconds, and the largest deviation from the unicycle that they may cause.
 struct Drive {
   const char* name;
   Twist2 (*command)(double t);
@@ -48,7 +48,7 @@ struct Drive {
 
 class MujocoDrift : public testing::TestWithParam<Drive> {};
 
-// The figures of docs/physics.md are what this prints.
+// This prints the figures of docs/physics.md.
 TEST_P(MujocoDrift, StaysNearTheUnicycleForTenSeconds) {
   const Drive& drive = GetParam();
   Scenario scenario = open_floor();
@@ -97,7 +97,7 @@ TEST(MujocoPhysics, ARobotThatRamsAWallStopsAtItsFace) {
   Scenario scenario = open_floor();
   for (int y = 180; y < 220; ++y)
     scenario.map.set({240, y}, CellState::Occupied);  // from x = 2.0
-  // Lets the engine push on: World would stop commanding the robot after the contact.
+  // The engine continues to push: World would stop commanding the robot after the contact.
   MujocoPhysics physics(scenario);
   std::vector<UnicycleRobot> robots(1);
   std::vector<std::uint8_t> touched(1, 0);
@@ -108,7 +108,7 @@ TEST(MujocoPhysics, ARobotThatRamsAWallStopsAtItsFace) {
   EXPECT_NEAR(robots[0].pose.position.x() + 0.229, 2.0, 0.02);
 }
 
-TEST(MujocoPhysics, AContactIsSeenByTheWorld) {
+TEST(MujocoPhysics, TheWorldDetectsAContact) {
   Scenario scenario = open_floor();
   MovingBody person;
   person.radius = 0.3;
@@ -135,8 +135,8 @@ TEST(MujocoPhysics, SameCommandsGiveTheSameBits) {
   EXPECT_EQ(first.heading, second.heading);
 }
 
-// Two discs, one in front of the other: the chassis reaches 0.45 m ahead and 0.15 m to the sides.
-TEST(MujocoPhysics, ABodyOfDiscsTouchesWithTheDiscThatIsThere) {
+// Two discs, one in front of the other: the chassis extends 0.45 m ahead and 0.15 m to the sides.
+TEST(MujocoPhysics, ABodyOfDiscsTouchesWithTheNearestDisc) {
   Scenario scenario = open_floor();
   scenario.settings.robot = {.radius = 0.45};
   ASSERT_TRUE(scenario.settings.robot.discs.add({0.0, 0.0}, 0.15));

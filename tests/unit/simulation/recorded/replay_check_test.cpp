@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-// Two robots that meet, and a person in their way.
+// Two robots that meet, and a person in their path.
 Scenario meeting() {
   Scenario scenario;
   scenario.map =
@@ -32,7 +32,7 @@ Scenario meeting() {
   return scenario;
 }
 
-// Passes everything on, but changes what was answered in one cycle.
+// Passes all events on, but changes the answer of one cycle.
 class Forger final : public EpisodeObserver {
  public:
   explicit Forger(EpisodeObserver& to) : to_(to) {}
@@ -62,7 +62,7 @@ class Forger final : public EpisodeObserver {
   double time_ = 0.0;
 };
 
-TEST(ReplayCheck, GetsEveryCommandOfARunAgain) {
+TEST(ReplayCheck, ReproducesEveryCommandOfARun) {
   ReplayCheck check;
   const EpisodeResult result = run_episode(meeting(), {.observer = &check});
   EXPECT_EQ(check.cycles(), result.robots[0].cycles + result.robots[1].cycles);
@@ -71,7 +71,7 @@ TEST(ReplayCheck, GetsEveryCommandOfARunAgain) {
   EXPECT_FALSE(check.first_difference());
 }
 
-TEST(ReplayCheck, GetsEveryCommandOfARobotWithALidarAgainFromItsScansAndPoses) {
+TEST(ReplayCheck, ReproducesARobotWithALidarFromItsScansAndPoses) {
   Scenario scenario = meeting();
   scenario.sensing.sensing = Sensing::Lidar;
   scenario.sensing.lidar.beams = 180;
@@ -83,9 +83,8 @@ TEST(ReplayCheck, GetsEveryCommandOfARobotWithALidarAgainFromItsScansAndPoses) {
   EXPECT_EQ(check.different(), 0);
 }
 
-// Plans that a thread has made arrive in cycles that depend on the machine; the recording says
-// which.
-TEST(ReplayCheck, GetsEveryCommandAgainWherePlansWereMadeInAThread) {
+// Plans from a thread arrive in cycles that depend on the machine; the recording has these cycles.
+TEST(ReplayCheck, ReproducesARunWithPlansFromAThread) {
   for (const Sensing sensing : {Sensing::Map, Sensing::Lidar}) {
     Scenario scenario = meeting();
     scenario.settings.planning.background = true;
@@ -101,8 +100,8 @@ TEST(ReplayCheck, GetsEveryCommandAgainWherePlansWereMadeInAThread) {
   }
 }
 
-// Somebody plays with it: another goal, other settings, a wall that nobody tells it of.
-TEST(ReplayCheck, FollowsARobotWithALidarThroughAllThatIsChanged) {
+// The run is changed: another goal, other settings, a wall that is not announced.
+TEST(ReplayCheck, ReproducesARobotWithALidarThroughAllChanges) {
   Scenario scenario = meeting();
   scenario.robots.resize(1);
   scenario.sensing.sensing = Sensing::Lidar;
@@ -125,7 +124,7 @@ TEST(ReplayCheck, FollowsARobotWithALidarThroughAllThatIsChanged) {
   EXPECT_EQ(check.different(), 0);
 }
 
-TEST(ReplayCheck, NoticesTheLastBitOfOneCommand) {
+TEST(ReplayCheck, DetectsTheLastBitOfOneCommand) {
   ReplayCheck check;
   Forger forger(check);
   static_cast<void>(run_episode(meeting(), {.observer = &forger}));

@@ -6,7 +6,7 @@
 namespace fairway {
 namespace {
 
-// Of the cells that are occupied in either map, the share that is in both; the outer wall aside.
+// The share of the cells occupied in either map that are occupied in both, without the outer wall.
 double alikeness(const OccupancyGrid& a, const OccupancyGrid& b) {
   int both = 0;
   int either = 0;

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Looks at every cell and every disc, one by one.
+// Tests every cell and every disc, one by one.
 double slow_ray(const BitGrid& obstacles,
                 const std::vector<MovingObstacle>& discs,
                 const Vector2d& from,
@@ -61,7 +61,7 @@ TEST(Lidar, ARayEndsWhereTheSlowRayEnds) {
   }
 }
 
-TEST(Lidar, ErrorsAreAsLargeAsAsked) {
+TEST(Lidar, ErrorsHaveTheGivenSize) {
   const BitGrid room(GridFrame{.width = 100, .height = 100, .resolution = 0.05, .origin = {}},
                      false);
   LidarModel lidar;
@@ -92,7 +92,7 @@ TEST(Lidar, ErrorsAreAsLargeAsAsked) {
   EXPECT_NEAR(std::sqrt(square / (count - lost)), 0.02, 0.001);
 }
 
-TEST(Lidar, WithoutAnythingInReachTheRangeIsInfinite) {
+TEST(Lidar, WithoutAHitTheRangeIsInfinite) {
   const BitGrid hall(GridFrame{.width = 1000, .height = 1000, .resolution = 0.1, .origin = {}},
                      false);
   LidarModel lidar;

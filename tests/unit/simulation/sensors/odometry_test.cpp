@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-TEST(Odometry, WithoutErrorsItIsTheTruth) {
+TEST(Odometry, WithoutErrorsItIsExact) {
   Noise noise(1);
   Pose2 pose{.position = {1, 2}, .heading = 3.0};
   Odometry odometry({}, pose, noise);

@@ -5,18 +5,17 @@
 
 #include "fairway/io/recording/exact_json.hpp"
 
-// What single messages of a recording hold. Like `exact`, these throw nlohmann::json::exception or
-// std::invalid_argument where something is missing or wrong.
+// The contents of single messages of a recording. Like `exact`, these throw
+// nlohmann::json::exception or std::invalid_argument where a value is missing or wrong.
 namespace fairway::io {
 
 /// The settings of a `fairway.Scenario` or `fairway.Navigators`.
 [[nodiscard]] Settings to_settings(const exact::Json& message);
 
-/// The scenario of a `fairway.Scenario`; the cells of its map are those of the `foxglove.Grid` that
-/// came before.
+/// The scenario of a `fairway.Scenario`; its map's cells come from the preceding `foxglove.Grid`.
 [[nodiscard]] Scenario to_scenario(const exact::Json& message, const exact::Json& map_message);
 
-/// The scan of a `fairway.Scan`, whose ranges came in a `foxglove.LaserScan` before.
+/// The scan of a `fairway.Scan`, whose ranges come from the preceding `foxglove.LaserScan`.
 [[nodiscard]] LidarScan to_scan(const exact::Json& message, std::span<const float> ranges);
 
 [[nodiscard]] std::vector<MovingObstacle> to_obstacles(const exact::Json& list);

@@ -22,7 +22,7 @@ using exact::Json;
 
 constexpr std::size_t kMaxFile = std::size_t{4} << 30U;  // [bytes]
 
-// Takes messages one by one and tells the observer what they mean.
+// Decodes messages one by one and passes them to the observer.
 class Player {
  public:
   Player(std::string name, EpisodeObserver& observer)
@@ -79,7 +79,7 @@ class Player {
 
   const BitGrid* grid(int slot) const {
     const auto found = grids_.find(slot);
-    if (found == grids_.end()) throw std::invalid_argument("expected a map that was told before");
+    if (found == grids_.end()) throw std::invalid_argument("expected a map recorded earlier");
     return &found->second;
   }
 
@@ -125,7 +125,7 @@ class Player {
     } else if (const auto found = grids_.find(slot); found != grids_.end()) {
       exact::change_cells(json.at("runs"), found->second);
     } else {
-      throw std::invalid_argument("expected a map that was told before");
+      throw std::invalid_argument("expected a map recorded earlier");
     }
   }
 
@@ -166,10 +166,10 @@ class Player {
         .occupied = nullptr};
     if (json.contains("occupied")) {
       cycle.occupied = grid(json.at("occupied").get<int>());
-      // Those who show it take the two for readings of one map.
+      // Viewers assume that both share one frame.
       if (cycle.input.map == nullptr ||
           !same_frame(cycle.input.map->frame(), cycle.occupied->frame())) {
-        throw std::invalid_argument("expected what is occupied on the robot's own map");
+        throw std::invalid_argument("expected occupied cells of the robot's own map");
       }
     }
     if (prediction) cycle.mark.row = prediction->limiting;
@@ -206,7 +206,7 @@ class Player {
   std::map<int, BitGrid> grids_;
   GridFrame frame_;  // of the scenario's map
   FleetReader fleet_;
-  std::vector<float> ranges_;  // of the scan that is told next
+  std::vector<float> ranges_;  // of the next scan
   std::size_t robots_ = 0;
   bool lidar_ = false;
   bool started_ = false;

@@ -9,14 +9,14 @@
 
 namespace fairway::io {
 
-/// Tells `observer` everything that a recording holds, in the order in which it happened. The plan
-/// of a step is given with what can be shown of it: poses, commands and what limits it. `name` is
-/// the file in messages.
+/// Passes all events of a recording to `observer`, in the order in which they happened. The plan of
+/// a step has only its displayed part: poses, commands and the limiting constraint. `name` is the
+/// file in messages.
 [[nodiscard]] Expected<void> read_recording(std::string_view bytes,
                                             const std::string& name,
                                             EpisodeObserver& observer);
 
-/// The same, from a file.
+/// Does the same with a file.
 [[nodiscard]] Expected<void> read_recording(const std::string& path, EpisodeObserver& observer);
 
 }  // namespace fairway::io

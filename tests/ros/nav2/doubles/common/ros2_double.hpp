@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Not ROS 2: a hand-written stand-in with the few declarations that the Nav2 plugins use, so that a
-// compiler reads the plugins for every distribution. Nothing is linked against it and nothing runs.
+// Not ROS 2: a hand-written double with the few declarations that the Nav2 plugins use, so that the
+// plugins compile for every distribution. It is neither linked nor run.
 #pragma once
 
 #include <cstdint>
