@@ -4,11 +4,12 @@ import concurrent.futures
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import tempfile
 
 CALLS_TOOL = re.compile(r"(?:^|[;&|(\s])(?:build/release/bin/)?fairway(?=\s)", re.MULTILINE)
-LONGEST = 60  # [s], of one block
+LONGEST = 40  # [s], of one block
 
 
 def folder_for(root: pathlib.Path, tool: pathlib.Path, folder: pathlib.Path) -> None:
@@ -23,12 +24,17 @@ def run_block(block, folder: pathlib.Path) -> tuple:
     """@return exit code, standard output, standard error"""
     environment = dict(os.environ, PATH=f"{folder}/build/release/bin:{os.environ['PATH']}")
     script = "set -eo pipefail\n" + block.text
-    try:
-        done = subprocess.run(["bash", "-c", script], cwd=folder, env=environment, text=True,
-                              capture_output=True, timeout=LONGEST, stdin=subprocess.DEVNULL)
-    except subprocess.TimeoutExpired:
-        return None, "", f"not finished after {LONGEST} s"
-    return done.returncode, done.stdout, done.stderr
+    # A session of its own, so that what the block has started ends with it.
+    with subprocess.Popen(["bash", "-c", script], cwd=folder, env=environment, text=True,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, start_new_session=True) as started:
+        try:
+            out, err = started.communicate(timeout=LONGEST)
+        except subprocess.TimeoutExpired:
+            os.killpg(started.pid, signal.SIGKILL)
+            started.communicate()
+            return None, "", f"not finished after {LONGEST} s"
+    return started.returncode, out, err
 
 
 def matches(expected: str, found: str) -> bool:
