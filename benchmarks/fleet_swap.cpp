@@ -55,8 +55,8 @@ Options read_options(int argc, char** argv) {
   return options;
 }
 
-// Driving straight on with nobody there: from standing up to full speed and down again.
-double straight_time(double length, const MpcSettings& mpc) {
+// The time to drive straight on without other robots: from standstill to full speed and back.
+double straight_time(double length, const RobotSettings& robot) {
   return length / robot.linear_max + robot.linear_max / robot.linear_acceleration_max;
 }
 
@@ -85,7 +85,7 @@ void run(int robots, const Options& options) {
     }
     arrived += all ? 1 : 0;
     contacts += touched ? 1 : 0;
-    const double ratio = last / straight_time(2.0 * swap_radius(robots), scenario.settings.mpc);
+    const double ratio = last / straight_time(2.0 * swap_radius(robots), scenario.settings.robot);
     if (all) ratios.push_back(ratio);
     if (options.verbose) {
       std::printf("  seed %lu: %s%s, last after %.1f s (x %.2f)\n", seed,

@@ -108,10 +108,10 @@ def shortest_way(field, radius):
     return math.inf
 
 
-def write_map(folder, name, posts):
+def write_map(folder, name, centers):
     """A cell is occupied when a post reaches into it."""
     image = bytearray(b"\xfe" * (WIDTH * HEIGHT))
-    for x, y in map(post_center, posts):
+    for x, y in centers:
         cx, cy = int((x - ORIGIN[0]) / CELL), int((y - ORIGIN[1]) / CELL)
         for j in range(cy - 2, cy + 3):
             for i in range(cx - 2, cx + 3):
@@ -145,7 +145,7 @@ def main():
             continue
         length, number = shortest_way(field, 0.31), len(worlds)
         name = f"world_{number:03}"
-        write_map(options.folder / "maps", name, posts)
+        write_map(options.folder / "maps", name, map(post_center, posts))
         worlds.append({"world": number, "start": [*START, 1.57], "goal": [*GOAL, 1.57],
                        "goal_radius": 1.0, "timeout_s": 100.0, "path_length": round(length, 4),
                        "OT": round(length / 2.0, 4), "map": f"maps/{name}.yaml",

@@ -1,0 +1,70 @@
+"""Names in the pages that must be those of the program: settings and statuses."""
+
+import pathlib
+import re
+import subprocess
+
+# Where the texts of the statuses are, and which functions give them.
+STATUSES = {
+    "src/fairway/navigation/navigation_status.hpp": ("NavigationStatus", "LimitingFactor"),
+    "src/fairway/path/path.hpp": ("PathStatus",),
+    "src/fairway/corridor/corridor.hpp": ("CorridorStatus",),
+    "src/fairway/mpc/solution.hpp": ("SolveStatus", "RowKind"),
+}
+
+
+def setting_names(tool: pathlib.Path) -> set:
+    text = subprocess.run([tool, "settings"], capture_output=True, text=True, check=True).stdout
+    names, group = set(), ""
+    for line in text.splitlines():
+        if found := re.match(r"^([a-z_]+):", line):
+            group = found.group(1)
+        elif found := re.match(r"^  ([a-z_]+):", line):
+            names.add(f"{group}.{found.group(1)}")
+    return names
+
+
+def check_settings(root: pathlib.Path, tool: pathlib.Path, pages: list) -> list:
+    names = setting_names(tool)
+    groups = {name.split(".")[0] for name in names}
+    renamed = root / "src/fairway/navigation/renamed_settings.hpp"
+    old = set(re.findall(r"\"([a-z_]+\.[a-z_]+)\"", renamed.read_text()))
+    errors = []
+    for page in pages:
+        allowed = names | old if page.path.name == "CHANGELOG.md" else names
+        for number, line in page.prose:
+            for name in re.findall(r"`([a-z_]+\.[a-z_]+)(?:[:=][^`]*)?`", line):
+                if name.split(".")[0] in groups and name not in allowed:
+                    # A file such as `map.yaml` is no setting.
+                    if name.endswith((".yaml", ".png", ".csv", ".mcap", ".html", ".json")):
+                        continue
+                    errors.append(f"{page.path.relative_to(root)}:{number}: expected a setting, "
+                                  f"found {name}")
+    return errors
+
+
+def status_texts(root: pathlib.Path) -> dict:
+    texts = {}
+    for file, enumerations in STATUSES.items():
+        source = (root / file).read_text()
+        for enumeration in enumerations:
+            body = re.search(r"to_text\(" + enumeration + r" \w+\) noexcept \{(.*?)\n\}", source,
+                             re.DOTALL)
+            if not body:
+                raise SystemExit(f"{file}: expected to_text({enumeration}), found none")
+            texts[enumeration] = re.findall(r"case [^;]*?return \"([^\"]+)\"", body.group(1))
+    return texts
+
+
+def check_statuses(root: pathlib.Path) -> list:
+    """Each status has a heading or a row of a table of its own."""
+    path = root / "docs/statuses.md"
+    lines = [line for line in path.read_text().splitlines() if line.startswith(("|", "#"))]
+    described = {name for line in lines for name in re.findall(r"^(?:\| |#+ )`([^`]+)`", line)}
+    errors, known = [], set()
+    for enumeration, texts in status_texts(root).items():
+        known.update(texts)
+        errors += [f"docs/statuses.md: expected the {enumeration} `{text}`, found none"
+                   for text in texts if text not in described]
+    return errors + [f"docs/statuses.md: expected a status of the program, found `{text}`"
+                     for text in sorted(described - known)]

@@ -1,0 +1,51 @@
+"""Words that the language rules of the project rule out, in pages, comments and messages."""
+
+import pathlib
+import re
+
+# What to write instead: again, indefinitely, also, without success, back and forth, slightly, makes
+# progress, static obstacle, moving obstacle, obstacle, no robot, a robot.
+BANNED = ("anew", "for ever", "forever", "likewise", "in vain", "to and fro", "a hair", "gets on",
+          "what stands", "what moves", "what is in the way of", "nobody", "somebody")
+PATTERN = re.compile(r"\b(" + "|".join(word.replace(" ", r"\s+") for word in BANNED) + r")\b",
+                     re.IGNORECASE)
+FOLDERS = ("src", "apps", "ros", "tests", "experiments", "benchmarks", "examples")
+# A comment or a text, to be read; characters are skipped so that '"' opens nothing.
+CPP_TOKENS = re.compile(r"//(?P<line>[^\n]*)|/\*(?P<block>.*?)\*/|R\"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)\""
+                        r"|\"(?P<text>(?:\\.|[^\"\\\n])*)\"|'(?:\\.|[^'\\\n])'", re.DOTALL)
+SCRIPT_TOKENS = re.compile(r"#(?P<line>[^\n]*)|\"\"\"(?P<block>.*?)\"\"\"|\"(?P<text>(?:\\.|[^\"\\\n])*)\"",
+                           re.DOTALL)
+
+
+def readable(text: str, tokens: re.Pattern) -> str:
+    """The text with all but comments and messages blanked; lines stay where they are."""
+    parts, end = [], 0
+    for token in tokens.finditer(text):
+        parts.append(re.sub(r"[^\n]", " ", text[end:token.start()]))
+        read = next((v for k, v in token.groupdict().items() if v is not None and k != "d"), "")
+        parts.append(" " + read)
+        end = token.end()
+    return "".join(parts)
+
+
+def check_text(where: str, text: str) -> list:
+    return [f"{where}:{text.count(chr(10), 0, found.start()) + 1}: expected plain words, "
+            f"found '{' '.join(found.group().split())}'" for found in PATTERN.finditer(text)]
+
+
+def check_words(root: pathlib.Path, pages: list) -> list:
+    errors = []
+    for page in pages:
+        errors += check_text(str(page.path.relative_to(root)), page.path.read_text(encoding="utf-8"))
+    here = pathlib.Path(__file__).resolve()
+    for folder in FOLDERS:
+        for path in sorted((root / folder).rglob("*")):
+            cpp = path.suffix in (".cpp", ".hpp")
+            if not cpp and path.suffix not in (".py", ".sh", ".cmake", ".yaml") or path == here:
+                continue
+            if "node_modules" in path.parts:
+                continue
+            text = readable(path.read_text(encoding="utf-8", errors="replace"),
+                            CPP_TOKENS if cpp else SCRIPT_TOKENS)
+            errors += check_text(str(path.relative_to(root)), text)
+    return errors
