@@ -39,7 +39,7 @@ CommandBounds reachable_bounds(const ControlProblem& problem, int k) noexcept {
 
 void clip_to_bounds(const ControlProblem& problem, std::span<Twist2> commands) noexcept {
   const auto clip = [](double value, double before, double change, double low, double high) {
-    // The range comes last: where rounding makes the two disagree, it wins.
+    // The range is applied last, so that it holds where rounding makes the two disagree.
     return std::clamp(std::clamp(finite_or_zero(value), before - change, before + change), low,
                       high);
   };
