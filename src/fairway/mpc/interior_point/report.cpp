@@ -7,7 +7,8 @@
 namespace fairway::interior_point {
 namespace {
 
-// Multipliers below this hold nothing back; inactive constraints have about tolerance / room.
+// Multipliers below this do not limit the solution; inactive constraints have about tolerance /
+// slack.
 constexpr double kActive = 1e-3;
 
 constexpr std::array<RowKind, 4> kBoundKinds = {RowKind::LinearSpeed, RowKind::AngularSpeed,
@@ -16,7 +17,7 @@ constexpr std::array<RowKind, 4> kBoundKinds = {RowKind::LinearSpeed, RowKind::A
 RowName limiting_constraint(const Workspace& w) noexcept {
   RowName name;
   double most = kActive;
-  // The duals of four constraints, the first of which is called `first`.
+  // Considers the duals of four constraints, the first of which is `first`.
   const auto take = [&](const Lanes128& dual, const RowName& first) {
     if (!(greatest_of(dual) > most)) return;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -61,7 +62,8 @@ Violations violations_of(const Workspace& w, const Point& point) noexcept {
   return {.sum = sum_of(sum), .greatest = greatest_of(worst)};
 }
 
-// Numbers that are not finite differ from themselves. What is added to them later is far smaller.
+// The difference of a non-finite number from itself is NaN. The start position is added later and
+// is far smaller.
 bool all_finite(const Workspace& w, const Point& p) noexcept {
   Lanes128 difference = 0.0;
   for (const PoseArray* array :

@@ -50,7 +50,7 @@ void IpoptProblem::visit_jacobian(Sink&& sink) const {
   }
 }
 
-// The part of -lambda . next pose, lower triangle; pose 0 is not a variable.
+// Visits the part of -lambda . next pose, lower triangle; pose 0 is not a variable.
 template <typename Sink>
 void IpoptProblem::visit_step_hessian(int k, const Number* lambda, Sink&& sink) const {
   const Eigen::Vector3d multiplier(lambda[3 * k], lambda[3 * k + 1], lambda[3 * k + 2]);
@@ -67,7 +67,7 @@ void IpoptProblem::visit_step_hessian(int k, const Number* lambda, Sink&& sink) 
   sink(angular, heading, hessian(0, 2));
 }
 
-// Lower triangle of obj_factor * cost + lambda . constraints; equal places are added up by IPOPT.
+// Visits the lower triangle of obj_factor * cost + lambda . constraints; IPOPT sums equal entries.
 template <typename Sink>
 void IpoptProblem::visit_hessian(Number obj_factor, const Number* lambda, Sink&& sink) const {
   const ControlProblem& problem = *problem_;

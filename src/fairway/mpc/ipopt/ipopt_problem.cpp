@@ -13,8 +13,8 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
-constexpr Number kUnbounded = 2e19;         // IPOPT: beyond 1e19 there is no bound
-constexpr double kActiveMultiplier = 1e-5;  // below, a constraint holds nothing back
+constexpr Number kUnbounded = 2e19;         // IPOPT treats values beyond 1e19 as no bound
+constexpr double kActiveMultiplier = 1e-5;  // smaller multipliers do not limit the solution
 
 double component(const Twist2& twist, int axis) noexcept {
   return axis == 0 ? twist.linear : twist.angular;
@@ -87,7 +87,7 @@ bool IpoptProblem::get_bounds_info(
       if (k > 0) continue;
       const double before = component(problem.previous_command, axis);
       const double change = component(problem.max_change, axis);
-      // Where rounding makes range and change disagree, the range wins (see validate).
+      // Where rounding makes range and change disagree, the range takes precedence (see validate).
       x_l[i] = std::min(std::max(x_l[i], before - change), x_u[i]);
       x_u[i] = std::max(std::min(x_u[i], before + change), x_l[i]);
     }
@@ -145,7 +145,7 @@ bool IpoptProblem::eval_g(Index /*n*/, const Number* x, bool /*new_x*/, Index /*
   read(x);
   const ControlProblem& problem = *problem_;
   for (int k = 0; k < problem.horizon; ++k) {
-    // Eq. (15b): pose k + 1 is where command k leads from pose k.
+    // Eq. (15b): command k leads from pose k to pose k + 1.
     const Pose2 next =
         step(poses_[step_index(k)], commands_[step_index(k)], problem.dt, problem.integration);
     const Pose2& pose = poses_[step_index(k + 1)];
