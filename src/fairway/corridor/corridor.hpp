@@ -33,10 +33,10 @@ struct PathSpan {
 /// the rectangle before.
 struct Corridor {
   CorridorSpace space = CorridorSpace::Configuration;
-  double robot_radius =
-      0.0;  ///< radius of the disc for which the rectangles are free, in Configuration [m]
-  double inward_offset =
-      0.0;  ///< least distance of the robot's centre from the sides, in Workspace [m]
+  /// Radius of the disc for which the rectangles are free, in Configuration [m].
+  double robot_radius = 0.0;
+  /// Least distance of the robot's centre from the sides, in Workspace [m].
+  double inward_offset = 0.0;
   std::vector<OrientedRectangle> rectangles;
 
   /// For each rectangle the part of the path that its admissible part contains. The first begins at

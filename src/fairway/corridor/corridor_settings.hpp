@@ -30,8 +30,8 @@ struct CorridorSettings {
   double growth_step = 0.1;    ///< Delta_L: step by which a side advances in Mdsrc [m]
   double max_growth = 8.0;     ///< L_max: greatest distance of a side from the seed, in Mdsrc [m]
   double longest_side = 16.0;  ///< longest side of a rectangle of Fewest [m]
-  double inward_offset =
-      0.3;  ///< Delta_s: distance of the robot's centre from the sides, Workspace only [m]
+  /// Delta_s: distance of the robot's centre from the sides, Workspace only [m].
+  double inward_offset = 0.3;
   double min_overlap_area = 0.01;  ///< least overlap of consecutive admissible rectangles [m^2]
   double waypoint_spacing = 0.1;   ///< spacing of the path points that Mdsrc grows from [m]
 };

@@ -25,9 +25,9 @@ class ReachSearch {
     double radius = 0.0;        ///< of the disc for which the rectangle is free [cells]
     double longest_side = 0.0;  ///< [cells]
     double margin = 0.0;        ///< between the path and every side [cells]
-    int num_orientations =
-        24;               ///< orientations tried at first, evenly over a quarter turn; at most 64
-    int refinements = 3;  ///< number of times that the spacing is halved around the best
+    /// Orientations tried at first, evenly over a quarter turn; at most 64.
+    int num_orientations = 24;
+    int refinements = 3;      ///< number of times that the spacing is halved around the best
     double precision = 0.25;  ///< to which the reach is found [cells]
   };
 

@@ -131,8 +131,8 @@ class Chain {
     return possible ? CorridorStatus::NoOverlap : CorridorStatus::SeedBlocked;
   }
 
-  static constexpr double kRounding =
-      1e-9;  // tolerance for a seed on the contracted border of its rectangle [m]
+  // Tolerance for a seed on the contracted border of its rectangle [m].
+  static constexpr double kRounding = 1e-9;
 
   const BitGrid& obstacles_;
   double clearance_;

@@ -14,8 +14,8 @@ namespace fairway {
 
 inline constexpr int kMaxHorizon = 50;    ///< longest horizon [steps]
 inline constexpr int kMaxObstacles = 16;  ///< most moving obstacles in one problem
-inline constexpr int kMaxRectanglesPerStep =
-    2;  ///< two where a step changes from one rectangle to the next
+/// Greatest number of rectangles of a step: two at a switch from one to the next.
+inline constexpr int kMaxRectanglesPerStep = 2;
 
 /// Method by which one step of the unicycle, Eq. (1), is integrated.
 enum class Integration : std::uint8_t {

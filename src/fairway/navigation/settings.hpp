@@ -20,8 +20,8 @@ namespace fairway {
 struct NavigationSettings {
   double control_period = 0.1;  ///< time from one command to the next [s], 0.005 to 1
   double goal_tolerance = 0.1;  ///< distance at which the goal is reached [m], 0.001 to 10 (d_max)
-  double heading_tolerance =
-      0.1;                     ///< turn at which a goal's heading is reached [rad], 0.001 to 3.15
+  /// Turn at which a goal's heading is reached [rad], 0.001 to 3.15.
+  double heading_tolerance = 0.1;
   double stall_timeout = 0.4;  ///< standstill that starts a recovery [s], 0.05 to 1000
   double patience = 0.0;  ///< time without progress after which the goal is dropped [s]; 0: never
 };

@@ -11,8 +11,8 @@ namespace {
 constexpr std::array<std::uint32_t, 8> kHalfStep{29, 41, 29, 41, 29, 41, 29, 41};
 constexpr std::uint32_t kDiagonalExtra = 82 - GridSearch::kStep;
 
-constexpr std::uint32_t kFlooded =
-    kUnreached - 1;  // unreached by the search, but visited by the flood fill
+// Unreached by the search, but visited by the flood fill.
+constexpr std::uint32_t kFlooded = kUnreached - 1;
 constexpr std::uint32_t kTooFar = kUnreached / 2;  // sums of costs below this cannot overflow
 
 constexpr std::uint8_t kStart = 8;    // marks the start, which has no previous node

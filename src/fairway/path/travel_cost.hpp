@@ -65,8 +65,8 @@ class TravelCost {
   /// The cost of a straight line.
   struct Line {
     double cost = std::numeric_limits<double>::infinity();  ///< [cells]
-    bool surely_free =
-        false;  ///< so far from all obstacles that the robot fits along it without the exact test
+    /// So far from all obstacles that the robot fits along it without the exact test.
+    bool surely_free = false;
   };
 
   /// Computes the cost of the line between two points in grid coordinates. The cost is infinite if

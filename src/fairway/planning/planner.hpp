@@ -15,10 +15,10 @@ namespace fairway {
 
 /// Settings that determine when plans are made.
 struct PlanningSettings {
-  bool background =
-      false;  ///< whether plans are made in a thread; if not, in the control cycle that needs one
-  double rebuild_period =
-      0.0;  ///< period of new plans [s], 0 to 1000 (DuringTime); 0: only when needed
+  /// Whether plans are made in a thread; if not, in the control cycle that needs one.
+  bool background = false;
+  /// Period of new plans [s], 0 to 1000 (DuringTime); 0: only when needed.
+  double rebuild_period = 0.0;
   double retry_period = 0.5;  ///< time between attempts while there is no plan [s], 0.05 to 1000
 };
 
@@ -54,8 +54,8 @@ struct PlannerHooks {
   std::function<CorridorResult(
       const BitGrid&, const Path&, double robot_radius, const CorridorSettings&)>
       build{};
-  bool fixed_margin =
-      false;  ///< whether settings.path.margin must be kept, even if no path is found
+  /// Whether settings.path.margin must be kept, even if no path is found.
+  bool fixed_margin = false;
   /// Greatest length of the path that the corridor covers [m]; the plan's goal is then the end of
   /// the corridor. A longer corridor would be discarded if the map changes before the robot
   /// arrives.

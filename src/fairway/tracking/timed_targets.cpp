@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kSlowest = 0.1;  // [m/s]; the least speed, even at the sharpest corner
-constexpr double kBrakingShare =
-    0.8;  // share of the acceleration limit, so that the robot can follow
+// Share of the acceleration limit, so that the robot can follow.
+constexpr double kBrakingShare = 0.8;
 constexpr double kShortPiece = 0.02;  // [m]; directions of shorter pieces are noise
 
 double heading_of(const Vector2d& v) noexcept { return std::atan2(v.y(), v.x()); }

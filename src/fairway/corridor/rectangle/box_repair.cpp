@@ -11,8 +11,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kGap = 1e-3;  // [cells]
-constexpr double kLargeRadius =
-    1.0;                             // radius from which on an arc gets more than one point [cells]
+// Radius from which on an arc gets more than one point [cells].
+constexpr double kLargeRadius = 1.0;
 constexpr double kLeastDepth = 0.2;  // least depth of an additional point [cells]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

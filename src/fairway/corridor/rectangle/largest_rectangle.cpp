@@ -18,10 +18,10 @@ using Eigen::Vector2d;
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 constexpr double kInset = 1e-3;  // distance from the obstacle points that stopped a side [cells]
-constexpr double kDone =
-    -std::numeric_limits<double>::infinity();  // marks an angle with nothing left to gain
-constexpr int kTestsPerAngle =
-    8;  // after this many failed tests an angle keeps its best result so far
+// Marks an angle with nothing left to gain.
+constexpr double kDone = -std::numeric_limits<double>::infinity();
+// After this many failed tests an angle keeps its best result so far.
+constexpr int kTestsPerAngle = 8;
 constexpr int kTestsInAll = 64;
 constexpr std::size_t kMaxFound = 8;  // blocked cells examined per test
 

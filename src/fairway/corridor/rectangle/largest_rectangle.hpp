@@ -19,8 +19,8 @@ struct Anchor {
 /// Effort of the search over orientations.
 struct RectangleSearchSettings {
   double longest_side = 16.0;  ///< greatest length of a side [m]
-  int num_orientations =
-      12;               ///< orientations tried at first, evenly over a quarter turn; at most 64
+  /// Orientations tried at first, evenly over a quarter turn; at most 64.
+  int num_orientations = 12;
   int refinements = 4;  ///< number of times that the spacing is halved around the best orientation
   double tolerance = 0.01;  ///< relative gain in area below which the search stops
 };

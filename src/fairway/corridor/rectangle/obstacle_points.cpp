@@ -38,8 +38,8 @@ struct Rays {
 
 struct Sight {
   CellIndex cell;
-  double beside =
-      0.0;  // distance of the cell's centre from the ray, along the shorter axis [cells]
+  // Distance of the cell's centre from the ray, along the shorter axis [cells].
+  double beside = 0.0;
 };
 
 // One tile, as seen along a ray from `origin`.

@@ -13,8 +13,8 @@
 namespace fairway::interior_point {
 
 inline constexpr std::size_t kHeldSteps = 3;  ///< number of steps for which a manoeuvre is held
-inline constexpr std::size_t kSeenSteps =
-    2 * kHeldSteps;  ///< number of steps by which it is judged
+/// Number of steps by which a manoeuvre is judged.
+inline constexpr std::size_t kSeenSteps = 2 * kHeldSteps;
 
 /// Pose reached by the drive.
 struct DrivePose {

@@ -12,12 +12,12 @@ namespace fairway::interior_point {
 /// Errors of the optimality conditions of the constraints; each lane covers its own constraints.
 template <typename Lanes>
 struct ConstraintErrors {
-  Lanes least_product =
-      std::numeric_limits<double>::infinity();  ///< least slack * dual; should equal mu
-  Lanes greatest_product = 0.0;                 ///< greatest slack * dual; should equal mu
-  Lanes residual = 0.0;                         ///< greatest |c + e - s|
-  Lanes dual_sum = 0.0;                         ///< sum of the duals of the soft constraints
-  std::size_t num_soft_constraints = 0;         ///< number of soft constraints in each lane
+  /// Least slack * dual; should equal mu.
+  Lanes least_product = std::numeric_limits<double>::infinity();
+  Lanes greatest_product = 0.0;          ///< greatest slack * dual; should equal mu
+  Lanes residual = 0.0;                  ///< greatest |c + e - s|
+  Lanes dual_sum = 0.0;                  ///< sum of the duals of the soft constraints
+  std::size_t num_soft_constraints = 0;  ///< number of soft constraints in each lane
 };
 
 /// Errors of the optimality conditions at the iterate, docs/solver.md Eq. (S14).
