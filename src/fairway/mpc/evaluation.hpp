@@ -94,24 +94,25 @@ struct SoftConstraint {
 /// @pre name.kind is Corridor or Barrier, and the problem has such a constraint.
 [[nodiscard]] SoftConstraint soft_constraint(const ControlProblem& problem,
                                              std::span<const Pose2> poses,
-                                             const RowName& name) noexcept;
+                                             const ConstraintName& name) noexcept;
 
-/// Calls visitor(RowName) for every soft constraint: by step, and corridor sides before obstacles.
+/// Calls visitor(ConstraintName) for every soft constraint: by step, and corridor sides before
+/// obstacles.
 template <typename Visitor>
 void visit_soft_constraints(const ControlProblem& problem, Visitor&& visitor) {
   for (int k = 1; k <= problem.horizon; ++k) {
     for (int i = 0; i < 4 * problem.regions[static_cast<std::size_t>(k)].count; ++i)
-      visitor(RowName{.kind = RowKind::Corridor, .step = k, .index = i});
+      visitor(ConstraintName{.kind = ConstraintKind::Corridor, .step = k, .index = i});
     for (int j = 0; j < problem.num_obstacles; ++j)
-      visitor(RowName{.kind = RowKind::Barrier, .step = k, .index = j});
+      visitor(ConstraintName{.kind = ConstraintKind::Barrier, .step = k, .index = j});
   }
 }
 
 /// The violation of a set of constraints.
 struct Violation {
-  double max = 0.0;  ///< greatest violation of one constraint; 0 if all are satisfied
-  double sum = 0.0;  ///< sum over the constraints
-  RowName worst;     ///< the constraint with the greatest violation
+  double max = 0.0;      ///< greatest violation of one constraint; 0 if all are satisfied
+  double sum = 0.0;      ///< sum over the constraints
+  ConstraintName worst;  ///< the constraint with the greatest violation
 };
 
 [[nodiscard]] Violation soft_violation(const ControlProblem& problem,

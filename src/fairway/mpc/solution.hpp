@@ -37,7 +37,7 @@ enum class SolveStatus : std::uint8_t {
 }
 
 /// Kind of the constraint that limits the solution most.
-enum class RowKind : std::uint8_t {
+enum class ConstraintKind : std::uint8_t {
   None,
   LinearSpeed,
   AngularSpeed,
@@ -47,21 +47,21 @@ enum class RowKind : std::uint8_t {
   Barrier
 };
 
-[[nodiscard]] constexpr const char* to_text(RowKind kind) noexcept {
+[[nodiscard]] constexpr const char* to_text(ConstraintKind kind) noexcept {
   switch (kind) {
-    case RowKind::None:
+    case ConstraintKind::None:
       return "none";
-    case RowKind::LinearSpeed:
+    case ConstraintKind::LinearSpeed:
       return "linear speed";
-    case RowKind::AngularSpeed:
+    case ConstraintKind::AngularSpeed:
       return "angular speed";
-    case RowKind::LinearChange:
+    case ConstraintKind::LinearChange:
       return "linear acceleration";
-    case RowKind::AngularChange:
+    case ConstraintKind::AngularChange:
       return "angular acceleration";
-    case RowKind::Corridor:
+    case ConstraintKind::Corridor:
       return "corridor";
-    case RowKind::Barrier:
+    case ConstraintKind::Barrier:
       return "moving obstacle";
   }
   return "unknown";
@@ -70,8 +70,8 @@ enum class RowKind : std::uint8_t {
 /// Identifies a constraint of the problem by kind and step. For Barrier, `index` is the obstacle.
 /// For Corridor it is the side: 0..3 for min x, max x, min y, max y in the rectangle's frame, + 4
 /// for the second rectangle.
-struct RowName {
-  RowKind kind = RowKind::None;
+struct ConstraintName {
+  ConstraintKind kind = ConstraintKind::None;
   int step = 0;
   int index = 0;
 };
@@ -84,7 +84,7 @@ struct MpcSolution {
   double cost = 0.0;  ///< objective at the commands, with cost_offset and without the penalty
   double max_violation = 0.0;  ///< greatest violation of a soft constraint [m or m^2]
   double sum_violation = 0.0;  ///< sum of the violations, as in the penalty
-  RowName limiting;            ///< the constraint with the greatest multiplier
+  ConstraintName limiting;     ///< the constraint with the greatest multiplier
   std::array<Twist2, kMaxHorizon> commands;
   std::array<Pose2, kMaxHorizon + 1> poses;  ///< the rollout, entry 0 is the start
 };

@@ -7,6 +7,6 @@
 namespace fairway {
 
 /// Returns the limiting factor that corresponds to a constraint of the control problem.
-[[nodiscard]] LimitingFactor limit_of(const RowName& row) noexcept;
+[[nodiscard]] LimitingFactor limit_of(const ConstraintName& constraint) noexcept;
 
 }  // namespace fairway

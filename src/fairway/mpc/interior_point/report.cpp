@@ -11,14 +11,15 @@ namespace {
 // slack.
 constexpr double kActive = 1e-3;
 
-constexpr std::array<RowKind, 4> kBoundKinds = {RowKind::LinearSpeed, RowKind::AngularSpeed,
-                                                RowKind::LinearChange, RowKind::AngularChange};
+constexpr std::array<ConstraintKind, 4> kBoundKinds = {
+    ConstraintKind::LinearSpeed, ConstraintKind::AngularSpeed, ConstraintKind::LinearChange,
+    ConstraintKind::AngularChange};
 
-RowName limiting_constraint(const Workspace& w) noexcept {
-  RowName name;
+ConstraintName limiting_constraint(const Workspace& w) noexcept {
+  ConstraintName name;
   double most = kActive;
   // Considers the duals of four constraints, the first of which is `first`.
-  const auto take = [&](const Lanes128& dual, const RowName& first) {
+  const auto take = [&](const Lanes128& dual, const ConstraintName& first) {
     if (!(greatest_of(dual) > most)) return;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (dual[lane] <= most) continue;

@@ -38,11 +38,11 @@ void IpoptProblem::visit_jacobian(Sink&& sink) const {
     ++change;
   }
   for (std::size_t i = 0; i < soft_constraints_.size(); ++i) {
-    const RowName& name = soft_constraints_[i];
+    const ConstraintName& name = soft_constraints_[i];
     const SoftConstraint constraint = soft_constraint(problem, poses_, name);
     for (int axis = 0; axis < 2; ++axis) {
       sink(soft_constraint_index(i), pose_index(name.step) + axis, constraint.gradient[axis]);
-      if (name.kind == RowKind::Barrier && name.step > 1)
+      if (name.kind == ConstraintKind::Barrier && name.step > 1)
         sink(soft_constraint_index(i), pose_index(name.step - 1) + axis,
              constraint.gradient_before[axis]);
     }
@@ -86,8 +86,8 @@ void IpoptProblem::visit_hessian(Number obj_factor, const Number* lambda, Sink&&
     visit_step_hessian(k, lambda, sink);
   }
   for (std::size_t i = 0; i < soft_constraints_.size(); ++i) {
-    const RowName& name = soft_constraints_[i];
-    if (name.kind != RowKind::Barrier) continue;  // corridor constraints are linear
+    const ConstraintName& name = soft_constraints_[i];
+    if (name.kind != ConstraintKind::Barrier) continue;  // corridor constraints are linear
     const SoftConstraint constraint = soft_constraint(problem, poses_, name);
     const Number multiplier = lambda[soft_constraint_index(i)];
     for (int axis = 0; axis < 2; ++axis) {

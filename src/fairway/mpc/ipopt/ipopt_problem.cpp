@@ -29,7 +29,8 @@ void IpoptProblem::set(const ControlProblem& problem,
   rollout(problem, commands_, poses_);
   limiting_ = {};
   soft_constraints_.clear();
-  visit_soft_constraints(problem, [&](const RowName& name) { soft_constraints_.push_back(name); });
+  visit_soft_constraints(problem,
+                         [&](const ConstraintName& name) { soft_constraints_.push_back(name); });
   change_bounds_.clear();
   for (int k = 1; k < problem.horizon; ++k) {
     for (int axis = 0; axis < 2; ++axis) {
@@ -127,7 +128,7 @@ bool IpoptProblem::get_starting_point(Index n,
     pose[2] = next.heading;
   }
   for (Index i = slack_index(0); i < n; ++i) {
-    const RowName& name = soft_constraints_[step_index(i - slack_index(0))];
+    const ConstraintName& name = soft_constraints_[step_index(i - slack_index(0))];
     x[i] = std::max(0.0, -soft_constraint(*problem_, poses_, name).margin);
   }
   return true;
@@ -178,7 +179,7 @@ void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
                                      Ipopt::IpoptCalculatedQuantities* /*ip_cq*/) {
   read(x);
   double greatest = kActiveMultiplier;
-  const auto offer = [&](const RowName& name, double multiplier) {
+  const auto offer = [&](const ConstraintName& name, double multiplier) {
     if (!(std::abs(multiplier) > greatest)) return;
     greatest = std::abs(multiplier);
     limiting_ = name;
@@ -191,14 +192,16 @@ void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
       const bool by_change =
           k == 0 && component(problem_->command_min, axis) < value - kFeasibilityTolerance &&
           component(problem_->command_max, axis) > value + kFeasibilityTolerance;
-      const RowKind speed = axis == 0 ? RowKind::LinearSpeed : RowKind::AngularSpeed;
-      const RowKind change = axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
+      const ConstraintKind speed =
+          axis == 0 ? ConstraintKind::LinearSpeed : ConstraintKind::AngularSpeed;
+      const ConstraintKind change =
+          axis == 0 ? ConstraintKind::LinearChange : ConstraintKind::AngularChange;
       offer({by_change ? change : speed, k, axis}, multiplier);
     }
   }
   for (std::size_t i = 0; i < change_bounds_.size(); ++i) {
-    const RowKind kind =
-        change_bounds_[i].axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
+    const ConstraintKind kind =
+        change_bounds_[i].axis == 0 ? ConstraintKind::LinearChange : ConstraintKind::AngularChange;
     offer({kind, change_bounds_[i].step, change_bounds_[i].axis},
           lambda[3 * problem_->horizon + static_cast<Index>(i)]);
   }

@@ -27,7 +27,7 @@ class IpoptProblem final : public Ipopt::TNLP {
 
   /// The result of IPOPT: commands, and the constraint with the greatest multiplier.
   [[nodiscard]] const std::array<Twist2, kMaxHorizon>& commands() const { return commands_; }
-  [[nodiscard]] const RowName& limiting() const { return limiting_; }
+  [[nodiscard]] const ConstraintName& limiting() const { return limiting_; }
 
   // Callbacks of IPOPT; see its documentation of TNLP.
   using Index = Ipopt::Index;
@@ -108,11 +108,11 @@ class IpoptProblem final : public Ipopt::TNLP {
   IpoptConstraints mode_;
   const ControlProblem* problem_ = nullptr;
   std::vector<ChangeBound> change_bounds_;
-  std::vector<RowName> soft_constraints_;
+  std::vector<ConstraintName> soft_constraints_;
   std::array<Twist2, kMaxHorizon> commands_;  // at the point read last
   std::array<Pose2, kMaxHorizon + 1>
       poses_{};  // at the point read last; variables, not the rollout
-  RowName limiting_;
+  ConstraintName limiting_;
 };
 
 }  // namespace fairway

@@ -119,7 +119,7 @@ TEST(InteriorPointModel, PosesCostAndConstraintsAreThoseOfTheEvaluation) {
         *w.now);  // of watched constraints too, which the iteration does not need
     // Every constraint is either listed with its value, or left out and then far from being
     // violated.
-    visit_soft_constraints(problem, [&](const RowName& name) {
+    visit_soft_constraints(problem, [&](const ConstraintName& name) {
       const double margin = soft_constraint(problem, poses, name).margin;
       bool found = false;
       for (std::size_t i = 0; i < w.num_soft_constraints; ++i) {

@@ -88,7 +88,7 @@ FAIRWAY_LANES FourRectangles rectangles_of(const ControlProblem& problem,
   return four;
 }
 
-FAIRWAY_LANES SoftConstraintBlock& append_constraint(RowKind kind,
+FAIRWAY_LANES SoftConstraintBlock& append_constraint(ConstraintKind kind,
                                                      std::size_t index,
                                                      std::size_t first,
                                                      Workspace& w) noexcept {
@@ -111,7 +111,7 @@ FAIRWAY_LANES void load_corridor(const FourRectangles& four,
     const Lanes128 margin = offset - lanes<Lanes128>(reach, first);
     if (least_of(margin) > kNeverActive) return;
     SoftConstraintBlock& constraint =
-        append_constraint(RowKind::Corridor, 4 * slot + side, first, w);
+        append_constraint(ConstraintKind::Corridor, 4 * slot + side, first, w);
     constraint.offset = offset;
     constraint.normal_x = x;
     constraint.normal_y = y;
@@ -206,7 +206,7 @@ FAIRWAY_LANES void load_barrier(const ControlProblem& problem,
   constraint.near = near * (2.0 * keep_out + near) * is_there;
   if (is_needed(constraint, count, lanes<Lanes128>(reach, first),
                 lanes<Lanes128>(reach, first - 1)))
-    append_constraint(RowKind::Barrier, j, first, w);
+    append_constraint(ConstraintKind::Barrier, j, first, w);
 }
 
 }  // namespace

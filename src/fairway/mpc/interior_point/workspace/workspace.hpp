@@ -69,8 +69,8 @@ struct Bounds {
 /// Four steps of one soft constraint  c + e = s,  s >= 0, e >= 0, with penalty w e. y is the
 /// multiplier of the constraint, and z = w - y that of e >= 0.
 struct SoftConstraintBlock {
-  RowKind kind = RowKind::None;
-  int index = 0;                            ///< as in RowName
+  ConstraintKind kind = ConstraintKind::None;
+  int index = 0;                            ///< as in ConstraintName
   int first_step = 0;                       ///< step of the pose that the first lane constrains
   Pack4d offset;                            ///< Corridor: c = offset + normal . p_k
   Pack4d normal_x, normal_y;                ///< gradient of c by p_k
