@@ -253,7 +253,7 @@ const ReferencePath& FleetCoordinator::update(const ReferencePath& path,
   for (const FleetMember& member : input.fleet) {
     if (member.motion->roundabout.exists()) adopt_if_larger(member.motion->roundabout);
   }
-  stopped_for_ = input.standing ? stopped_for_ + input.dt : 0.0;
+  stopped_for_ = input.stopped ? stopped_for_ + input.dt : 0.0;
   if (stopped_for_ > kPatience) {
     stopped_for_ = 0.0;
     roundabout_.radius = std::min(kGrowth * roundabout_.radius, kWidest);

@@ -10,7 +10,7 @@ namespace fairway {
 struct FleetCoordinatorInput {
   double speed_max = 0.0;   ///< greatest speed of the robot [m/s]
   double radius = 0.0;      ///< radius of the disc that covers the robot [m]
-  bool standing = false;    ///< whether the robot is at standstill
+  bool stopped = false;     ///< whether the robot is at standstill
   double dt = 0.0;          ///< control period [s]
   std::uint32_t robot = 0;  ///< number of the robot in the fleet
   Fleet fleet;
@@ -40,7 +40,7 @@ class FleetCoordinator {
 
   /// Signals that the path to the goal has changed. A robot that waits for others continues to
   /// wait.
-  void change_way() noexcept { roundabout_ = {}; }
+  void path_changed() noexcept { roundabout_ = {}; }
 
   /// Returns the path to follow: `path`, a roundabout or a retreat path.
   /// @param path  The robot's own path, from its position.

@@ -32,7 +32,7 @@ class RecoveryBehaviour {
 
   /// Signals that the path to the goal has changed and became longer by `longer` [m]; the change
   /// counts neither as progress nor as lack of it.
-  void change_way(double longer) noexcept {
+  void path_changed(double longer) noexcept {
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
   }
 
