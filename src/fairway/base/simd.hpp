@@ -224,10 +224,11 @@ FAIRWAY_LANES Transposed<Lanes> transposed(const Lanes& a,
   return t;
 }
 
-/// Four floats in one register, the mask that a comparison of them gives (all bits of a lane set
-/// where it is true), and bits to accumulate masks in. These are the vector types that GCC and
-/// Clang share. Arithmetic, comparison and selection (`mask ? a : b`) work lane by lane; a scalar
-/// is broadcast to all lanes.
+/// The vector types of GCC and Clang: four floats, the mask of a comparison, and bits to accumulate
+/// masks in.
+///
+/// A comparison sets all bits of a lane where it is true. Arithmetic, comparison and selection
+/// (`mask ? a : b`) work lane by lane; a scalar is broadcast to all lanes.
 using Pack4f = float __attribute__((vector_size(16)));
 using Mask4 = int __attribute__((vector_size(16)));
 using Bits4 = unsigned __attribute__((vector_size(16)));

@@ -13,8 +13,8 @@
 
 namespace fairway {
 
-// Selects `even` or `odd` by the last bit of `quarter`, and negates the result if the bit before
-// the last of quarter + ahead is set.
+// Selects `even` or `odd` by the last bit of `quarter`. The result is negated if the bit before the
+// last of quarter + ahead is set.
 template <typename Lanes>
 FAIRWAY_LANES Lanes turned_by_quarters(const Lanes& quarter,
                                        std::uint64_t ahead,

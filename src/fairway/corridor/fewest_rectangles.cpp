@@ -115,8 +115,8 @@ bool FewestRectangles::make_rectangle(const BitGrid& obstacles, Link& link) {
   return true;
 }
 
-// Returns the joint nearest to the start that has the shape of `latest` and is inside the last
-// rectangle, without a gap between the two.
+// Moves a joint towards the start, as far as the last rectangle contains it. The shape of `latest`
+// is kept, and the rectangle contains the path between the two.
 Joint FewestRectangles::joint_towards_start(const Joint& latest) const noexcept {
   constexpr double kStep = 1.0;  // [cells]
   Joint joint = latest;

@@ -22,8 +22,8 @@ class PathTrack {
   [[nodiscard]] const std::vector<Eigen::Vector2d>& points() const noexcept { return points_; }
   [[nodiscard]] const std::vector<double>& arc() const noexcept { return arc_; }
 
-  /// Returns the index of the last corner at or before `s`, but never the goal unless it is the
-  /// only one.
+  /// Returns the index of the last corner at or before `s`. This is never the goal, unless the goal
+  /// is the only corner.
   [[nodiscard]] std::size_t segment(double s) const noexcept;
 
   /// Returns the point at arc length `s` [cells], clamped to the path; corners are exact. @pre not
@@ -39,8 +39,7 @@ class PathTrack {
   std::vector<double> arc_;
 };
 
-/// Returns the index of the last waypoint of `path` with arc length at most `s` [m]; 0 for an empty
-/// path.
+/// Returns the index of the last waypoint with arc length at most `s` [m]; 0 for an empty path.
 [[nodiscard]] std::size_t waypoint_before(const Path& path, double s) noexcept;
 
 }  // namespace fairway

@@ -80,8 +80,8 @@ class Chain {
     return rectangle.contains(seeds_[seed].point, kRounding - corridor_.inward_offset);
   }
 
-  // Appends a rectangle if it contains point `next` and, unless it is the first, the point before
-  // it and a sufficient overlap with the chain.
+  // Appends a rectangle if it contains point `next`. Unless it is the first, it must also contain
+  // the point before and overlap the chain sufficiently.
   bool add(const std::optional<OrientedRectangle>& rectangle, std::size_t next) {
     if (!rectangle || !holds(*rectangle, next)) return false;
     std::size_t from = next;

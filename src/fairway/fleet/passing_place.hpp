@@ -26,30 +26,33 @@ struct NarrowPlaces {
   /// Finds the narrow places on the first 6 m of `path`, every 0.25 m, for robots of `radius` [m].
   NarrowPlaces(const ReferencePath& path, double radius, const BitGrid& obstacles) noexcept;
 
-  /// Returns the arc length of the first place that `other` traverses in the opposite direction
-  /// [m]; infinite if there is none.
+  /// Returns the arc length of the first place where `other` drives in the opposite direction [m].
+  /// The result is infinite if there is none.
   [[nodiscard]] double length_to_meeting(const SharedMotion& other, double radius) const noexcept;
 
   /// Returns whether the goal of `other` is in one of the places, where it would block the path
   /// indefinitely.
   [[nodiscard]] bool contain_goal_of(const SharedMotion& other, double radius) const noexcept;
 
-  /// Returns the arc length of the first place if `other` enters it in the same direction at about
-  /// the same time, so that one of the two must go first [m]. The result is infinite if it does
-  /// not, or if one of the two is already inside.
+  /// Returns the arc length of the first place if `other` enters it together with this robot [m].
+  ///
+  /// Entering together means in the same direction at about the same time, so that one of the two
+  /// must go first. The result is infinite if they do not, or if one of them is already inside.
   [[nodiscard]] double length_to_merging(const SharedMotion& other, double radius) const noexcept;
 };
 
-/// Returns whether a robot that drives straight from `from` to `to` comes closer to the goal of
-/// `other` than it could pass there. Once the other robot has arrived, the first one could not
-/// return. The goal is the end of the published path; a truncated path has none.
+/// Returns whether driving straight from `from` to `to` leads past the goal of `other`.
+///
+/// Past means closer to the goal than the robot could pass `other` there: once `other` has arrived,
+/// the robot could not return. The goal is the end of the published path; a truncated path has
+/// none.
 [[nodiscard]] bool passes_goal_of(const SharedMotion& other,
                                   const Eigen::Vector2d& from,
                                   const Eigen::Vector2d& to,
                                   double radius) noexcept;
 
-/// Returns whether a robot at `place` leaves the path and the position of `other` clear, with
-/// `more` clearance than necessary [m].
+/// Returns whether a robot at `place` lets `other` pass, with `more` clearance than necessary [m]:
+/// the place is clear of the path and the position of `other`.
 [[nodiscard]] bool lets_pass(const Eigen::Vector2d& place,
                              const SharedMotion& other,
                              double radius,

@@ -12,9 +12,8 @@ namespace fairway {
 /// A path to a place where a robot lets oncoming robots pass.
 struct RetreatPath {
   static constexpr int kMaxPoints = ReferencePath::kMaxPoints - 1;
-  int count = 0;  ///< 0: there is no path
-  std::array<Eigen::Vector2d, kMaxPoints>
-      points;  ///< points after the robot's position; the last one is the place
+  int count = 0;                                   ///< 0: there is no path
+  std::array<Eigen::Vector2d, kMaxPoints> points;  ///< after the robot's position, up to the place
 
   [[nodiscard]] bool exists() const noexcept { return count > 0; }
   [[nodiscard]] const Eigen::Vector2d& place() const noexcept {
@@ -48,8 +47,8 @@ void shorten(RetreatPath& path,
              const BitGrid& obstacles,
              double radius) noexcept;
 
-/// Returns whether a retreat path is still free of static obstacles, and its place still lets all
-/// robots in `passing` pass.
+/// Returns whether a retreat path is still usable: free of static obstacles, with a place that lets
+/// all robots in `passing` pass.
 [[nodiscard]] bool is_still_valid(const RetreatPath& path,
                                   const Eigen::Vector2d& position,
                                   const PassingEnvironment& around) noexcept;

@@ -50,8 +50,8 @@ class BitGrid {
   void move_to(const Pose2& origin) noexcept { frame_.origin = origin; }
 
   /// Returns the column of the first blocked cell of row `y` in columns `first` to `last`,
-  /// inclusive, or -1 if there is none; an empty range has none. @pre 0 <= first, last < width, 0
-  /// <= y < height.
+  /// inclusive. The result is -1 if there is none, and for an empty range. @pre 0 <= first, last <
+  /// width, 0 <= y < height.
   [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept {
     if (first > last) return -1;
     const std::uint64_t* const words = row(y).data();
@@ -105,7 +105,7 @@ class BitGrid {
     return {words_.data() + static_cast<std::size_t>(y) * words_per_row_, words_per_row_};
   }
 
-  /// Returns the words of a band; a bit is set if that column is blocked in any row of the band.
+  /// Returns the words of a band; a bit is set if any row of the band is blocked there.
   [[nodiscard]] std::span<const std::uint64_t> band(int b) const noexcept {
     return {bands_.data() + static_cast<std::size_t>(b) * words_per_row_, words_per_row_};
   }

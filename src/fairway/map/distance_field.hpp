@@ -24,10 +24,10 @@ inline void include(CellWindow& window, CellIndex cell) noexcept {
   window.last = {.x = std::max(window.last.x, cell.x), .y = std::max(window.last.y, cell.y)};
 }
 
-/// The Euclidean distance from every cell's centre to the nearest blocked cell, as a closed square,
-/// or to the outside of the grid. The distance is 0 in blocked cells.
+/// The exact distance from the centre of every cell to the nearest obstacle.
 ///
-/// Distances are exact up to rounding to float, which is at most 1.5e-7 of the distance.
+/// Obstacles are the blocked cells, as closed squares, and the outside of the grid. The distance is
+/// 0 in blocked cells. It is rounded to float, an error of at most 1.5e-7 of the distance.
 class DistanceField {
  public:
   DistanceField() = default;  ///< makes a field without cells

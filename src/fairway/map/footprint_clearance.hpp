@@ -13,11 +13,11 @@ namespace fairway {
                            const Pose2& pose,
                            double clearance) noexcept;
 
-/// Returns the distance from a footprint at `pose` to the nearest blocked cell or the outside of
-/// the grid, at most `limit` [m].
+/// Returns the distance from a footprint at `pose` to the nearest obstacle, at most `limit` [m].
 ///
-/// The distance is exact for discs and at most 1e-4 m too small for a rectangle. If they touch, the
-/// result is negative: minus the amount by which the footprint must shrink to be free.
+/// Obstacles are the blocked cells and the outside of the grid. The distance is exact for discs,
+/// and at most 1e-4 m too small for a rectangle. If they touch, the result is negative: minus the
+/// amount by which the footprint must shrink to be free.
 [[nodiscard]] double footprint_clearance(const BitGrid& obstacles,
                                          const Footprint& footprint,
                                          const Pose2& pose,

@@ -49,8 +49,9 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
   return is_free(obstacles, segment_rectangle(a, b), clearance);
 }
 
-/// Returns the exact distance from `point` to the nearest blocked cell or the outside of the grid,
-/// at most `limit` [m]. It is 0 on a blocked cell, outside the grid, and for a non-finite point.
+/// Returns the exact distance from `point` to the nearest obstacle, at most `limit` [m]. Obstacles
+/// are the blocked cells and the outside of the grid. The distance is 0 on an obstacle, and for a
+/// non-finite point.
 [[nodiscard]] double distance_to_blocked(const BitGrid& obstacles,
                                          const Eigen::Vector2d& point,
                                          double limit) noexcept;

@@ -8,8 +8,8 @@ namespace fairway {
 
 namespace {
 
-// Returns the number of pieces per side into which a cell of `from` is divided, so that no piece is
-// larger than a cell of `onto`.
+// Returns the number of pieces per side into which a cell of `from` is divided. No piece is larger
+// than a cell of `onto`.
 int pieces_per_side(const BitGrid& from, const BitGrid& onto) noexcept {
   // Relative difference below which two resolutions count as equal.
   constexpr double kSameSize = 1e-6;

@@ -9,8 +9,8 @@
 
 namespace fairway::internal {
 
-// The right half of the outline of a rounded rectangle (all points within `radius` of a rectangle),
-// as a function of the height y.
+// The right half of the outline of a rounded rectangle, as a function of the height y. A rounded
+// rectangle is the set of all points within `radius` of a rectangle.
 //
 // The outline consists of an arc about the bottom corner, a side, an arc about the outer corner, a
 // side, and an arc about the top corner. The left half has the same form with x negated and the two
@@ -40,8 +40,8 @@ class Flank {
         upper_start_(outer.y() + radius * s),
         upper_end_(top.y() + radius * s) {}
 
-  // The greatest x over the closed strip low <= y <= high if both sides were extended to their
-  // intersection and the limits. It is exact for radius 0, otherwise never too small.
+  // Bounds x over the closed strip low <= y <= high by the two sides and the limit. The bound is
+  // exact for radius 0, and otherwise never too small.
   [[nodiscard]] double reach_of_sides(double low, double high) const noexcept {
     return std::min(limit_, std::min(rise_ + rise_slope_ * high, fall_ - fall_slope_ * low));
   }
@@ -127,8 +127,8 @@ class RoundedRegion {
   }
 
  private:
-  // The same box with both coordinates of `along` >= 0, so that the corners min, (max.x, min.y),
-  // max and (min.x, max.y) are the bottom, right, top and left one.
+  // Turns the box so that both coordinates of `along` are >= 0. The corners min, (max.x, min.y),
+  // max and (min.x, max.y) are then the bottom, right, top and left one.
   static TurnedBox turned_to_first_quadrant(TurnedBox box) noexcept {
     for (int i = 0; i < 3 && (box.along.x() < 0.0 || box.along.y() < 0.0); ++i) {
       box.along = Eigen::Vector2d(-box.along.y(), box.along.x());

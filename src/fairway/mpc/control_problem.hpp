@@ -24,12 +24,10 @@ enum class Integration : std::uint8_t {
              ///< O(dt^2)
 };
 
-/// A target pose at one step, with the cost weight.x |dx|^2 + weight.y |dy|^2 + weight.z
-/// dheading^2.
+/// A target pose at one step. Its cost is weight.x |dx|^2 + weight.y |dy|^2 + weight.z dheading^2.
 struct StepTarget {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  double heading = 0.0;  ///< [rad], not wrapped: the caller chooses the equivalent angle nearest to
-                         ///< the robot's heading
+  double heading = 0.0;  ///< [rad], unwrapped: the turn nearest to the robot's heading
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
 };
 

@@ -30,7 +30,7 @@ class RecoveryBehaviour {
  public:
   void reset() noexcept { *this = RecoveryBehaviour(); }
 
-  /// Signals that the path to the goal has changed and became longer by `longer` [m]; the change
+  /// Signals that the path to the goal has changed and became longer by `longer` [m]. The change
   /// counts neither as progress nor as lack of it.
   void path_changed(double longer) noexcept {
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;

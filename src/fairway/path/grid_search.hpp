@@ -10,8 +10,8 @@
 
 namespace fairway {
 
-/// A node where a search may begin or end, with the cost between that node and the true start or
-/// goal. Costs are in the search's own unit (see GridSearch::kStep).
+/// A node where a search may begin or end. Its cost is that between the node and the true start or
+/// goal, in the search's own unit (see GridSearch::kStep).
 struct Terminal {
   CellIndex node;
   std::uint32_t cost = 0;

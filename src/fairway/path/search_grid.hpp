@@ -55,8 +55,8 @@ class SearchGrid {
         static_cast<int>(costs_->at_distance(distance) * static_cast<float>(unit_) + 0.5F));
   }
 
-  // Returns whether a node and its neighbours all exist, and their costs differ so little that
-  // GridSearch may skip detours (see GridSearch::run).
+  // Returns whether GridSearch may skip detours at a node (see GridSearch::run): the node and its
+  // neighbours all exist, and their costs differ little.
   [[nodiscard]] bool is_gentle(int index) const noexcept;
 
   const TravelCost* costs_ = nullptr;
@@ -103,10 +103,10 @@ class BlockGrid : public SearchGrid {
 
   int first_row_ = 0;
   int last_row_ = -1;
-  std::vector<std::uint16_t>
-      masks_;  // by index: bit 4 y + x is set if that cell of the block is allowed
-  std::vector<float> column_distances_;  // greatest distance among the four cells of every column
-                                         // of a row of blocks [m]
+  // By index: bit 4 y + x is set if that cell of the block is allowed.
+  std::vector<std::uint16_t> masks_;
+  // Greatest and least distance in the four cells of every column of a row of blocks [m].
+  std::vector<float> column_distances_;
   std::vector<float> tightest_;
 };
 

@@ -52,8 +52,8 @@ class TravelCost {
   /// between allowed neighbours that share a side are always free.
   [[nodiscard]] bool diagonals_need_checks() const noexcept { return corner_ >= 0; }
 
-  /// Returns whether the robot can move from the centre of an allowed cell to that of its allowed
-  /// diagonal neighbour at (dx, dy).
+  /// Returns whether the robot can move between the centres of two allowed diagonal neighbours,
+  /// `cell` and the one at (dx, dy).
   [[nodiscard]] bool diagonal_is_free(CellIndex cell, int dx, int dy) const noexcept {
     if (corner_ < 0) return true;
     const int near = corner_;
@@ -83,8 +83,7 @@ class TravelCost {
   const DistanceField& distances_;
   double required_;
   float allowed_;
-  float surely_free_distance_;  // distance at the centre of a cell from which on the whole cell is
-                                // free [m]
+  float surely_free_distance_;  // least distance at the centre of a cell that is free all over [m]
   float at_zero_;               // cost that the linear increase extrapolates to at distance 0
   float rise_;
   float greatest_cost_;

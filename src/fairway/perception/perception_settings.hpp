@@ -13,10 +13,10 @@ struct PerceptionSettings {
   double reach = 12.0;       ///< greatest length at which beams are used [m]
   /// Distance added to a beam's end before it is entered into the map [m].
   double hit_depth = 0.02;
-  double hit_snap = 0.03;  ///< distance within which a hit in front of a known obstacle counts for
-                           ///< that obstacle [m]
-  int hit_evidence = 6;    ///< evidence added to the cell in which a beam ends
-  int miss_evidence = 1;   ///< evidence removed from a cell that a beam crosses
+  /// Distance within which a hit in front of a known obstacle counts for that obstacle [m].
+  double hit_snap = 0.03;
+  int hit_evidence = 6;   ///< evidence added to the cell in which a beam ends
+  int miss_evidence = 1;  ///< evidence removed from a cell that a beam crosses
   /// Greatest evidence for "occupied": limits the time until a cell is cleared.
   int most_evidence = 12;
   int least_evidence = -6;    ///< greatest evidence for "free"

@@ -126,8 +126,8 @@ void RollingGrid::insert(std::span<const Beam> beams,
 }
 
 void RollingGrid::follow(const Vector2d& robot) noexcept {
-  // The window moves once the robot is a quarter block outside of the middle one, so that it does
-  // not move repeatedly when the robot moves back and forth over an edge.
+  // The window moves once the robot is a quarter block outside of the middle one. It does not move
+  // repeatedly when the robot moves back and forth over an edge.
   const Vector2d cell = frame().to_grid(robot);
   const double middle = 0.5 * (side_ - kBlock);
   const auto blocks = [&](double c) {

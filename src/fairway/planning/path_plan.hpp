@@ -20,8 +20,9 @@ struct PathAhead {
   bool complete = true;  ///< whether it reaches the end of the given path
 };
 
-/// Cuts off the part of a path before the waypoint nearest to the robot, and the part from where it
-/// leaves the map or comes within `margin` [m] of its edge. @pre the path has a waypoint.
+/// Returns the part of a path that lies ahead of the robot and inside the map. It begins after the
+/// waypoint nearest to the robot, and ends where the path leaves the map or comes within `margin`
+/// [m] of its edge. @pre the path has a waypoint.
 [[nodiscard]] PathAhead path_ahead(const Path& path,
                                    const Eigen::Vector2d& position,
                                    const GridFrame& map,

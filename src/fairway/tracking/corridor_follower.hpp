@@ -74,10 +74,9 @@ class CorridorFollower {
 
   Corridor corridor_;
   std::vector<OrientedRectangle> admissible_;
-  std::vector<OverlapPatch> patches_;  // exact overlaps
-  std::vector<OverlapPatch>
-      path_patches_;  // the part of each overlap that the reference path may touch
-  std::vector<Eigen::Vector2d> touches_;  // touch points, one per patch
+  std::vector<OverlapPatch> patches_;       // exact overlaps
+  std::vector<OverlapPatch> path_patches_;  // the parts that the reference path may touch
+  std::vector<Eigen::Vector2d> touches_;    // touch points, one per patch
   Eigen::Vector2d goal_ = Eigen::Vector2d::Zero();
   std::size_t current_ = 0;
   ReferencePath path_;

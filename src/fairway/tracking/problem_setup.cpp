@@ -45,9 +45,9 @@ class NearestMoving {
   std::size_t count_ = 0;
 };
 
-// Returns the distance to keep at the samples so that `distance` is kept between them too, at
-// relative speeds up to `speed`. On a straight piece of length L the foot of the perpendicular is
-// within L/2 of one end, so with D at both ends no point on it is closer than sqrt(D^2 - L^2/4).
+// Returns the distance to keep at the samples so that `distance` is kept between them too. The
+// relative speed is at most `speed`. On a straight piece of length L the foot of the perpendicular
+// is within L/2 of one end, so with D at both ends no point on it is closer than sqrt(D^2 - L^2/4).
 double between_samples(double distance, double speed, double dt) noexcept {
   return std::hypot(distance, 0.5 * speed * dt);
 }

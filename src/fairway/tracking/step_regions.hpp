@@ -12,9 +12,9 @@ namespace fairway {
 /// Constrains the whole horizon to the current rectangle, as the paper does in (15d-1).
 void bind_to_current(const CorridorFollower& corridor, ControlProblem& problem) noexcept;
 
-/// Constrains each step to the rectangle that contains a guessed motion, so that the robot need not
-/// slow down at a switch. The step at which the guess enters the next rectangle is constrained to
-/// both: the motion to it lies in the first and the motion from it in the second.
+/// Constrains each step to the rectangle that contains a guessed motion at that step. The robot
+/// then need not slow down at a switch. The step at which the guess enters the next rectangle is
+/// constrained to both: the motion to it lies in the first and the motion from it in the second.
 /// @param poses  The guess, entry 0 at the start; `problem.horizon` + 1 entries are read.
 void bind_along(const CorridorFollower& corridor,
                 const std::array<Pose2, kMaxHorizon + 1>& poses,

@@ -42,9 +42,8 @@ struct DeepPoint {
   Vector2d center;
 };
 
-// Finds the point of a disc that is deepest inside the box (furthest from its nearest side), in
-// turned coordinates; the depth is negative outside. To avoid this point, a side has to move
-// furthest.
+// Finds the point of a disc that is deepest inside the box, in turned coordinates. The depth is the
+// distance to the nearest side, negative outside. To avoid this point, a side has to move furthest.
 DeepPoint deepest_of_disc(const Vector2d& center, double radius, const Box& box) noexcept {
   // Distances from the nearer of both sides, inwards.
   const Vector2d from_low = center - box.min;

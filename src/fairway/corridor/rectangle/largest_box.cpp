@@ -156,8 +156,8 @@ class Staircases {
   Steps aside_;   // NOLINT(*-member-init)
 };
 
-// The heights at which the top (or bottom) side can stop, and for each how far the box may reach to
-// both sides, considering only the points on this half. All are measured outwards.
+// The heights at which the top (or bottom) side can stop, measured outwards. For each, the extent
+// of the box to both sides, considering only the points on this half.
 struct Levels {
   static constexpr std::size_t kMost = 2 * (2 * kCapacity + 1);
   alignas(16) std::array<float, kMost + 4> height;   // NOLINT(*-member-init): filled by merge

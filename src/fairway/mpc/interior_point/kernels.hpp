@@ -28,9 +28,9 @@ struct SimdKernels {
   /// Solves the Newton system at `mu` and fills `w.step`. @return Whether there is a solution.
   bool (*solve_newton_system)(Workspace& w, double mu) noexcept;
 
-  /// Moves along the step as far as the filter of this barrier problem allows, using at most the
-  /// share `fraction_to_boundary` of any slack; the accepted point becomes `w.now`. If no length is
-  /// acceptable, the violation slacks absorb the residuals of the constraints instead
+  /// Moves along the step as far as the filter of this barrier problem allows. The step uses at
+  /// most the share `fraction_to_boundary` of any slack; the accepted point becomes `w.now`. If no
+  /// length is acceptable, the violation slacks absorb the residuals of the constraints instead
   /// (docs/solver.md section 5). @return False if there is nothing to absorb.
   bool (*take_step)(Workspace& w, double mu, double fraction_to_boundary, Filter& filter) noexcept;
 };

@@ -5,8 +5,8 @@
 
 namespace fairway::interior_point {
 
-/// Returns the cost plus the penalty of all violations of the commands of `point`, Eq. (S2); its
-/// slacks do not matter.
+/// Returns the cost plus the penalty of all violations at `point`, Eq. (S2); the slacks do not
+/// matter.
 [[nodiscard]] double penalised_cost(const Workspace& w, const Point& point) noexcept;
 
 /// Returns the greatest violation of one soft constraint; the slacks do not matter.

@@ -79,8 +79,8 @@ std::optional<LocalPlan> LocalPlanning::take() {
   return std::exchange(made_, std::nullopt);
 }
 
-// Returns the goal if the robot fits there as far as is known; otherwise (approximately) the free
-// place in the window nearest to it.
+// Returns the goal if, as far as is known, the robot fits there. Otherwise returns approximately
+// the free place in the window that is nearest to it.
 Goal LocalPlanning::reachable_goal(const Vector2d& position, const Goal& goal) const noexcept {
   const GridFrame& frame = map_.obstacles.frame();
   const double required = settings_.robot.radius + settings_.path.margin + frame.resolution;

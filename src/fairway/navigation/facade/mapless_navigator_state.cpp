@@ -60,8 +60,8 @@ void MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& pos
   planning->note_change(perception.grid().changed());
 }
 
-// Returns true at once if the robot is about to meet a new obstacle, and in other cases at most
-// once per kRetryAfter.
+// Returns whether to plan now. If the robot is about to meet a new obstacle, it plans at once; in
+// other cases at most once per kRetryAfter.
 bool MaplessNavigator::State::needs_plan(double time) const noexcept {
   constexpr double kRetryAfter = 0.25;  // [s]; without a path, or to extend the corridor
   constexpr double kSoon = 1.0;         // [m] beyond the braking distance

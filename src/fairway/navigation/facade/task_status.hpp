@@ -19,8 +19,7 @@ struct TaskView {
   double patience = 0.0;  ///< time without progress until the task is dropped [s]; 0: never
 };
 
-/// Holds a task, and converts the status of a cycle, which refers to the plan being followed, into
-/// one that refers to the task.
+/// Holds a task, and converts the status of the plan being followed into the status of the task.
 class TaskStatus {
  public:
   void begin(NavigationTask task);

@@ -62,8 +62,8 @@ FAIRWAY_LANES void start_bounds(Workspace& w, double mu) noexcept {
   }
 }
 
-/// Keeps the duals near the central path of `mu`, Eq. (S13), and computes the terms that the bounds
-/// add to the model at `w.now`.
+/// Computes the terms that the bounds add to the model at `w.now`. Before, the duals are kept near
+/// the central path of `mu`, Eq. (S13).
 template <typename Lanes>
 FAIRWAY_LANES void linearise_bounds(Workspace& w,
                                     double mu,

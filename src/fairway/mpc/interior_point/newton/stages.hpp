@@ -26,8 +26,8 @@ struct Quadratic {
     yy += terms.bend;
   }
 
-  /// Transforms a function of the position (x, y) to one of the turn about the origin and the
-  /// motion that lead there, Eq. (S8).
+  /// Changes variables from the position (x, y) to the turn about the origin and the motion that
+  /// lead there, Eq. (S8).
   FAIRWAY_LANES void turn_about_origin(const Lanes& x, const Lanes& y) noexcept {
     xh = xy * x - xx * y;
     yh = yy * x - xy * y;
@@ -100,8 +100,8 @@ FAIRWAY_LANES void add_rows_before(Workspace& w,
   w.stages[k + 2].*member = w.stages[k + 2].*member + rows.fourth;
 }
 
-/// Adds the cost of obstacles near block b by the pose before each step, to the preceding stages,
-/// and their cost by that pose together with the pose after the step.
+/// Adds the cost of obstacles near block b. It depends on the pose before each step, in the
+/// preceding stages, and on that pose together with the pose after the step.
 template <typename Lanes>
 FAIRWAY_LANES void add_barriers(Workspace& w,
                                 std::size_t b,

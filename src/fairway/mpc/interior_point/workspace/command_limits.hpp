@@ -16,8 +16,9 @@ struct CommandLimits {
   /// Bounds of nu_k from its range and from fixed neighbours; equal if nu_k is fixed.
   std::array<double, kMaxHorizon> low;
   std::array<double, kMaxHorizon> high;
-  /// The values at step k that are part of some sequence within all bounds, with 1 % of the change
-  /// bound to spare. The middles of these intervals form a sequence strictly inside every bound.
+  /// The reachable interval of step k: the values that are part of some sequence within all bounds.
+  /// 1 % of the change bound is left to spare. The middles of these intervals form a sequence
+  /// strictly inside every bound.
   std::array<double, kMaxHorizon> reach_low;
   std::array<double, kMaxHorizon> reach_high;
   std::array<bool, kMaxHorizon> fixed;

@@ -14,8 +14,8 @@ struct Progress {
   double residual = 0.0;  ///< theta, the sum of |c + e - s|
 };
 
-/// Pairs on which later iterates of the same barrier problem must improve in one of the two, so
-/// that the iteration cannot cycle. A line search with a filter needs no penalty parameter.
+/// The filter of a line search: pairs on which later iterates must improve in one of the two. It
+/// keeps the iteration on one barrier problem from cycling, and needs no penalty parameter.
 class Filter {
  public:
   static constexpr double kMargin = 1e-5;  ///< least relative decrease of the residual

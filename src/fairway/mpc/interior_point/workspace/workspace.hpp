@@ -66,8 +66,8 @@ struct Bounds {
   PoseArray dual;       ///< gradient of the Lagrangian: dual_high - dual_low
 };
 
-/// Four steps of one soft constraint  c + e = s,  s >= 0, e >= 0, with penalty w e. y is the
-/// multiplier of the constraint, and z = w - y that of e >= 0.
+/// Four steps of one soft constraint: c + e = s, s >= 0, e >= 0, with penalty w e. The multiplier
+/// of the constraint is y, and that of e >= 0 is z = w - y.
 struct SoftConstraintBlock {
   ConstraintKind kind = ConstraintKind::None;
   int index = 0;                            ///< as in ConstraintName
@@ -129,8 +129,8 @@ struct Stage {
   Pack4d linear, angular;               ///< Hessian by the command and the pose before the step
   Pack4d motion;                        ///< B: (x, y) by u, (x, y) by r
   Pack4d command;                       ///< Hessian by the command: (uu, ur, rr); B: heading by r
-  Pack4d coupling;  ///< minus the Hessian by the command and the one before: (u, r), then by the
-                    ///< one before: (u, r)
+  /// Minus the Hessian by the command and the one before: (u, r), then by the one before: (u, r).
+  Pack4d coupling;
 };
 
 /// Feedback of the Riccati recursion, dnu_k = gain . (pose before step k - 1, 1) + change .
