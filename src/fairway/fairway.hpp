@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// Fairway: from a map, or a lidar, to velocity commands for a wheeled robot.
+/// Fairway turns a map, or lidar scans, into velocity commands for a wheeled robot.
 ///
-/// MapNavigator drives on a map, MaplessNavigator on what a lidar sees; both are constructed with
-/// Settings and called once per control period. The stages can be used alone: Planner (path and
-/// corridor), build_corridor, RealTimeSolver.
+/// MapNavigator drives on a map; MaplessNavigator drives on what a lidar measures. Both are
+/// constructed with Settings and called once per control period. The stages can also be used alone:
+/// Planner (path and corridor), build_corridor and RealTimeSolver.
 
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/mpc/interior_point/real_time_solver.hpp"

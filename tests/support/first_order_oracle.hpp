@@ -89,7 +89,7 @@ inline Optimality first_order_optimality(const ControlProblem& problem,
   Eigen::VectorXd gradient = flat(by_command);
   double scale = gradient.norm();
 
-  visit_soft_constraints(problem, [&](const RowName& name) {
+  visit_soft_constraints(problem, [&](const ConstraintName& name) {
     const SoftConstraint row = soft_constraint(problem, poses, name);
     if (row.margin > near) return;
     std::array<Eigen::Vector3d, kMaxHorizon + 1> by_pose;

@@ -63,7 +63,7 @@ class OptimalityOracle {
   }
 
   void add_soft_constraints() {
-    visit_soft_constraints(problem_, [&](const RowName& name) {
+    visit_soft_constraints(problem_, [&](const ConstraintName& name) {
       const SoftConstraint row = soft_constraint(problem_, poses_, name);
       if (row.margin > active_) return;
       const auto k = static_cast<std::size_t>(name.step);

@@ -112,9 +112,9 @@ TEST(Plan, ReportsWhyThereIsNone) {
   refused("--start 4.05,0.5 --goal 7,2", "the robot does not fit at the start");
   refused("--start 1,2 --goal 7.95,2", "the robot does not fit at the goal");
   refused("--start 1,2 --goal 7,2 --robot-radius 0.6",
-          "there is no way from start to goal that is wide enough");
+          "no path from start to goal is wide enough for the robot");
   refused("--start 1,2 --goal 7,2 --clearance 0.55",
-          "there is no way from start to goal that is wide enough");
+          "no path from start to goal is wide enough for the robot");
 }
 
 TEST(Plan, DrawsEveryKindOfPicture) {

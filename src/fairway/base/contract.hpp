@@ -16,13 +16,14 @@ namespace fairway::detail {
 
 }  // namespace fairway::detail
 
-/// Checks what the caller owes. A breach aborts: the watchdog of the base then stops the robot.
+/// Checks a precondition. A violation aborts the process; the watchdog of the base then stops the
+/// robot.
 #define FAIRWAY_EXPECTS(condition) \
   ((condition)                     \
        ? static_cast<void>(0)      \
        : ::fairway::detail::contract_broken("precondition", #condition, __FILE__, __LINE__))
 
-/// Checks what we owe: an invariant or a result.
+/// Checks an invariant or a result of the function itself.
 #define FAIRWAY_ENSURES(condition)    \
   ((condition) ? static_cast<void>(0) \
                : ::fairway::detail::contract_broken("invariant", #condition, __FILE__, __LINE__))

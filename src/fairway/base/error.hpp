@@ -9,19 +9,19 @@
 
 namespace fairway {
 
-/// Why something from outside (a file, a key, a number) could not be used: one line for a person.
+/// Explains to the user, in one line, why a file, a key or a number was rejected.
 ///
-/// Form: `FILE:LINE: key: expected ..., found ...`, as far as these apply.
+/// The form is `FILE:LINE: key: expected ..., found ...`, as far as these parts apply.
 struct Error {
   std::string message;
 };
 
-/// A value, or the reason why there is none.
+/// Holds a value, or the error that explains why there is none.
 template <typename T>
 using Expected = tl::expected<T, Error>;
 
-/// `text` with a space for every control character: what was found in a file, or a file's name, may
-/// hold line breaks.
+/// Replaces every control character in `text` by a space. Text from a file, or the name of a file,
+/// may contain line breaks.
 [[nodiscard]] inline std::string one_line(std::string text) {
   const auto is_control = [](char c) {
     const auto code = static_cast<unsigned char>(c);
@@ -31,7 +31,7 @@ using Expected = tl::expected<T, Error>;
   return text;
 }
 
-/// The failed form of every Expected: `return fail("...");` Makes one line of the message.
+/// Makes the failed form of every Expected, with a message of one line: `return fail("...");`.
 [[nodiscard]] inline tl::unexpected<Error> fail(std::string message) {
   return tl::unexpected<Error>(Error{one_line(std::move(message))});
 }

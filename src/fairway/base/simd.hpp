@@ -8,17 +8,16 @@
 #include <cstring>
 #include <limits>
 
-// Four numbers that are computed on at once.
+// This file defines lanes: four numbers that are processed at once.
 //
-// Doubles: loops over the steps of the horizon take four of them
-// at a time, and are templates over the kind of registers that hold the four: two of 128 bits, as
-// every x86-64 and ARM processor has, or one of 256. The operations and their order are the same,
-// hence the results, to the bit.
+// Loops over the steps of the horizon process four doubles at a time. They are templates over the
+// register type: two registers of 128 bits, which every x86-64 and ARM processor has, or one of 256
+// bits. Both perform the same operations in the same order, so the results are equal to the bit.
 
-// A function can be compiled for AVX2, whatever the rest is compiled for. All that it calls with
-// lanes has to become a part of it, because how they would be passed depends on the processor: so
-// what takes or returns lanes is inlined always, and is no lambda. Sanitizers make too much of such
-// a function, and do without it.
+// A function can be compiled for AVX2, whatever the rest is compiled for. Every function that it
+// calls with lanes must be inlined into it, because the calling convention for lanes depends on the
+// processor. Functions that take or return lanes are therefore always inlined, and are not lambdas.
+// Sanitizers make such functions too large, so builds with sanitizers do without AVX2.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define FAIRWAY_HAS_LANES256
 #define FAIRWAY_LANES [[gnu::always_inline]] inline
@@ -30,8 +29,8 @@ namespace fairway {
 
 inline constexpr std::size_t kLanes = 4;
 
-/// Four doubles in memory. Assigned from lanes register by register: what is stored in other pieces
-/// than it is loaded again soon after, makes the processor wait.
+/// Four doubles in memory. Lanes are stored register by register: a load of another width than the
+/// preceding store of the same memory would stall the processor.
 struct alignas(kLanes * sizeof(double)) Pack4d {
   std::array<double, kLanes> values;
 
@@ -44,8 +43,8 @@ struct alignas(kLanes * sizeof(double)) Pack4d {
   [[nodiscard]] double& operator[](std::size_t lane) noexcept { return values[lane]; }
 };
 
-/// Four doubles in registers of type `Register`, a vector type of the compiler, with `Integers` for
-/// their bits. A number stands for four equal ones, so that formulas read as usual.
+/// Four doubles in registers of the compiler's vector type `Register`; `Integers` is the type of
+/// their bits. A scalar converts to four equal lanes, so that formulas read as usual.
 template <typename Register, typename Integers>
 class BasicLanes {
  public:
@@ -82,7 +81,7 @@ class BasicLanes {
     return registers_[lane / kWidth][lane % kWidth];
   }
 
-  // The registers themselves, and the bits of one.
+  // Access to the registers, and to the bits of one register.
   [[nodiscard]] FAIRWAY_LANES const Register& part(std::size_t i) const noexcept {
     return registers_[i];
   }
@@ -144,7 +143,7 @@ class BasicLanes {
       result.registers_[i] = a.registers_[i] > b.registers_[i] ? a.registers_[i] : b.registers_[i];
     return result;
   }
-  /// Lanes of `yes` where a > b, of `no` elsewhere.
+  /// Selects `yes` in the lanes where a > b, and `no` in the others.
   FAIRWAY_LANES friend BasicLanes where_greater(const BasicLanes& a,
                                                 const BasicLanes& b,
                                                 const BasicLanes& yes,
@@ -180,7 +179,7 @@ using Integers256 [[gnu::vector_size(32)]] = std::uint64_t;
 using Lanes128 = BasicLanes<Register128, Integers128>;
 using Lanes256 = BasicLanes<Register256, Integers256>;
 
-/// Entries k..k+3 of an array. @pre they exist.
+/// Loads entries k to k + 3 of an array. @pre these entries exist.
 template <typename Lanes, std::size_t n>
 FAIRWAY_LANES Lanes lanes(const std::array<double, n>& array, std::size_t k) noexcept {
   Lanes value;
@@ -192,7 +191,7 @@ FAIRWAY_LANES void put(std::array<double, n>& array, std::size_t k, const Lanes&
   value.store(array.data() + k);
 }
 
-/// Four times four numbers, turned: the first of each, the second of each, and so on.
+/// The transpose of a 4 x 4 matrix: `first` holds the first lane of each argument, and so on.
 template <typename Lanes>
 struct Transposed {
   Lanes first, second, third, fourth;
@@ -225,10 +224,11 @@ FAIRWAY_LANES Transposed<Lanes> transposed(const Lanes& a,
   return t;
 }
 
-/// Four floats that one instruction works on, the outcome of comparing them (all bits set where it
-/// holds), and bits to collect such outcomes in. The vector types that GCC and Clang share;
-/// arithmetic, comparison and selection (`mask ? a : b`) work lane by lane, numbers stand for four
-/// equal ones.
+/// The vector types of GCC and Clang: four floats, the mask of a comparison, and bits to accumulate
+/// masks in.
+///
+/// A comparison sets all bits of a lane where it is true. Arithmetic, comparison and selection
+/// (`mask ? a : b`) work lane by lane; a scalar is broadcast to all lanes.
 using Pack4f = float __attribute__((vector_size(16)));
 using Mask4 = int __attribute__((vector_size(16)));
 using Bits4 = unsigned __attribute__((vector_size(16)));
@@ -236,16 +236,16 @@ using Bits4 = unsigned __attribute__((vector_size(16)));
 [[nodiscard]] inline Pack4f min(Pack4f a, Pack4f b) noexcept { return a < b ? a : b; }
 [[nodiscard]] inline Pack4f max(Pack4f a, Pack4f b) noexcept { return a > b ? a : b; }
 
-/// The same number in every lane.
+/// Returns the same number in every lane.
 [[nodiscard]] inline Pack4f four(float a) noexcept { return Pack4f{a, a, a, a}; }
 
-/// -a where the mask holds, a elsewhere. @pre a is not negative.
+/// Returns -a where the mask is set, and a elsewhere. @pre a is not negative.
 [[nodiscard]] inline Pack4f with_sign_of(Mask4 mask, Pack4f a) noexcept {
   constexpr int kSign = std::numeric_limits<int>::min();
   return std::bit_cast<Pack4f>(std::bit_cast<Mask4>(a) | (mask & kSign));
 }
 
-/// The four numbers from an address on, which need not be aligned.
+/// Loads four numbers from `from`, which need not be aligned.
 [[nodiscard]] inline Pack4f load4(const float* from) noexcept {
   Pack4f result;
   std::memcpy(&result, from, sizeof result);

@@ -8,13 +8,13 @@
 
 #include "fairway/base/simd.hpp"
 
-// Sine, cosine and logarithm of four numbers at once. The standard library's differ in the last bit
-// from one processor to another.
+// Sine, cosine and logarithm of four numbers at once. The functions of the standard library differ
+// in the last bit between processors; these do not.
 
 namespace fairway {
 
-// Takes `even` or `odd` by the last bit of `quarter`, and minus that if the bit before it, of the
-// quarter plus `ahead`, is set.
+// Selects `even` or `odd` by the last bit of `quarter`. The result is negated if the bit before the
+// last of quarter + ahead is set.
 template <typename Lanes>
 FAIRWAY_LANES Lanes turned_by_quarters(const Lanes& quarter,
                                        std::uint64_t ahead,
@@ -37,8 +37,8 @@ struct Direction {
   Lanes cosine, sine;
 };
 
-/// Directions of four headings; the error is below 2e-16 up to 1e6 rad, beyond which the standard
-/// library answers.
+/// Computes the directions of four headings. The error is below 2e-16 up to 1e6 rad; beyond that
+/// the functions of the standard library are used.
 template <typename Lanes>
 FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
   constexpr double kMostHeading = 1e6;
@@ -48,15 +48,16 @@ FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
             .sine = Lanes(std::sin(heading[0]), std::sin(heading[1]), std::sin(heading[2]),
                           std::sin(heading[3]))};
   }
-  // heading = quarter * pi / 2 + a with |a| <= pi / 4. Adding kRounding makes doubles integers,
-  // which then are their last bits; pi / 2 is split so that products with quarters are exact.
+  // heading = quarter * pi / 2 + a with |a| <= pi / 4. Adding kRounding rounds a double to an
+  // integer, which its last bits then hold; pi / 2 is split so that products with quarters are
+  // exact.
   constexpr double kRounding = 0x1.8p+52;
   constexpr double kQuarterHigh = 0x1.921fb544p+0;
   constexpr double kQuarterLow = 0x1.0b4611a626331p-34;
   const Lanes shifted = heading * (2.0 / std::numbers::pi) + kRounding;
   const Lanes quarter = shifted - kRounding;
   const Lanes a = (heading - quarter * kQuarterHigh) - quarter * kQuarterLow;
-  // Taylor: the first terms left out are below 1e-16.
+  // Taylor series; the first omitted terms are below 1e-16.
   const Lanes q = a * a;
   const Lanes sine =
       a +
@@ -74,19 +75,19 @@ FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
                                 q * (-1.0 / 3628800 +
                                      q * (1.0 / 479001600 + q * (-1.0 / 87178291200.0 +
                                                                  q * (1.0 / 20922789888000.0)))))));
-  // By quarter: (c, s), (-s, c), (-c, -s), (s, -c).
+  // The result by quarter: (c, s), (-s, c), (-c, -s), (s, -c).
   return {.cosine = turned_by_quarters(shifted, 1, cosine, sine),
           .sine = turned_by_quarters(shifted, 0, sine, cosine)};
 }
 
-/// Natural logarithm of a number in [1, 16), with an error below 1e-15.
+/// Computes the natural logarithm of a number in [1, 16), with an error below 1e-15.
 [[nodiscard]] inline double log_below_16(double value) noexcept {
   double doublings = 0.0;
   while (value > std::numbers::sqrt2) {
     value *= 0.5;
     doublings += 1.0;
   }
-  // log value = 2 artanh t; the first term left out is below 1e-18.
+  // log value = 2 artanh t; the first omitted term is below 1e-18.
   const double t = (value - 1.0) / (value + 1.0);
   const double q = t * t;
   const double series =
@@ -101,8 +102,8 @@ FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
   return 2.0 * t * series + std::numbers::ln2 * doublings;
 }
 
-/// Sum of the logarithms of many positive numbers: their product, with the exponents counted apart,
-/// and one logarithm at the end. @pre each is between 1e-100 and 1e100.
+/// Sums the logarithms of many positive numbers: multiplies the mantissas, adds the exponents
+/// separately, and takes one logarithm at the end. @pre each number is between 1e-100 and 1e100.
 template <typename Lanes>
 class LogSum {
  public:

@@ -8,12 +8,12 @@
 
 namespace fairway {
 
-/// What a corridor's rectangles are free for.
+/// The space in which the rectangles of a corridor are free.
 enum class CorridorSpace : std::uint8_t {
-  /// The rectangle is free; the robot's centre must stay `inward_offset` inside (the paper, Eq.
-  /// (10)).
+  /// The rectangle is free of obstacles. The robot's centre must stay `inward_offset` inside it
+  /// (Eq. (10) of the paper).
   Workspace,
-  /// Every point of the rectangle is free for the centre of a disc of `robot_radius`.
+  /// The centre of a disc of `robot_radius` may be at every point of the rectangle.
   Configuration,
 };
 
@@ -21,30 +21,34 @@ enum class CorridorSpace : std::uint8_t {
   return space == CorridorSpace::Workspace ? "workspace" : "configuration";
 }
 
-/// The stretch of a path that a rectangle was built for, by distance along the path [m].
+/// The part of a path that a rectangle was built for, by arc length along the path [m].
 struct PathSpan {
   double from = 0.0;
   double to = 0.0;
 };
 
-/// The free space along a path: rectangles in travel order, each with its seed on the path. The
-/// first seed is the start of the path; the others, from Fewest, lie in the rectangle before too.
+/// The free space along a path: rectangles in travel order, each with its seed on the path.
+///
+/// The first seed is the start of the path. Every other seed of a corridor by Fewest also lies in
+/// the rectangle before.
 struct Corridor {
   CorridorSpace space = CorridorSpace::Configuration;
-  double robot_radius = 0.0;   ///< the disc that the rectangles are free for, in Configuration [m]
-  double inward_offset = 0.0;  ///< room between the rectangle's sides and the robot's centre [m]
+  /// Radius of the disc for which the rectangles are free, in Configuration [m].
+  double robot_radius = 0.0;
+  /// Least distance of the robot's centre from the sides, in Workspace [m].
+  double inward_offset = 0.0;
   std::vector<OrientedRectangle> rectangles;
 
-  /// For each rectangle the stretch of the path that its admissible part holds: the first begins at
+  /// For each rectangle the part of the path that its admissible part contains. The first begins at
   /// the start, the last ends at the goal, and consecutive ones meet or overlap.
   std::vector<PathSpan> spans;
 
-  /// Where the robot's centre may be while it is in rectangle `i`: moved inward by `inward_offset`.
+  /// Returns rectangle `i` moved inward by `inward_offset`: the region for the robot's centre.
   [[nodiscard]] OrientedRectangle admissible(std::size_t i) const noexcept {
     return rectangles[i].shrunk(inward_offset);
   }
 
-  /// Mean area of the rectangles as built [m^2]; 0 for none.
+  /// Mean area of the rectangles as built [m^2]; 0 for an empty corridor.
   [[nodiscard]] double mean_area() const noexcept {
     double sum = 0.0;
     for (const OrientedRectangle& r : rectangles)
@@ -53,12 +57,12 @@ struct Corridor {
   }
 };
 
-/// How building a corridor ended.
+/// Result of building a corridor.
 enum class CorridorStatus : std::uint8_t {
-  Built,         ///< start and goal inside, consecutive admissible rectangles overlap
+  Built,         ///< start and goal are inside, and consecutive admissible rectangles overlap
   EmptyPath,     ///< the path has no waypoint, or its length is not finite
-  SeedBlocked,   ///< no rectangle can hold the path at `stuck_at`
-  NoOverlap,     ///< no rectangle there overlaps the chain so far in a patch large enough
+  SeedBlocked,   ///< no rectangle can contain the path at `stuck_at`
+  NoOverlap,     ///< no rectangle overlaps the chain so far by the area required
   InvalidInput,  ///< the radius is negative or not finite, or a setting is out of its range
 };
 
@@ -71,7 +75,7 @@ enum class CorridorStatus : std::uint8_t {
     case CorridorStatus::SeedBlocked:
       return "the path touches an obstacle";
     case CorridorStatus::NoOverlap:
-      return "no rectangle continues the chain";
+      return "no rectangle overlaps the corridor so far by the area required";
     case CorridorStatus::InvalidInput:
       return "the radius is negative or not finite, or a setting is out of its range";
   }
@@ -81,8 +85,8 @@ enum class CorridorStatus : std::uint8_t {
 /// A corridor, or where and why the path could not be covered.
 struct CorridorResult {
   CorridorStatus status = CorridorStatus::EmptyPath;
-  Corridor corridor;               ///< complete only if Built; else the part before the break
-  double stuck_at = 0.0;           ///< arc length along the path where it is stuck [m]
+  Corridor corridor;               ///< complete only if Built; otherwise the part before `stuck_at`
+  double stuck_at = 0.0;           ///< arc length along the path at which building stopped [m]
   std::size_t stuck_waypoint = 0;  ///< index of the last waypoint at or before `stuck_at`
 };
 

@@ -15,13 +15,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-// What differs between two maps inside a block.
+// The differences between two maps inside a block.
 struct Difference {
   bool any = false;
-  std::optional<CellBlock> freed;  // around the cells that became free
+  std::optional<CellBlock> freed;  // bounding block of the cells that became free
 };
 
-// Takes the block of `now` over into `known` and tells what changed.
+// Copies the block of `now` into `known` and returns what changed.
 Difference take_over(const BitGrid& now, const CellBlock& changed, BitGrid& known) noexcept {
   Difference difference;
   const int left = std::max(changed.min.x, 0);
@@ -52,7 +52,7 @@ OrientedRectangle in_world(const GridFrame& frame, const CellBlock& block) noexc
                  frame.resolution};
 }
 
-// Where the patch asked for has hardly room, more and other rectangles may still make a chain.
+// Where there is hardly space for the overlap required, a chain of more rectangles may still exist.
 CorridorResult with_more_rectangles(const BitGrid& obstacles,
                                     const Path& path,
                                     double robot_radius,
@@ -62,7 +62,7 @@ CorridorResult with_more_rectangles(const BitGrid& obstacles,
   return other.status == CorridorStatus::Built ? other : stuck;
 }
 
-// Whether a corridor can be asked for with these numbers; written so that NaN fails.
+// Returns whether a corridor can be built with these numbers; this form also rejects NaN.
 bool is_valid(double robot_radius, const CorridorSettings& settings) noexcept {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   const auto not_negative = [](double value) { return value >= 0.0 && std::isfinite(value); };
@@ -100,9 +100,9 @@ struct CorridorBuilder::State {
   Path path_;
   double robot_radius_ = 0.0;
   CorridorSettings settings_;
-  BitGrid known_;  // the map that the corridor was made for
+  BitGrid known_;  // the map for which the corridor was built
   bool has_path_ = false;
-  bool can_repair_ = false;  // fewest_ holds the chain of result_
+  bool can_repair_ = false;  // whether fewest_ holds the chain of result_
 };
 
 const CorridorResult& CorridorBuilder::State::build(const BitGrid& obstacles,
@@ -144,14 +144,14 @@ const CorridorResult& CorridorBuilder::State::update(const BitGrid& obstacles,
   const bool workspace = settings_.space == CorridorSpace::Workspace;
   const double clearance = workspace ? 0.0 : robot_radius_;
   const double beside = clearance + 2.0 * obstacles.frame().resolution;
-  const auto spoilt = [&](const OrientedRectangle& rectangle) {
+  const auto outdated = [&](const OrientedRectangle& rectangle) {
     const bool may_grow =
         difference.freed &&
         overlap(rectangle.shrunk(-beside), in_world(obstacles.frame(), *difference.freed)).count >
             0;
     return may_grow || !is_free(obstacles, rectangle, clearance);
   };
-  result_ = fewest_.repair(obstacles, difference.freed.has_value(), spoilt);
+  result_ = fewest_.repair(obstacles, difference.freed.has_value(), outdated);
   if (result_.status != CorridorStatus::Built) return rebuild(obstacles);
   return result_;
 }

@@ -10,13 +10,14 @@
 
 namespace fairway {
 
-/// Covers a path with rectangles, Algorithm 2 or the fewest, as `settings.method` says.
+/// Covers a path with rectangles, by the method that `settings.method` selects.
 ///
-/// When the status is Built: every rectangle is free (is_free with clearance 0 in Workspace, with
-/// `robot_radius` in Configuration), the first admissible one holds the start and the last the
-/// goal, and consecutive admissible ones overlap by at least `settings.min_overlap_area`. Where
-/// Fewest finds no room for that patch, the rectangles of Mdsrc are tried before it gives up. A
-/// radius that is negative or not finite, or a setting out of its range, gives InvalidInput.
+/// If the status is Built, every rectangle is free (is_free with clearance 0 in Workspace, with
+/// `robot_radius` in Configuration). The first admissible rectangle contains the start and the last
+/// one the goal. Consecutive admissible rectangles overlap by at least `settings.min_overlap_area`.
+/// Where Fewest finds no space for that overlap, the rectangles of Mdsrc (Algorithm 2) are tried
+/// before it gives up. A radius that is negative or not finite, or a setting out of its range,
+/// gives InvalidInput.
 [[nodiscard]] CorridorResult build_corridor(const BitGrid& obstacles,
                                             const Path& path,
                                             double robot_radius,
@@ -30,9 +31,9 @@ struct CellBlock {
 
 /// Keeps a corridor up to date while the map changes, once per control cycle.
 ///
-/// Keeps what it built: after a change only rectangles that are no longer free, and those beside
-/// cells that became free, are made anew. What it answers depends on its whole history of calls,
-/// and on nothing else. Not thread-safe.
+/// After a change it rebuilds only rectangles that are no longer free, and those beside cells that
+/// became free. The result depends on the whole history of calls, and on nothing else. Not
+/// thread-safe.
 class CorridorBuilder {
  public:
   CorridorBuilder();
@@ -40,18 +41,19 @@ class CorridorBuilder {
   CorridorBuilder& operator=(CorridorBuilder&&) noexcept;
   ~CorridorBuilder();
 
-  /// As build_corridor; reuses memory.
+  /// Builds a corridor as build_corridor does; reuses memory.
   const CorridorResult& build(const BitGrid& obstacles,
                               const Path& path,
                               double robot_radius,
                               const CorridorSettings& settings);
 
-  /// Brings the corridor up to date after cells inside `changed` may have changed (clipped to the
-  /// map); the rest of the map must be as it was. A chain that is Built keeps all the promises of
-  /// build_corridor, is as short as before where nothing changed, and gets shorter where the change
-  /// allows it. Builds everything anew when the last result was not Built or came from Mdsrc, when
-  /// the map's frame is another, or when the chain cannot be repaired. Does nothing before the
-  /// first build.
+  /// Updates the corridor after cells inside `changed` may have changed (clipped to the map).
+  ///
+  /// The rest of the map must be unchanged. A chain that is Built keeps all guarantees of
+  /// build_corridor. It is as short as before where nothing changed, and shorter where the change
+  /// allows it. The whole corridor is built again if the last result was not Built or came from
+  /// Mdsrc, if the map's frame changed, or if the chain cannot be repaired. Before the first build
+  /// the call has no effect.
   const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
 
   [[nodiscard]] const CorridorResult& result() const noexcept;

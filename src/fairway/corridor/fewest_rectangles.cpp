@@ -12,17 +12,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Room between the path and the sides, so that start and goal are inside whatever rounding does
-// [m].
+// Distance between the path and the sides [m], so that start and goal are inside in spite of
+// rounding.
 constexpr double kInside = 1e-7;
 
-// How deep inside the box a point is; negative outside.
+// Depth of a point inside the box [cells]; negative outside.
 double depth(const RectangleSearch::Found& found, const Vector2d& point) noexcept {
   const Vector2d p = found.frame.turned(point - found.frame.origin);
   return std::min((p - found.box.min).minCoeff(), (found.box.max - p).minCoeff());
 }
 
-// The same rectangle, counted from another seed.
+// Changes the seed of a rectangle, and keeps its place.
 void reseed(OrientedRectangle& rectangle, const Vector2d& seed) noexcept {
   const Vector2d moved = rectangle.to_local(seed);
   rectangle.min -= moved;
@@ -33,9 +33,11 @@ void reseed(OrientedRectangle& rectangle, const Vector2d& seed) noexcept {
 }  // namespace
 
 Reach FewestRectangles::onward_reach(const BitGrid& obstacles, const Joint& begin) {
-  // Every reach ends at a corner or a good part of a cell on, so any progress will do [cells].
+  // Every reach ends at a corner or a good part of a cell further, so any progress suffices
+  // [cells].
   constexpr double kProgress = 1e-6;
-  // With less than this, other joints may lead further; a joint about the path is better to drive.
+  // With less progress than this, other joints are tried, which may lead further. A joint centred
+  // on the path is preferred.
   constexpr double kGoodProgress = 20.0;  // [cells]
   constexpr double kFairProgress = 5.0;   // [cells]
   const int shapes = min_overlap_ > 0.0 ? internal::kJointShapes : 1;
@@ -55,8 +57,8 @@ Reach FewestRectangles::onward_reach(const BitGrid& obstacles, const Joint& begi
   return best;
 }
 
-// Whether one rectangle, where the reach was found, can lead to the joint at the beginning of an
-// old link; of the furthest such links a few are tried.
+// Tries to end the new links at an old one: whether one rectangle, where the reach was found, can
+// lead to the joint at the beginning of an old link. The furthest few such links are tried.
 bool FewestRectangles::hook(const BitGrid& obstacles,
                             const Joint& begin,
                             const Reach& reach,
@@ -78,14 +80,14 @@ bool FewestRectangles::hook(const BitGrid& obstacles,
   return false;
 }
 
-// Fills fresh_ with links from `begin` to the goal, or to an old link from `first_old` on, which
-// hooked_ then names.
+// Fills fresh_ with links from `begin` to the goal, or to the old link hooked_, at or after
+// `first_old`.
 bool FewestRectangles::plan(const BitGrid& obstacles, Joint begin, std::size_t first_old) {
   fresh_.clear();
   while (true) {
     const Reach reach = onward_reach(obstacles, begin);
     if (!reach.found) {
-      note_stuck(obstacles, begin);
+      record_break(obstacles, begin);
       return false;
     }
     if (reach.end.to < track_.length() && hook(obstacles, begin, reach, first_old)) return true;
@@ -113,33 +115,33 @@ bool FewestRectangles::make_rectangle(const BitGrid& obstacles, Link& link) {
   return true;
 }
 
-// The joint of the same shape as `latest`, nearest to the start, that the last rectangle holds
-// without a gap from `latest` on.
+// Moves a joint towards the start, as far as the last rectangle contains it. The shape of `latest`
+// is kept, and the rectangle contains the path between the two.
 Joint FewestRectangles::joint_towards_start(const Joint& latest) const noexcept {
   constexpr double kStep = 1.0;  // [cells]
   Joint joint = latest;
-  if (latest.to > latest.from || latest.beside())
-    return joint;  // in a narrow place nothing is to be gained
-  // A box that holds both ends of a straight line holds the line: stop at every corner.
+  if (latest.to > latest.from || latest.beside()) return joint;  // a narrow place: nothing to gain
+  // A box that contains both ends of a straight line contains the line, so each corner is checked.
   for (double s = latest.from; s > 0.0;) {
     const double corner = track_.arc()[track_.segment(s)];
     s = std::max(s - kStep, corner < s ? corner : track_.arc()[track_.segment(s) - 1]);
-    const double room = depth(last_found_, track_.at(s));
-    if (room < reach_settings_.margin) break;
-    if (s > 0.0 && room >= latest.margin) joint.from = joint.to = s;
+    const double inside = depth(last_found_, track_.at(s));
+    if (inside < reach_settings_.margin) break;
+    if (s > 0.0 && inside >= latest.margin) joint.from = joint.to = s;
   }
   return joint;
 }
 
-// Gives every fresh link its rectangle, from the last to the first, and moves the joints between
-// them as far towards the start as the later rectangle reaches: less to hold, more room to grow.
+// Computes the rectangle of every fresh link, from the last to the first. Each joint is then moved
+// towards the start as far as the later rectangle reaches; the earlier one has less to contain and
+// can grow more.
 bool FewestRectangles::fill(const BitGrid& obstacles) {
   for (std::size_t i = fresh_.size(); i-- > 0;) {
     Link& link = fresh_[i];
     if (i + 1 < fresh_.size()) {
       const Joint planned = link.piece.end;
       link.piece.end = fresh_[i + 1].piece.begin;
-      // The joint may have no room here where it was moved to.
+      // The moved joint may have too little clearance here; then use the planned one.
       if (!make_rectangle(obstacles, link)) {
         link.piece.end = planned;
         fresh_[i + 1].piece.begin = planned;
@@ -162,9 +164,9 @@ bool FewestRectangles::fill(const BitGrid& obstacles) {
   return true;
 }
 
-// Says where and why the chain that ends at `begin` goes no further. A path that is blocked a
-// little further on, where joints have no room any more, is blocked there; else the joint fails.
-void FewestRectangles::note_stuck(const BitGrid& obstacles, const Joint& begin) {
+// Records where and why the chain ending at `begin` stops. If the path is blocked slightly further
+// on, where joints have no clearance, the path is the reason; otherwise the joint is.
+void FewestRectangles::record_break(const BitGrid& obstacles, const Joint& begin) {
   const double nearby = 2.0 * begin.margin + 2.0;
   double stuck = begin.to;
   const auto plain_reach = [&](double from) {
@@ -182,8 +184,8 @@ void FewestRectangles::note_stuck(const BitGrid& obstacles, const Joint& begin) 
   result_.stuck_waypoint = waypoint_before(path_, result_.stuck_at);
 }
 
-// Finds an orientation in which one rectangle still can hold what a link holds, near the one that
-// it had.
+// Finds an orientation, near the old one, in which one rectangle can still contain the piece of a
+// link.
 bool FewestRectangles::find_turn(const BitGrid& obstacles, Link& link) const noexcept {
   const double spacing = std::numbers::pi / 2.0 / reach_settings_.num_orientations;
   TurnedFrame frame{.origin = track_.at(link.piece.begin.from)};
@@ -199,7 +201,7 @@ bool FewestRectangles::find_turn(const BitGrid& obstacles, Link& link) const noe
   return false;
 }
 
-// Fills fresh_ with links that hold what links `first` to `last` - 1 hold, each turned anew.
+// Fills fresh_ with the pieces of links `first` to `last` - 1, with new orientations.
 bool FewestRectangles::keep_joints(const BitGrid& obstacles, std::size_t first, std::size_t last) {
   fresh_.assign(links_.begin() + static_cast<std::ptrdiff_t>(first),
                 links_.begin() + static_cast<std::ptrdiff_t>(last));
@@ -209,9 +211,8 @@ bool FewestRectangles::keep_joints(const BitGrid& obstacles, std::size_t first, 
          fill(obstacles);
 }
 
-// Replaces links `first` to `last` - 1, and later ones where the new links reach further. When
-// stuck, cuts the chain where it breaks. @return the index of the first old link that remains after
-// the new ones.
+// Replaces links `first` to `last` - 1, and later ones if the new links reach further. If the chain
+// breaks, it ends there. @return the index of the first old link after the new ones.
 std::size_t FewestRectangles::replace(const BitGrid& obstacles,
                                       std::size_t first,
                                       std::size_t last,
@@ -224,7 +225,7 @@ std::size_t FewestRectangles::replace(const BitGrid& obstacles,
     const bool filled = fill(obstacles);
     if (!planned || !filled) {
       hooked_ = links_.size();
-      if (planned) note_stuck(obstacles, begin);  // no known way to get here
+      if (planned) record_break(obstacles, begin);  // no known input leads here
       if (!filled) fresh_.clear();
     }
   }
@@ -265,8 +266,8 @@ const CorridorResult& FewestRectangles::build(const BitGrid& obstacles,
   const double cell = grid.resolution;
   clearance_ = workspace ? 0.0 : robot_radius;
   min_overlap_ = settings.min_overlap_area / (cell * cell);
-  // The orientation that the reach was found at is tried as well, so a coarse look at the others
-  // will do: much of the time for little of the area.
+  // The orientation of the reach is tried as well, so a coarse search over the others suffices: it
+  // saves much time and loses little area.
   rectangle_settings_ = {.longest_side = settings.longest_side,
                          .num_orientations = 8,
                          .refinements = 3,

@@ -10,37 +10,41 @@
 
 namespace fairway {
 
-/// Covers a path with as few rectangles as it can, each as large as it can be.
+/// Covers a path with as few rectangles as possible, each as large as possible.
 ///
-/// 1. Forwards: from the start the longest stretch that one free rectangle can hold, then on from
-///    there to the goal. That fixes the number of rectangles.
-/// 2. Backwards: each rectangle is made the largest that holds what the forward pass left to it,
-///    less what the rectangle after it holds already.
+/// 1. Forward pass: finds the longest part of the path from the start that one free rectangle can
+/// contain, then continues from there to the goal. This fixes the number of rectangles. 2. Backward
+/// pass: makes each rectangle the largest that contains its part of the path, less the part that
+/// the rectangle after it already contains.
 ///
-/// Where two rectangles meet, both hold a disc about the path, large enough for the patch that the
-/// settings ask for; where that has no room, a smaller disc swept along a stretch of the path.
+/// Where two rectangles meet, both contain a disc about the path that is large enough for the
+/// overlap required. Where there is no space for it, they contain a smaller disc swept along a part
+/// of the path.
 class FewestRectangles {
  public:
-  /// See build_corridor. `settings.method` is not looked at.
+  /// Builds a corridor; see build_corridor. `settings.method` is not used.
   const CorridorResult& build(const BitGrid& obstacles,
                               const Path& path,
                               double robot_radius,
                               const CorridorSettings& settings);
 
-  /// The same path after the map changed: makes anew only runs of rectangles for which `spoilt`
-  /// says so, asked once for each. What remains joins up with what is new.
-  /// @param may_be_fewer  Whether fewer rectangles might do than before, as when cells became free;
-  ///                      if not, new ones hold what the old ones held, as far as that is possible.
+  /// Repairs the corridor of the same path after the map changed.
+  ///
+  /// Only runs of rectangles for which `outdated` returns true are replaced; it is called once for
+  /// each. The new rectangles connect to those that remain.
+  /// @param may_be_fewer  Whether fewer rectangles may suffice than before, for example because
+  ///       cells became free. If not, new rectangles contain what the old ones contained, if
+  ///       possible.
   /// @pre the last build or repair was Built, and the map has the same frame.
-  template <typename Spoilt>
-  const CorridorResult& repair(const BitGrid& obstacles, bool may_be_fewer, Spoilt&& spoilt) {
+  template <typename Outdated>
+  const CorridorResult& repair(const BitGrid& obstacles, bool may_be_fewer, Outdated&& outdated) {
     for (std::size_t first = 0; first < links_.size();) {
-      if (!spoilt(links_[first].rectangle)) {
+      if (!outdated(links_[first].rectangle)) {
         ++first;
         continue;
       }
       std::size_t last = first + 1;
-      while (last < links_.size() && spoilt(links_[last].rectangle))
+      while (last < links_.size() && outdated(links_[last].rectangle))
         ++last;
       const std::size_t after = replace(obstacles, first, last, may_be_fewer);
       if (result_.status != CorridorStatus::Built) break;
@@ -52,7 +56,8 @@ class FewestRectangles {
   [[nodiscard]] const CorridorResult& result() const noexcept { return result_; }
 
  private:
-  // One rectangle: what it holds of the path, its orientation against the grid, and itself.
+  // One rectangle: the part of the path that it contains, its orientation relative to the grid, and
+  // itself.
   struct Link {
     PathPiece piece;
     double angle = 0.0;
@@ -74,7 +79,7 @@ class FewestRectangles {
                       std::size_t first,
                       std::size_t last,
                       bool may_be_fewer);
-  void note_stuck(const BitGrid& obstacles, const Joint& begin);
+  void record_break(const BitGrid& obstacles, const Joint& begin);
   const CorridorResult& report(const GridFrame& grid);
 
   double clearance_ = 0.0;
@@ -88,8 +93,8 @@ class FewestRectangles {
   RectangleSearch::Found last_found_;
   std::vector<Anchor> anchors_;
   std::vector<Link> links_;  // the chain
-  std::vector<Link> fresh_;  // what is to replace a part of it
-  std::size_t hooked_ = 0;   // index in links_ that the fresh part leads to
+  std::vector<Link> fresh_;  // links that will replace a part of the chain
+  std::size_t hooked_ = 0;   // index in links_ of the link after the fresh ones
   CorridorResult result_;
 };
 

@@ -18,20 +18,20 @@ using Eigen::Vector2d;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// Whether some obstacle point lies in the box.
+// Returns whether an obstacle point lies in the box.
 bool holds_point(const ObstaclePoints& points, const TurnedFrame& frame, const Box& box) noexcept {
   const auto c = static_cast<float>(frame.along.x());
   const auto s = static_cast<float>(frame.along.y());
-  // How far each point is from the box's centre beyond what the box reaches; a hair less, as
-  // rounding must not turn a point on the border into one inside.
-  constexpr double kHair = 1e-3;
+  // For each point: its distance from the box's centre minus the half size, per axis. The half size
+  // is reduced by a tolerance, so that rounding never moves a point on the border inside.
+  constexpr double kTolerance = 1e-3;
   const Vector2d center = box.center();
-  const Vector2d half = 0.5 * (box.max - box.min) - Vector2d::Constant(kHair);
+  const Vector2d half = 0.5 * (box.max - box.min) - Vector2d::Constant(kTolerance);
   const auto center_x = static_cast<float>(center.x());
   const auto center_y = static_cast<float>(center.y());
   const auto half_x = static_cast<float>(half.x());
   const auto half_y = static_cast<float>(half.y());
-  // The points learnt last come first: they were met by boxes like this one.
+  // The newest points are tested first: boxes like this one met them.
   constexpr std::size_t kAtOnce = 16;
   for (std::size_t end = (points.size() + 3) / 4 * 4; end > 0;) {
     const std::size_t begin = end > kAtOnce ? end - kAtOnce : 0;
@@ -41,7 +41,7 @@ bool holds_point(const ObstaclePoints& points, const TurnedFrame& frame, const B
       const Pack4f py = load4(points.y() + i);
       const Pack4f x = c * px + s * py - center_x;
       const Pack4f y = c * py - s * px - center_y;
-      // What is not there is NaN, and not less than anything.
+      // Missing points are NaN, and compare false.
       least = min(max(max(x, -x) - half_x, max(y, -y) - half_y), least);
     }
     if (std::min(std::min(least[0], least[1]), std::min(least[2], least[3])) < 0.0F) return true;
@@ -84,8 +84,7 @@ bool ReachSearch::fits(const TurnedFrame& frame, const PathPiece& piece) noexcep
   return false;
 }
 
-// Finds how far the path fits, to the precision asked for. @return false when that is less than
-// `least`.
+// Finds how far the path fits, within the precision. @return false if that is less than `least`.
 bool ReachSearch::find_plain_reach(Direction& direction,
                                    const TurnedFrame& frame,
                                    double least) noexcept {
@@ -98,7 +97,7 @@ bool ReachSearch::find_plain_reach(Direction& direction,
     return false;
   }
   good = least;
-  // Ever longer steps while it fits, then halving.
+  // Double the step while the piece fits, then bisect.
   if (fits(frame, piece_to(length))) {
     good = length;
   } else {
@@ -115,7 +114,7 @@ bool ReachSearch::find_plain_reach(Direction& direction,
       (fits(frame, piece_to(middle)) ? good : bad) = middle;
     }
   }
-  // A corner of the path just ahead is worth reaching exactly: there the next line begins.
+  // A corner of the path just ahead is reached exactly, because the next line begins there.
   const std::size_t next = track_->segment(good) + 1;
   const double corner = next < track_->arc().size() ? track_->arc()[next] : length;
   if (corner < bad && corner > good && fits(frame, piece_to(corner))) good = corner;
@@ -128,7 +127,7 @@ void ReachSearch::try_direction(Direction& direction) noexcept {
   const double least = best_.found ? best_.end.to + settings_.precision : begin_.to;
   if (least > length || (best_.found && best_.end.to >= length)) return;
   if (!find_plain_reach(direction, frame, least)) return;
-  // Back to where the joint has room.
+  // Step back to where the joint fits.
   double step = settings_.precision;
   for (double end = direction.good; end >= least; end -= step, step *= 1.2) {
     const PathPiece piece = joined_piece_to(end);
@@ -155,12 +154,11 @@ void ReachSearch::start(const BitGrid& obstacles,
   const auto add = [&](double angle) {
     directions_[num_directions_++] = {.angle = angle, .bad = kNowhere};
   };
-  // The directions of the next few straight lines: along a line that is free there is always a
-  // free rectangle.
+  // Directions of the next few straight lines: along a free line there is always a free rectangle.
   const std::size_t first = track.segment(begin.from);
   for (std::size_t i = first; i + 1 < track.points().size() && i < first + kPathDirections; ++i) {
-    const Vector2d way = track.points()[i + 1] - track.points()[i];
-    add(std::atan2(way.y(), way.x()));
+    const Vector2d line = track.points()[i + 1] - track.points()[i];
+    add(std::atan2(line.y(), line.x()));
   }
   for (int k = 0; k < settings.num_orientations; ++k)
     add(k * kQuarterTurn / settings.num_orientations);

@@ -8,45 +8,47 @@
 
 namespace fairway {
 
-/// How far one free rectangle can hold the path, and at which orientation.
+/// The furthest part of the path that one free rectangle can contain, and its orientation.
 struct Reach {
-  Joint end;           ///< the joint at the far end; `end.to` is how far it reaches [cells]
-  double angle = 0.0;  ///< of the rectangle against the grid [rad]
+  Joint end;           ///< joint at the far end; `end.to` is the reach [cells]
+  double angle = 0.0;  ///< orientation of the rectangle relative to the grid [rad]
   bool found = false;
 };
 
-/// Finds, from a position on a path, the longest stretch that one free rectangle can hold.
+/// Finds, from a position on a path, the longest part that one free rectangle can contain.
 ///
-/// Any rectangle that holds a stretch holds each part of it, so this makes the greedy cover of a
-/// path optimal: no cover has fewer rectangles (docs/corridors.md).
+/// A rectangle that contains a part of the path contains every piece of it. The greedy cover of a
+/// path is therefore optimal: no cover has fewer rectangles (docs/corridors.md).
 class ReachSearch {
  public:
   struct Settings {
-    double radius = 0.0;        ///< of the disc that the rectangle is free for [cells]
+    double radius = 0.0;        ///< of the disc for which the rectangle is free [cells]
     double longest_side = 0.0;  ///< [cells]
     double margin = 0.0;        ///< between the path and every side [cells]
-    int num_orientations = 24;  ///< turns tried at first, evenly over a quarter turn; at most 64
-    int refinements = 3;        ///< times the spacing is halved around the best
-    double precision = 0.25;    ///< to which the reach is found [cells]
+    /// Orientations tried at first, evenly over a quarter turn; at most 64.
+    int num_orientations = 24;
+    int refinements = 3;      ///< number of times that the spacing is halved around the best
+    double precision = 0.25;  ///< to which the reach is found [cells]
   };
 
-  /// The searches to come start from the joint `begin`. The references must stay valid, the map and
-  /// the path unchanged, until the last of them.
+  /// Starts searches from the joint `begin`. The references must stay valid, and the map and the
+  /// path unchanged, until the last of these searches.
   void start(const BitGrid& obstacles,
              const PathTrack& track,
              const Joint& begin,
              const Settings& settings) noexcept;
 
-  /// The far joint has the margin, offset and length (from `from` to `to`) of `shape`, unless it is
-  /// the path's goal, which needs only the plain margin. What is learnt serves the next shapes too.
+  /// Finds the furthest reach with a far joint that has margin, offset and length (`to` - `from`)
+  /// of `shape`. If the goal is reached, the plain margin suffices there. Obstacles found are kept
+  /// for the next shapes.
   [[nodiscard]] Reach find(const Joint& shape) noexcept;
 
  private:
   static constexpr std::size_t kPathDirections = 3;
   static constexpr std::size_t kMostDirections = kPathDirections + 64;
 
-  // What is known of an orientation, whatever the joint: the path fits at least up to `good`, and
-  // not up to `bad` [cells].
+  // Knowledge about an orientation, independent of the joint: the path fits up to `good`, and does
+  // not fit up to `bad` [cells].
   struct Direction {
     double angle = 0.0;
     double good = -1.0;

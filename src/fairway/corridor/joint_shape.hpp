@@ -8,17 +8,18 @@
 
 namespace fairway::internal {
 
-// The least disc that is swept has a sixteenth of the radius.
+// Number of swept discs; the smallest has a sixteenth of the radius.
 inline constexpr int kSwept = 4;
-// Directions and distances in which the disc is tried beside the path.
+// Directions and distances at which the disc is tried beside the path.
 inline constexpr int kBesideDirections = 12;
 inline constexpr int kBesideDistances = 2;
 inline constexpr int kBesides = kBesideDirections * kBesideDistances;
 inline constexpr int kJointShapes = 1 + kBesides + kSwept;
 
-// Shapes of a joint with at least the area asked for, in the order in which they are tried. First a
-// disc about the path; then the same disc beside the path, where a path close to an obstacle has
-// room on its other side; then discs of half the radius each time, swept along a straight line.
+// Returns shape `number` of a joint, with at least the area required. Shapes are numbered in the
+// order in which they are tried. Shape 0 is a disc about the path. The next ones are the same disc
+// beside the path, for a path close to an obstacle on one side. The last ones are discs, each with
+// half the radius of the one before, swept along a straight line.
 [[nodiscard]] inline Joint joint_shape(double area, int number, double plain_margin) noexcept {
   constexpr double kSpare = 1.0 + 1e-6;  // against rounding
   const double radius = std::sqrt(area * kSpare / std::numbers::pi);

@@ -6,10 +6,11 @@
 
 namespace fairway {
 
-/// Where two consecutive rectangles meet: both hold the path from `from` to `to` with `margin` to
-/// every side, so they share at least a disc of that radius, swept along that stretch. With an
-/// `offset` the disc lies beside the path, at that place from its point `to`, and the path itself
-/// has only the plain margin. [cells]
+/// The region that two consecutive rectangles share. Lengths are in cells.
+///
+/// Both rectangles contain the path from `from` to `to` with `margin` to every side, so they share
+/// at least a disc of that radius, swept along that part. With an `offset`, the disc lies beside
+/// the path, displaced from its point `to`, and the path itself has only the plain margin.
 struct Joint {
   double from = 0.0;
   double to = 0.0;
@@ -19,15 +20,14 @@ struct Joint {
   [[nodiscard]] bool beside() const noexcept { return !offset.isZero(0.0); }
 };
 
-/// A stretch of the path that one rectangle must hold: from `begin.from` to `end.to`, with the
-/// margins of the joints at its ends, and `margin` between. [cells]
+/// The part of the path that one rectangle must contain, from `begin.from` to `end.to`. The joints
+/// at its ends have their own margins; `margin` applies between them. Lengths are in cells.
 struct PathPiece {
   Joint begin;
   Joint end;
   double margin = 0.0;
 
-  /// Calls visit(point, margin) for points whose convex hull, margins included, holds all that is
-  /// asked.
+  /// Calls visit(point, margin) for points whose convex hull, margins included, contains the piece.
   template <typename Visitor>
   void visit(const PathTrack& track, Visitor&& visit_point) const {
     const double begin_margin = begin.beside() ? margin : begin.margin;
@@ -48,12 +48,12 @@ struct PathPiece {
     if (end.beside()) visit_point(track.at(end.to, last) + end.offset, end.margin);
   }
 
-  /// The smallest box in `frame` that holds all that is asked, and the frame's origin.
+  /// Returns the smallest box in `frame` that contains the piece and the frame's origin.
   [[nodiscard]] Box bounds(const PathTrack& track, const TurnedFrame& frame) const noexcept {
     Box box;
-    visit(track, [&](const Eigen::Vector2d& point, double room) {
+    visit(track, [&](const Eigen::Vector2d& point, double margin_here) {
       const Eigen::Vector2d p = frame.turned(point - frame.origin);
-      const Eigen::Vector2d by = Eigen::Vector2d::Constant(room);
+      const Eigen::Vector2d by = Eigen::Vector2d::Constant(margin_here);
       box.min = box.min.cwiseMin(p - by);
       box.max = box.max.cwiseMax(p + by);
     });

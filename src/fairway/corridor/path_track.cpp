@@ -21,10 +21,10 @@ bool PathTrack::assign(const Path& path, const GridFrame& grid) {
     if (!points_.empty() && (p - points_.back()).norm() < kSame) continue;
     if (points_.size() >= 2) {
       const Vector2d before = points_.back() - points_[points_.size() - 2];
-      const Vector2d way = p - points_[points_.size() - 2];
-      const double cross = before.x() * way.y() - before.y() * way.x();
-      const bool straight = std::abs(cross) < kSame * way.norm() && before.dot(way) > 0.0 &&
-                            before.squaredNorm() < way.squaredNorm();
+      const Vector2d line = p - points_[points_.size() - 2];
+      const double cross = before.x() * line.y() - before.y() * line.x();
+      const bool straight = std::abs(cross) < kSame * line.norm() && before.dot(line) > 0.0 &&
+                            before.squaredNorm() < line.squaredNorm();
       if (straight) points_.pop_back();
     }
     points_.push_back(p);

@@ -8,28 +8,30 @@
 
 namespace fairway {
 
-/// A path measured along its length, in grid coordinates [cells], without repeated waypoints and
-/// without those on the straight line between their neighbours.
+/// A path by arc length, in grid coordinates [cells]. Repeated waypoints, and those on the straight
+/// line between their neighbours, are removed.
 class PathTrack {
  public:
-  /// Takes a path over; reuses its memory. @return false when it has no waypoint, or one that is
-  /// not finite; the track is then empty.
+  /// Copies a path; reuses memory. @return false if it has no waypoint, or one that is not finite;
+  /// the track is then empty.
   bool assign(const Path& path, const GridFrame& grid);
 
   [[nodiscard]] double length() const noexcept { return arc_.empty() ? 0.0 : arc_.back(); }
 
-  /// The corners, start and goal included, and how far along the path each lies [cells].
+  /// The corners, start and goal included; `arc()` gives the arc length of each [cells].
   [[nodiscard]] const std::vector<Eigen::Vector2d>& points() const noexcept { return points_; }
   [[nodiscard]] const std::vector<double>& arc() const noexcept { return arc_; }
 
-  /// Index of the last corner at or before `s`, but never the goal when there is another.
+  /// Returns the index of the last corner at or before `s`. This is never the goal, unless the goal
+  /// is the only corner.
   [[nodiscard]] std::size_t segment(double s) const noexcept;
 
-  /// The point `s` cells along the path, clamped to it; corners exactly. @pre assigned.
+  /// Returns the point at arc length `s` [cells], clamped to the path; corners are exact. @pre not
+  /// empty.
   [[nodiscard]] Eigen::Vector2d at(double s) const noexcept { return at(s, segment(s)); }
 
-  /// The same where the segment is known. @pre `segment` is segment(s), or the one before if `s`
-  /// lies on the corner between.
+  /// Returns the same point for a known segment. @pre `segment` is segment(s), or the one before it
+  /// if `s` lies on the corner between them.
   [[nodiscard]] Eigen::Vector2d at(double s, std::size_t segment) const noexcept;
 
  private:
@@ -37,7 +39,7 @@ class PathTrack {
   std::vector<double> arc_;
 };
 
-/// Index of the last waypoint of `path` that is at most `s` [m] along it; 0 for an empty path.
+/// Returns the index of the last waypoint with arc length at most `s` [m]; 0 for an empty path.
 [[nodiscard]] std::size_t waypoint_before(const Path& path, double s) noexcept;
 
 }  // namespace fairway

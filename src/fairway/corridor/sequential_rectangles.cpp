@@ -18,25 +18,25 @@ using Eigen::Vector2d;
 
 struct SeedPoint {
   Vector2d point;
-  double along;  // distance along the path [m]
+  double along;  // arc length along the path [m]
 };
 
-// Points at most `spacing` apart, corners included. None but the end of a straight piece is further
-// along it than the map's diagonal: there it has left the map.
+// Returns points at most `spacing` apart, corners included. On a straight piece, no point but its
+// end is further than the map's diagonal: beyond that the piece has left the map.
 std::vector<SeedPoint> seed_points(const Path& path, double spacing, const GridFrame& map) {
   const double longest = map.resolution * std::hypot(map.width, map.height);
   std::vector<SeedPoint> seeds{{path.waypoints.front(), 0.0}};
   for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
     const Vector2d from = path.waypoints[i - 1];
-    const Vector2d way = path.waypoints[i] - from;
-    const double length = line_length(way);
+    const Vector2d line = path.waypoints[i] - from;
+    const double length = line_length(line);
     if (length == 0.0) continue;
     const double start = seeds.back().along;
     const double pieces = std::ceil(length / spacing);
     const int inner = static_cast<int>(std::min(pieces - 1.0, std::ceil(longest / spacing)));
     for (int k = 1; k <= inner; ++k) {
       const double share = k / pieces;
-      seeds.push_back({from + share * way, start + share * length});
+      seeds.push_back({from + share * line, start + share * length});
     }
     seeds.push_back({path.waypoints[i], start + length});
   }
@@ -59,7 +59,7 @@ class Chain {
         grow_(grow),
         corridor_(corridor) {}
 
-  // @return Built, or why it went no further than seeds()[reached()].
+  // @return Built, or why it stopped at seeds()[reached()].
   CorridorStatus run() {
     if (!add(grow(0), 0)) return CorridorStatus::SeedBlocked;
     while (reached_ + 1 < seeds_.size()) {
@@ -80,8 +80,8 @@ class Chain {
     return rectangle.contains(seeds_[seed].point, kRounding - corridor_.inward_offset);
   }
 
-  // Appends a rectangle if it holds point `next`, and, unless it is the first, the point before and
-  // a patch of the chain.
+  // Appends a rectangle if it contains point `next`. Unless it is the first, it must also contain
+  // the point before and overlap the chain sufficiently.
   bool add(const std::optional<OrientedRectangle>& rectangle, std::size_t next) {
     if (!rectangle || !holds(*rectangle, next)) return false;
     std::size_t from = next;
@@ -102,7 +102,7 @@ class Chain {
     return true;
   }
 
-  // Adds one more rectangle, which holds the point after the last one reached.
+  // Adds one more rectangle that contains the point after the last one reached.
   CorridorStatus extend() {
     constexpr std::size_t kTries = 40;
     const std::size_t last = reached_;
@@ -131,7 +131,8 @@ class Chain {
     return possible ? CorridorStatus::NoOverlap : CorridorStatus::SeedBlocked;
   }
 
-  static constexpr double kRounding = 1e-9;  // a seed on its rectangle's contracted border [m]
+  // Tolerance for a seed on the contracted border of its rectangle [m].
+  static constexpr double kRounding = 1e-9;
 
   const BitGrid& obstacles_;
   double clearance_;
@@ -140,8 +141,8 @@ class Chain {
   std::vector<SeedPoint> seeds_;
   const GrowRectangle& grow_;
   Corridor& corridor_;
-  std::size_t first_ = 0;    // first point that the last rectangle holds
-  std::size_t reached_ = 0;  // last point that it holds without a gap
+  std::size_t first_ = 0;    // first point that the last rectangle contains
+  std::size_t reached_ = 0;  // last point that it contains without a gap
 };
 
 }  // namespace

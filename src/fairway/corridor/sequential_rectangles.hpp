@@ -11,24 +11,25 @@
 
 namespace fairway {
 
-/// Covers a path by growing a rectangle wherever the last one ends: Algorithm 2 as corrected in
-/// docs/paper_notes.md. See build_corridor for what holds when it is Built.
+/// Covers a path by growing each rectangle where the last one ends: Algorithm 2 as corrected in
+/// docs/paper_notes.md. For the guarantees when the status is Built, see build_corridor.
 ///
-/// Seeds are points of the path, `waypoint_spacing` apart, its corners included. The next seed is
-/// the last point inside the admissible part of the last rectangle, as in the paper. Where that
-/// rectangle does not bring the chain on (its admissible part misses the next point, or overlaps
-/// too little), the point after it and then those before it are tried, no seed twice; and when no
-/// seed helps, the largest rectangle that holds the last point and the next.
+/// Seeds are points of the path, `waypoint_spacing` apart, and its corners. As in the paper, the
+/// next seed is the last point inside the admissible part of the last rectangle. If the rectangle
+/// grown there misses the next point or overlaps too little, the point after it and then those
+/// before it are tried, each seed at most once. If no seed succeeds, the largest rectangle that
+/// contains the last point and the next one is used.
 [[nodiscard]] CorridorResult build_sequential(const BitGrid& obstacles,
                                               const Path& path,
                                               double robot_radius,
                                               const CorridorSettings& settings);
 
-/// Grows a free rectangle around a seed [m], or says that there is none.
+/// Grows a free rectangle around a seed [m], or returns none.
 using GrowRectangle = std::function<std::optional<OrientedRectangle>(const Eigen::Vector2d&)>;
 
-/// The same chain out of rectangles that somebody else grows (the baselines do).
-/// @pre every rectangle that `grow` returns is free and holds its seed.
+/// Builds the same chain from rectangles that `grow` supplies (the baselines of the benchmarks use
+/// this).
+/// @pre every rectangle that `grow` returns is free and contains its seed.
 [[nodiscard]] CorridorResult build_sequential(const BitGrid& obstacles,
                                               const Path& path,
                                               double robot_radius,

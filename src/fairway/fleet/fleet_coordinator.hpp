@@ -6,76 +6,82 @@
 
 namespace fairway {
 
-/// What a FleetCoordinator is told in a cycle.
+/// Input of a FleetCoordinator in one cycle.
 struct FleetCoordinatorInput {
-  double speed_max = 0.0;   ///< of the robot [m/s]
-  double radius = 0.0;      ///< of the disc that covers it [m]
-  bool standing = false;    ///< whether it stands
-  double dt = 0.0;          ///< length of a cycle [s]
-  std::uint32_t robot = 0;  ///< its number in the fleet
+  double speed_max = 0.0;   ///< greatest speed of the robot [m/s]
+  double radius = 0.0;      ///< radius of the disc that covers the robot [m]
+  bool stopped = false;     ///< whether the robot is at standstill
+  double dt = 0.0;          ///< control period [s]
+  std::uint32_t robot = 0;  ///< number of the robot in the fleet
   Fleet fleet;
   const BitGrid* obstacles = nullptr;
 };
 
-/// The way of a robot among robots: where straight ways would meet, all go round the same point on
-/// the same side.
+/// Coordinates a robot with other robots: roundabouts where paths meet, and priority in narrow
+/// places.
 ///
-/// Two ways meet where both robots, driving straight on at full speed, would come nearer than their
-/// bodies and some room. Two that meet nearly head-on, or three and more, go round the mean of
-/// where they meet, on a circle that has room for all of them. Of roundabouts that overlap each
-/// robot takes the largest that it knows, so that all come to the same. Who stands on the way round
-/// makes it wider. A roundabout is left when the straight way on no longer leads through it.
+/// Roundabouts: two paths meet if both robots, driving straight ahead at full speed, would come
+/// closer than their bodies and a clearance. If two robots meet nearly head-on, or three or more
+/// meet, each drives around the mean of the meeting points, on a circle with enough clearance for
+/// all of them and with the centre on its left. If roundabouts overlap, each robot adopts the
+/// largest that it receives, so that all use the same. A robot that stops on a roundabout enlarges
+/// it. A robot leaves a roundabout when its own path no longer crosses it.
 ///
-/// Where two ways meet head-on in a place too narrow to pass, one robot steps aside and waits: the
-/// one that can, of two that can the one that is further from that place, of two as near the one
-/// with the greater number. Where none can, the one with the shorter way back to a place where it
-/// lets the other pass goes back there; of equal ones the one with the greater number. Who is
-/// followed by another one counts its way back, too, if that is longer. Where two enter a narrow
-/// place the same way at the same time, the nearer one goes first. Who has waited for long for
-/// somebody who does not come tries to go on.
+/// Narrow places: if two robots meet head-on where they cannot pass each other, one of them steps
+/// aside and waits. It is the one that can. If both can, it is the one further from the narrow
+/// place, or at equal distance the one with the greater number. If neither can, the one with the
+/// shorter retreat path to a passing place retreats there, or at equal length the one with the
+/// greater number; a robot that is followed by another one uses the follower's retreat path if that
+/// is longer. If two robots enter a narrow place in the same direction at the same time, the nearer
+/// one goes first. A robot that has waited for long for robots that do not move tries to continue.
 class FleetCoordinator {
  public:
   void reset() noexcept { *this = FleetCoordinator(); }
 
-  /// Tells that the way to the goal has changed. Who waits for others goes on doing so.
-  void change_way() noexcept { roundabout_ = {}; }
+  /// Signals that the path to the goal has changed. A robot that waits for others continues to
+  /// wait.
+  void path_changed() noexcept { roundabout_ = {}; }
 
-  /// @param string  The way of the robot alone, from where it is.
-  /// @return The string to follow; lives until the next call.
+  /// Returns the path to follow: `path`, a roundabout or a retreat path.
+  /// @param path  The robot's own path, from its position.
+  /// @return The path to follow; valid until the next call.
   const ReferencePath& update(const ReferencePath& path,
                               const FleetCoordinatorInput& input) noexcept;
 
   [[nodiscard]] const Roundabout& roundabout() const noexcept { return roundabout_; }
-  /// Whether the robot waits aside for others, or is on its way there.
+  /// Returns whether the robot waits aside for others, or drives to the place where it will wait.
   [[nodiscard]] bool waits() const noexcept { return waits_; }
   [[nodiscard]] double distance_to_bottleneck() const noexcept { return distance_to_bottleneck_; }
   [[nodiscard]] bool can_step_aside() const noexcept { return can_step_aside_; }
-  /// See SharedMotion::retreat_length.
+  /// Length of the retreat path [m]; see SharedMotion::retreat_length.
   [[nodiscard]] double retreat_length() const noexcept { return retreat_length_; }
 
  private:
   [[nodiscard]] static Roundabout meet(const ReferencePath& path,
                                        const FleetCoordinatorInput& input) noexcept;
-  void give_way_to(const Roundabout& other) noexcept;
-  [[nodiscard]] bool steps_aside(const ReferencePath& path,
-                                 const FleetCoordinatorInput& input) noexcept;
+  void adopt_if_larger(const Roundabout& other) noexcept;
+  [[nodiscard]] bool must_step_aside(const ReferencePath& path,
+                                     const FleetCoordinatorInput& input) noexcept;
   [[nodiscard]] bool is_nearer(const SharedMotion& other, std::uint32_t robot) const noexcept;
-  [[nodiscard]] bool goes_before(const SharedMotion& other, std::uint32_t robot) const noexcept;
-  void look_back(const Eigen::Vector2d& here, const PassingEnvironment& around, double dt) noexcept;
-  [[nodiscard]] double cost_of_back(const Eigen::Vector2d& here,
+  [[nodiscard]] bool has_priority_over(const SharedMotion& other,
+                                       std::uint32_t robot) const noexcept;
+  void update_retreat(const Eigen::Vector2d& here,
+                      const PassingEnvironment& around,
+                      double dt) noexcept;
+  [[nodiscard]] double retreat_cost(const Eigen::Vector2d& here,
                                     const PassingEnvironment& around) noexcept;
-  void lead_back(const Eigen::Vector2d& here) noexcept;
+  void follow_retreat(const Eigen::Vector2d& here) noexcept;
 
   Roundabout roundabout_;
   ReferencePath path_;
-  double standing_ = 0.0;      // on the way round [s]
-  RetreatPath back_;           // to where it waits, or would
-  bool waits_ = false;         // it is on it, or at its end
-  double since_search_ = 1e9;  // for a way back [s]
+  double stopped_for_ = 0.0;   // time at standstill on the roundabout [s]
+  RetreatPath retreat_;        // path to the place where it waits, or would wait
+  bool waits_ = false;         // whether it follows that path, or waits at its end
+  double since_search_ = 1e9;  // time since the last search for a retreat path [s]
   double retreat_length_ = 0.0;
   double distance_to_bottleneck_ = std::numeric_limits<double>::infinity();
   bool can_step_aside_ = true;
-  double waited_ = 0.0;  // [s]; negative: not again yet
+  double waited_ = 0.0;  // waiting time [s]; negative while it tries to continue
 };
 
 }  // namespace fairway

@@ -14,23 +14,23 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFurthest = 6.0;           // [m] along the way
-constexpr double kPlaceSpacing = 0.25;      // [m] between the points that are looked at
+constexpr double kFurthest = 6.0;           // [m] along the path
+constexpr double kPlaceSpacing = 0.25;      // [m] between the points that are tested
 constexpr double kPassingClearance = 0.05;  // [m] between bodies that pass
-constexpr double kAside = 0.15;             // [m] between a body that waits and one that passes
-constexpr double kWall = 0.02;              // [m] between a body that waits and what stands
+constexpr double kAside = 0.15;             // [m] between a waiting and a passing body
+constexpr double kWall = 0.02;              // [m] between a waiting body and static obstacles
 constexpr double kReach = 4.0;              // [m] to the furthest place
 constexpr int kRings = 10;
 constexpr int kDirections = 16;
 
-struct NearWay {
+struct NearestPoint {
   double distance = std::numeric_limits<double>::infinity();
   Vector2d direction = Vector2d::Zero();
-  double length = 0.0;  // along the way to there
+  double length = 0.0;  // arc length up to there
 };
 
-NearWay nearest_on_way(const SharedMotion& other, const Vector2d& point) noexcept {
-  NearWay nearest;
+NearestPoint nearest_on_path(const SharedMotion& other, const Vector2d& point) noexcept {
+  NearestPoint nearest;
   Vector2d from = other.position;
   double length = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(other.way.count); ++i) {
@@ -47,7 +47,7 @@ NearWay nearest_on_way(const SharedMotion& other, const Vector2d& point) noexcep
   return nearest;
 }
 
-// Far from everything where it is not known.
+// Returns the goal of a robot; infinitely far away if it is unknown.
 Vector2d goal_of(const SharedMotion& other) noexcept {
   const bool known = other.way.count > 0 && other.way.count < UpcomingWaypoints::kMaxPoints;
   return known ? other.way.points[static_cast<std::size_t>(other.way.count - 1)]
@@ -77,16 +77,16 @@ NarrowPlaces::NarrowPlaces(const ReferencePath& path,
 
 double NarrowPlaces::length_to_meeting(const SharedMotion& other, double radius) const noexcept {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const NearWay way = nearest_on_way(other, places[i].position);
-    if (way.distance <= radius + other.radius + kPassingClearance &&
-        places[i].along.dot(way.direction) < 0.0) {
+    const NearestPoint near = nearest_on_path(other, places[i].position);
+    if (near.distance <= radius + other.radius + kPassingClearance &&
+        places[i].along.dot(near.direction) < 0.0) {
       return places[i].length;
     }
   }
   return std::numeric_limits<double>::infinity();
 }
 
-bool NarrowPlaces::hold_goal_of(const SharedMotion& other, double radius) const noexcept {
+bool NarrowPlaces::contain_goal_of(const SharedMotion& other, double radius) const noexcept {
   return std::any_of(places.begin(), places.begin() + count, [&](const Place& place) {
     return (place.position - goal_of(other)).norm() <= radius + other.radius + kPassingClearance;
   });
@@ -98,11 +98,11 @@ double NarrowPlaces::length_to_merging(const SharedMotion& other, double radius)
   const double none = std::numeric_limits<double>::infinity();
   const double gap = radius + other.radius + kAside;
   if (count == 0 || places[0].length < kInside || places[0].length > kNear) return none;
-  const NearWay way = nearest_on_way(other, places[0].position);
-  const bool enters = way.distance <= radius + other.radius + kPassingClearance &&
-                      way.length > kInside && way.length < kNear &&
-                      places[0].along.dot(way.direction) > 0.0;
-  return enters && std::abs(way.length - places[0].length) < gap ? places[0].length : none;
+  const NearestPoint near = nearest_on_path(other, places[0].position);
+  const bool enters = near.distance <= radius + other.radius + kPassingClearance &&
+                      near.length > kInside && near.length < kNear &&
+                      places[0].along.dot(near.direction) > 0.0;
+  return enters && std::abs(near.length - places[0].length) < gap ? places[0].length : none;
 }
 
 bool passes_goal_of(const SharedMotion& other,
@@ -121,7 +121,7 @@ bool lets_pass(const Vector2d& place,
                double radius,
                double more) noexcept {
   const double keep = radius + other.radius + kAside + more;
-  return (other.position - place).norm() >= keep && nearest_on_way(other, place).distance >= keep;
+  return (other.position - place).norm() >= keep && nearest_on_path(other, place).distance >= keep;
 }
 
 std::optional<Vector2d> passing_place(const Vector2d& position,
@@ -136,12 +136,12 @@ std::optional<Vector2d> passing_place(const Vector2d& position,
     for (const SharedMotion* other : around.passing) {
       if (other != nullptr && passes_goal_of(*other, position, place, around.radius)) return false;
     }
-    const OrientedRectangle way = segment_rectangle(position, place);
+    const OrientedRectangle line = segment_rectangle(position, place);
     for (const FleetMember& member : around.fleet) {
       const Vector2d& other = member.motion->position;
       const double now = (other - position).norm();
       const double keep = std::min(around.radius + member.motion->radius + kAside, now - 1e-6);
-      if ((way.nearest(other) - other).norm() < keep) return false;
+      if ((line.nearest(other) - other).norm() < keep) return false;
     }
     return is_free(*around.obstacles, position, place, around.radius + kWall);
   };

@@ -11,65 +11,73 @@
 
 namespace fairway {
 
-/// Points of a way where the robot has no room to move over by two bodies, neither to the left nor
-/// to the right: another one cannot pass it there.
+/// Points of a path where another robot cannot pass: there is not enough clearance to move over by
+/// two bodies, neither to the left nor to the right.
 struct NarrowPlaces {
   static constexpr int kMaxPlaces = 24;
   struct Place {
-    double length = 0.0;  ///< from the start of the way [m]
+    double length = 0.0;  ///< arc length from the start of the path [m]
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
-    Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< direction of the way, of any length
+    Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< direction of the path, not normalised
   };
   int count = 0;
   std::array<Place, kMaxPlaces> places;
 
-  /// Those on the first 6 m of `string`, every 0.25 m, for robots of this radius [m].
+  /// Finds the narrow places on the first 6 m of `path`, every 0.25 m, for robots of `radius` [m].
   NarrowPlaces(const ReferencePath& path, double radius, const BitGrid& obstacles) noexcept;
 
-  /// Length up to the first at which the way of `other` comes the other way [m]; infinite for none.
+  /// Returns the arc length of the first place where `other` drives in the opposite direction [m].
+  /// The result is infinite if there is none.
   [[nodiscard]] double length_to_meeting(const SharedMotion& other, double radius) const noexcept;
 
-  /// Whether `other` heads for a goal in one of them, where it would stand in the way for ever.
-  [[nodiscard]] bool hold_goal_of(const SharedMotion& other, double radius) const noexcept;
+  /// Returns whether the goal of `other` is in one of the places, where it would block the path
+  /// indefinitely.
+  [[nodiscard]] bool contain_goal_of(const SharedMotion& other, double radius) const noexcept;
 
-  /// Length up to the first if `other` enters it the same way at about the same time, so that one
-  /// has to let the other one go first [m]; infinite if not, or where the robot or the other one is
-  /// inside already.
+  /// Returns the arc length of the first place if `other` enters it together with this robot [m].
+  ///
+  /// Entering together means in the same direction at about the same time, so that one of the two
+  /// must go first. The result is infinite if they do not, or if one of them is already inside.
   [[nodiscard]] double length_to_merging(const SharedMotion& other, double radius) const noexcept;
 };
 
-/// Whether a robot that goes straight from `from` to `to` comes nearer to the goal of `other` than
-/// it could pass there: once the other one has arrived, there is no way back. The goal is where its
-/// told way ends; a way that is cut off has none.
+/// Returns whether driving straight from `from` to `to` leads past the goal of `other`.
+///
+/// Past means closer to the goal than the robot could pass `other` there: once `other` has arrived,
+/// the robot could not return. The goal is the end of the published path; a truncated path has
+/// none.
 [[nodiscard]] bool passes_goal_of(const SharedMotion& other,
                                   const Eigen::Vector2d& from,
                                   const Eigen::Vector2d& to,
                                   double radius) noexcept;
 
-/// Whether a robot at `place` is out of the way of `other`, and not where it stands, with `more`
-/// room than it needs [m].
+/// Returns whether a robot at `place` lets `other` pass, with `more` clearance than necessary [m]:
+/// the place is clear of the path and the position of `other`.
 [[nodiscard]] bool lets_pass(const Eigen::Vector2d& place,
                              const SharedMotion& other,
                              double radius,
                              double more = 0.0) noexcept;
 
-/// What surrounds a robot that looks for a place to wait at.
+/// The surroundings of a robot that searches for a place to wait.
 struct PassingEnvironment {
   const BitGrid* obstacles = nullptr;
-  Fleet fleet;                                   ///< all robots near
-  std::span<const SharedMotion* const> passing;  ///< those to let pass; null entries are skipped
-  double radius = 0.0;                           ///< of the disc that covers the robot [m]
+  Fleet fleet;  ///< all robots nearby
+  std::span<const SharedMotion* const>
+      passing;          ///< robots that shall pass; null entries are skipped
+  double radius = 0.0;  ///< radius of the disc that covers the robot [m]
 
-  /// Whether `other`, one of the fleet, is one of those to let pass.
+  /// Returns whether `other`, one of the fleet, is among those that shall pass.
   [[nodiscard]] bool must_yield_to(const SharedMotion& other) const noexcept {
     return std::find(passing.begin(), passing.end(), &other) != passing.end();
   }
 };
 
-/// The nearest place from where all that pass can be let pass, that can be reached straight on
-/// without touching what stands, coming nearer to another robot or going past the goal of one that
-/// passes: the position itself, or one of
-/// 16 directions and 10 distances up to 4 m. None if there is none.
+/// Finds the nearest place at which all robots in `passing` can pass.
+///
+/// Candidates are the position itself, and 16 directions at 10 distances up to 4 m. The robot must
+/// reach the place in a straight line without touching static obstacles, without coming closer to
+/// another robot, and without passing the goal of a passing robot. The result is none if there is
+/// no such place.
 [[nodiscard]] std::optional<Eigen::Vector2d> passing_place(
     const Eigen::Vector2d& position, const PassingEnvironment& around) noexcept;
 

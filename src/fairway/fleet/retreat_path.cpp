@@ -12,30 +12,34 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLatticeSpacing = 0.2;  // [m] between neighbours of the lattice
-constexpr int kHalf = 60;                // steps to each side
+constexpr double kLatticeSpacing = 0.2;  // [m] between neighbouring nodes of the lattice
+constexpr int kHalf = 60;                // number of steps to each side
 constexpr int kSide = 2 * kHalf + 1;
-constexpr double kLeast = 0.01;  // [m] between the body and what stands
+constexpr double kLeast = 0.01;  // [m] between the body and static obstacles
 constexpr double kBody = 0.05;   // [m] between bodies
 
-// A breadth-first search over the lattice; each node remembers the direction that it was found in.
+// A breadth-first search over the lattice; each node stores the direction from which it was
+// reached.
 class Search {
  public:
-  // @param room  between the body and what stands
-  // @param more  between the place and those who pass, beyond what they need
-  Search(const Vector2d& start, const PassingEnvironment& around, double room, double more) noexcept
+  // @param clearance  Distance between the body and static obstacles [m].
+  // @param more  Additional distance between the place and the passing robots [m].
+  Search(const Vector2d& start,
+         const PassingEnvironment& around,
+         double clearance,
+         double more) noexcept
       : start_(start),
         around_(around),
         more_(more),
-        radius_(around.radius + room),
-        // A start that has less room must be able to leave.
+        radius_(around.radius + clearance),
+        // A start with less clearance must still be able to leave.
         start_radius_(std::min(
             radius_,
             distance_to_blocked(*around.obstacles, start, radius_) - 2.0 * kFreeSpaceSkin)) {
     from_.fill(kUnseen);
   }
 
-  // The nodes' points from the place back to the start, or nothing.
+  // Returns the path from the start to the nearest suitable place; empty if there is none.
   [[nodiscard]] RetreatPath run() noexcept {
     if (start_radius_ < around_.radius) return {};
     int last = 0;
@@ -115,24 +119,25 @@ class Search {
                        });
   }
 
-  // From the place back to the start, and from each point to the furthest that can be seen.
+  // Follows the nodes back from the place to the start, and connects each point to the furthest
+  // visible one.
   [[nodiscard]] RetreatPath straightened(int place) noexcept {
-    int count = 0;  // the nodes of the way take the place of the queue
+    int count = 0;  // the nodes of the path overwrite the queue
     for (int node = place;; node = before(node)) {
       queue_[static_cast<std::size_t>(count++)] = static_cast<std::uint16_t>(node);
       if (node == kStart) break;
     }
     std::reverse(queue_.begin(), queue_.begin() + count);
-    RetreatPath way;
-    for (int here = 0; here + 1 < count && way.count < RetreatPath::kMaxPoints;) {
+    RetreatPath path;
+    for (int here = 0; here + 1 < count && path.count < RetreatPath::kMaxPoints;) {
       int next = here + 1;
       const auto point = [&](int i) { return at(queue_[static_cast<std::size_t>(i)]); };
       while (next + 1 < count && is_clear(point(here), point(next + 1)))
         ++next;
-      way.points[static_cast<std::size_t>(way.count++)] = point(next);
+      path.points[static_cast<std::size_t>(path.count++)] = point(next);
       here = next;
     }
-    return way.place() == at(place) ? way : RetreatPath{};
+    return path.place() == at(place) ? path : RetreatPath{};
   }
 
   [[nodiscard]] int before(int node) const noexcept {
@@ -149,9 +154,10 @@ class Search {
   std::array<std::uint16_t, static_cast<std::size_t>(kSide) * kSide> queue_;
 };
 
-// What those need who are between this robot and one that passes, and will come after it.
-double room_for_followers(const Vector2d& position, const PassingEnvironment& around) noexcept {
-  double room = 0.0;
+// Returns the space that other robots need before the place: those between this robot and a passing
+// one, which will retreat after this robot.
+double space_for_followers(const Vector2d& position, const PassingEnvironment& around) noexcept {
+  double space = 0.0;
   for (const FleetMember& member : around.fleet) {
     const SharedMotion& other = *member.motion;
     if (around.must_yield_to(other) || !other.under_way || other.can_step_aside) continue;
@@ -160,9 +166,9 @@ double room_for_followers(const Vector2d& position, const PassingEnvironment& ar
           return passing != nullptr && (passing->position - other.position).norm() <
                                            (passing->position - position).norm();
         });
-    if (between) room += 2.0 * other.radius + kBody;
+    if (between) space += 2.0 * other.radius + kBody;
   }
-  return room;
+  return space;
 }
 
 }  // namespace
@@ -179,43 +185,43 @@ double RetreatPath::length(const Vector2d& position) const noexcept {
 }
 
 RetreatPath find_retreat_path(const Vector2d& position, const PassingEnvironment& around) noexcept {
-  const double after = room_for_followers(position, around);
-  for (const double room : {0.2, 0.1, 0.05, kLeast}) {
+  const double after = space_for_followers(position, around);
+  for (const double clearance : {0.2, 0.1, 0.05, kLeast}) {
     for (const double more : {after, 0.0}) {
-      if (const RetreatPath way = Search(position, around, room, more).run(); way.exists())
-        return way;
+      if (const RetreatPath path = Search(position, around, clearance, more).run(); path.exists())
+        return path;
       if (after == 0.0) break;
     }
   }
   return {};
 }
 
-void shorten(RetreatPath& way,
+void shorten(RetreatPath& path,
              const Vector2d& position,
              const BitGrid& obstacles,
              double radius) noexcept {
-  int seen = way.count - 1;
-  while (seen > 0 && !is_free(obstacles, position, way.points[static_cast<std::size_t>(seen)],
+  int seen = path.count - 1;
+  while (seen > 0 && !is_free(obstacles, position, path.points[static_cast<std::size_t>(seen)],
                               radius + kLeast)) {
     --seen;
   }
   if (seen <= 0) return;
-  std::copy(way.points.begin() + seen, way.points.begin() + way.count, way.points.begin());
-  way.count -= seen;
+  std::copy(path.points.begin() + seen, path.points.begin() + path.count, path.points.begin());
+  path.count -= seen;
 }
 
-bool leads_aside(const RetreatPath& way,
-                 const Vector2d& position,
-                 const PassingEnvironment& around) noexcept {
-  if (!way.exists()) return false;
+bool is_still_valid(const RetreatPath& path,
+                    const Vector2d& position,
+                    const PassingEnvironment& around) noexcept {
+  if (!path.exists()) return false;
   const auto lets = [&](const SharedMotion* other) {
-    return other == nullptr || lets_pass(way.place(), *other, around.radius);
+    return other == nullptr || lets_pass(path.place(), *other, around.radius);
   };
   if (!std::all_of(around.passing.begin(), around.passing.end(), lets)) return false;
   Vector2d from = position;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(way.count); ++i) {
-    if (!is_free(*around.obstacles, from, way.points[i], around.radius)) return false;
-    from = way.points[i];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(path.count); ++i) {
+    if (!is_free(*around.obstacles, from, path.points[i], around.radius)) return false;
+    from = path.points[i];
   }
   return true;
 }

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using std::numbers::pi;
 
 constexpr double kArcStep = 0.35;  // [rad] between the points of the arc
-constexpr double kSpiral = 1.0;    // [rad] on which a start inside comes out to the circle
+constexpr double kSpiral = 1.0;    // [rad] over which a start inside the circle spirals out to it
 constexpr double kMostTurn = 1.4;  // [half turns]
 
 void append(ReferencePath& path, const Vector2d& point) noexcept {
@@ -29,7 +29,8 @@ void append(ReferencePath& path, const Vector2d& point) noexcept {
 
 double angle_of(const Vector2d& v) noexcept { return std::atan2(v.y(), v.x()); }
 
-// Where a tangent from `distance` touches, as an angle seen from the centre; 0 from the inside.
+// Returns the angle, seen from the centre, between a point at `distance` and the touching point of
+// its tangent; 0 from inside.
 double tangent_angle(double radius, double distance) noexcept {
   return distance > radius ? std::acos(radius / distance) : 0.0;
 }
@@ -50,9 +51,9 @@ std::size_t nearest_piece(const ReferencePath& path, const Vector2d& point) noex
 
 }  // namespace
 
-bool lead_round(const ReferencePath& path,
-                const Roundabout& roundabout,
-                ReferencePath& bent) noexcept {
+bool bend_around(const ReferencePath& path,
+                 const Roundabout& roundabout,
+                 ReferencePath& bent) noexcept {
   const double radius = roundabout.radius;
   const std::size_t piece = nearest_piece(path, roundabout.center);
   const Vector2d from = path.points[piece - 1] - roundabout.center;

@@ -6,18 +6,18 @@
 
 namespace fairway {
 
-/// Leads a string round a roundabout, its centre on the left: a tangent to the circle, an arc
-/// counter-clockwise, a tangent off it. From inside the circle it spirals out.
+/// Bends a path around a roundabout, with the centre on the left.
 ///
-/// Only the piece of the string that comes nearest to the centre is led round. Nothing is to be
-/// done where that piece passes the circle with the centre on the left already, stays off it with
-/// the centre on the right, or would go round by more than 1.4 half turns.
+/// The bent path consists of a tangent to the circle, an arc counter-clockwise, and a tangent off
+/// it. From inside the circle it spirals out. Only the piece of the path nearest to the centre is
+/// bent. The path needs no change if that piece already passes the circle with the centre on the
+/// left, avoids it with the centre on the right, or would turn by more than 1.4 half turns.
 ///
-/// @param bent  The new string; its tail is cut where it has more points than fit. Untouched
-///              without need.
-/// @return whether there was need.
-[[nodiscard]] bool lead_round(const ReferencePath& path,
-                              const Roundabout& roundabout,
-                              ReferencePath& bent) noexcept;
+/// @param bent  The new path, truncated if it has too many points; unchanged if `path` needs no
+///       change.
+/// @return whether the path was bent.
+[[nodiscard]] bool bend_around(const ReferencePath& path,
+                               const Roundabout& roundabout,
+                               ReferencePath& bent) noexcept;
 
 }  // namespace fairway

@@ -9,13 +9,13 @@ namespace fairway {
 namespace {
 
 bool in_range(const Eigen::Vector2d& center, double radius) noexcept {
-  // Written so that NaN fails too.
+  // This form also rejects NaN.
   return std::abs(center.x()) <= BodyDiscs::kMostOffset &&
          std::abs(center.y()) <= BodyDiscs::kMostOffset && radius >= BodyDiscs::kLeastRadius &&
          radius <= BodyDiscs::kMostRadius;
 }
 
-// Takes lists and numbers from the front of a text.
+// Reads lists and numbers from the front of a text.
 class Reader {
  public:
   explicit Reader(std::string_view text) noexcept : text_(text) {}

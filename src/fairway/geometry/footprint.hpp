@@ -8,7 +8,8 @@
 
 namespace fairway {
 
-/// The outline of a robot, in its own frame: a few discs, or one rectangle. Closed.
+/// The outline of a robot in its own frame, as a closed set: up to kMaxDiscs discs, or one
+/// rectangle.
 class Footprint {
  public:
   static constexpr int kMaxDiscs = 8;
@@ -18,14 +19,14 @@ class Footprint {
     double radius = 0.0;                               ///< [m]
   };
 
-  /// A disc about the robot's centre.
+  /// Makes a disc about the robot's centre; `radius` in [m].
   [[nodiscard]] static Footprint disc(double radius) noexcept;
 
-  /// Several discs. @pre 1 to kMaxDiscs.
+  /// Makes a union of discs. @pre 1 <= count <= kMaxDiscs.
   [[nodiscard]] static Footprint discs(const Disc* discs, int count) noexcept;
 
-  /// A rectangle along the robot's axes: `length` along its heading, `width` across.
-  /// @param offset  Its centre, in the robot's frame [m].
+  /// Makes a rectangle along the robot's axes: `length` along its heading, `width` across [m].
+  /// @param offset  Centre of the rectangle in the robot's frame [m].
   [[nodiscard]] static Footprint rectangle(
       double length,
       double width,
@@ -34,27 +35,28 @@ class Footprint {
   [[nodiscard]] bool is_rectangle() const noexcept { return count_ == 0; }
   [[nodiscard]] int num_discs() const noexcept { return count_; }  ///< 0 for a rectangle
 
-  /// Disc `i` in the robot's frame. @pre i < num_discs().
+  /// Returns disc `i` in the robot's frame. @pre i < num_discs().
   [[nodiscard]] const Disc& disc_at(int i) const noexcept {
     return discs_[static_cast<std::size_t>(i)];
   }
 
-  /// The rectangle where the robot stands at `pose`. @pre is_rectangle().
+  /// Returns the rectangle in the world, for a robot at `pose`. @pre is_rectangle().
   [[nodiscard]] OrientedRectangle rectangle_at(const Pose2& pose) const noexcept {
     return {.seed = pose.position, .orientation = pose.heading, .min = low_, .max = high_};
   }
 
-  /// Radius of the smallest disc about the robot's centre that covers it [m].
+  /// Radius of the smallest disc about the robot's centre that covers the footprint [m].
   [[nodiscard]] double circumscribed_radius() const noexcept { return circumscribed_; }
 
-  /// Radius of the largest disc about the robot's centre that lies inside it; 0 when the centre
-  /// does not [m]. Of several discs, the best single one counts.
+  /// Radius of the largest disc about the robot's centre that lies inside the footprint [m]. It is
+  /// 0 if the centre lies outside. For a union of discs, only the best single disc is considered.
   [[nodiscard]] double inscribed_radius() const noexcept;
 
-  /// Every side and radius made smaller by `amount` [m], at most down to a point.
+  /// Returns the footprint with every side and radius reduced by `amount` [m], at most down to a
+  /// point.
   [[nodiscard]] Footprint shrunk(double amount) const noexcept;
 
-  /// Distance from a point in the robot's frame to the footprint; 0 inside [m].
+  /// Distance from `local`, a point in the robot's frame, to the footprint [m]; 0 inside.
   [[nodiscard]] double distance(const Eigen::Vector2d& local) const noexcept;
 
  private:

@@ -50,7 +50,7 @@ double OverlapPatch::area() const noexcept {
   for (int i = 0; i < count; ++i) {
     const Vector2d& p = corners[static_cast<std::size_t>(i)];
     const Vector2d& q = corners[static_cast<std::size_t>((i + 1) % count)];
-    // Relative to the first corner, so that far-away coordinates do not cancel.
+    // Coordinates relative to the first corner avoid cancellation far from the origin.
     const Vector2d a = p - corners[0];
     const Vector2d b = q - corners[0];
     twice += a.x() * b.y() - a.y() * b.x();
@@ -70,14 +70,14 @@ Vector2d OverlapPatch::centroid() const noexcept {
     mean += a / count;
     twice += cross;
   }
-  constexpr double kNoArea = 1e-12;  // [m^2]; below this the quotient is noise
+  constexpr double kNoArea = 1e-12;  // [m^2]; below this the quotient is dominated by rounding
   return corners[0] + (twice > kNoArea ? Vector2d(weighted / twice) : mean);
 }
 
 OverlapPatch overlap(const OrientedRectangle& a, const OrientedRectangle& b) noexcept {
   OverlapPatch patch;
   if (a.is_empty() || b.is_empty()) return patch;
-  // Sutherland-Hodgman: the corners of a, in b's frame, cut by each side of b in turn. A rectangle
+  // Sutherland-Hodgman: each side of b in turn clips the corners of a, in b's frame. A rectangle
   // has 4 corners and each cut adds at most one.
   std::array<Vector2d, 8> polygon;
   int n = 0;

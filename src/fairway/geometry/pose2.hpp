@@ -7,13 +7,13 @@
 
 namespace fairway {
 
-/// Position [m] and heading [rad] in the world frame, unless the name says otherwise.
+/// Position [m] and heading [rad], in the world frame unless the name says otherwise.
 struct Pose2 {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double heading = 0.0;
 };
 
-/// Linear speed along the heading [m/s] and angular speed, counter-clockwise positive [rad/s].
+/// Linear speed along the heading [m/s] and angular speed, positive counter-clockwise [rad/s].
 struct Twist2 {
   double linear = 0.0;
   double angular = 0.0;
@@ -31,25 +31,25 @@ struct Twist2 {
   return std::isfinite(twist.linear) && std::isfinite(twist.angular);
 }
 
-/// Unit vector in direction `heading`.
+/// Returns the unit vector in direction `heading`.
 [[nodiscard]] inline Eigen::Vector2d direction(double heading) noexcept {
   return {std::cos(heading), std::sin(heading)};
 }
 
-/// `vector` turned counter-clockwise by `angle`.
+/// Returns `vector` rotated counter-clockwise by `angle` [rad].
 [[nodiscard]] inline Eigen::Vector2d rotated(const Eigen::Vector2d& vector, double angle) noexcept {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
 }
 
-/// Point given in the frame of `frame`, expressed in the frame that `frame` is given in.
+/// Transforms a point from the coordinates of `frame` to those that `frame` is given in.
 [[nodiscard]] inline Eigen::Vector2d transform(const Pose2& frame,
                                                const Eigen::Vector2d& local) noexcept {
   return frame.position + rotated(local, frame.heading);
 }
 
-/// Inverse of `transform`.
+/// Transforms a point into the coordinates of `frame`: the inverse of `transform`.
 [[nodiscard]] inline Eigen::Vector2d inverse_transform(const Pose2& frame,
                                                        const Eigen::Vector2d& point) noexcept {
   return rotated(point - frame.position, -frame.heading);

@@ -15,9 +15,9 @@ static_assert(static_cast<int>(CellState::Free) == 0 &&
               static_cast<int>(CellState::Occupied) == 1 &&
               static_cast<int>(CellState::Unknown) == 2);
 
-// Bit i of the result: cell i is blocked. Eight cells at a time: their low bits are gathered by one
-// multiplication, which adds bit 8 i of the factor shifted so that it lands at bit 56 + i; no two
-// terms share a bit, so nothing carries.
+// Packs up to 64 cells into a word; bit i is set if cell i is blocked. Eight cells are packed at a
+// time: one multiplication gathers their low bits. Bit 8 i of the factor moves to bit 56 + i; no
+// two terms share a bit, so there is no carry.
 std::uint64_t packed(std::span<const CellState> cells, bool unknown_blocks) noexcept {
   std::uint64_t word = 0;
   std::size_t i = 0;

@@ -11,43 +11,47 @@
 
 namespace fairway {
 
-/// How cells that nobody has seen are treated.
+/// Selects how unknown cells are treated.
 enum class UnknownCells : std::uint8_t { Occupied, Free };
 
-/// The obstacles of a grid, one bit per cell, 64 cells per word: the form that geometry is tested
-/// on. Next to its rows it holds bands, rows taken together, so that free space is passed over
-/// quickly.
+/// The obstacles of a grid, one bit per cell, 64 cells per word. All geometric tests read this
+/// form.
+///
+/// Next to its rows the grid stores bands: groups of kBandRows rows combined by OR. A test skips a
+/// band without obstacles in one step.
 class BitGrid {
  public:
   static constexpr int kBandRows = 8;  ///< rows in a band; the topmost band may have fewer
 
-  BitGrid() = default;  ///< no cells at all: everything is blocked
+  BitGrid() = default;  ///< makes a grid without cells: every cell is blocked
 
-  /// Packs a grid; what is not free is blocked, unknown cells as `unknown` says.
+  /// Packs a grid. Occupied cells are blocked, free cells are not, and `unknown` decides for
+  /// unknown cells.
   explicit BitGrid(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied);
 
-  /// All cells free (or all blocked).
+  /// Makes a grid in which no cell is blocked, or every cell is.
   BitGrid(const GridFrame& frame, bool blocked);
 
   [[nodiscard]] const GridFrame& frame() const noexcept { return frame_; }
 
-  /// Whether a cell is an obstacle; true outside the grid.
+  /// Returns whether a cell is blocked; cells outside the grid are.
   [[nodiscard]] bool blocked(CellIndex cell) const noexcept {
     if (!frame_.contains(cell)) return true;
     return (row(cell.y)[static_cast<std::size_t>(cell.x) / 64] >> (cell.x % 64) & 1U) != 0;
   }
 
-  /// Packs another grid, reusing the memory where the size is unchanged.
+  /// Packs another grid, and reuses the memory if the size is unchanged.
   void assign(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied);
 
-  /// @pre the cell lies in the grid.
+  /// Changes one cell. @pre the cell lies in the grid.
   void set(CellIndex cell, bool blocked) noexcept;
 
-  /// Puts the same cells to another place: `origin` is the new world pose of the lower-left corner.
+  /// Moves the cells to another place: `origin` is the new world pose of the lower-left corner.
   void move_to(const Pose2& origin) noexcept { frame_.origin = origin; }
 
-  /// Column of the first blocked cell of row `y` in columns `first` to `last`, inclusive; -1 when
-  /// there is none. @pre 0 <= first, last < width, 0 <= y < height; an empty range has none.
+  /// Returns the column of the first blocked cell of row `y` in columns `first` to `last`,
+  /// inclusive. The result is -1 if there is none, and for an empty range. @pre 0 <= first, last <
+  /// width, 0 <= y < height.
   [[nodiscard]] int first_blocked(int y, int first, int last) const noexcept {
     if (first > last) return -1;
     const std::uint64_t* const words = row(y).data();
@@ -60,7 +64,7 @@ class BitGrid {
     return word != 0 ? static_cast<int>(w) * 64 + std::countr_zero(word) : -1;
   }
 
-  /// Column of the last blocked cell, else as first_blocked.
+  /// Returns the column of the last blocked cell, otherwise as first_blocked.
   [[nodiscard]] int last_blocked(int y, int first, int last) const noexcept {
     if (first > last) return -1;
     const std::uint64_t* const words = row(y).data();
@@ -73,8 +77,9 @@ class BitGrid {
     return word != 0 ? static_cast<int>(w) * 64 + 63 - std::countl_zero(word) : -1;
   }
 
-  /// Column of the blocked cell of row `y` in columns `first` to `last` that is nearest to column
-  /// `to`, the right one of two equally near; -1 when there is none. @pre as first_blocked.
+  /// Returns the column of the blocked cell nearest to column `to` in row `y`, columns `first` to
+  /// `last`. Of two equally near it returns the right one, and -1 if there is none. @pre as
+  /// first_blocked.
   [[nodiscard]] int nearest_blocked(int y, int first, int last, int to) const noexcept {
     const int right = first_blocked(y, to > first ? to : first, last);
     const int left = last_blocked(y, first, to - 1 < last ? to - 1 : last);
@@ -82,29 +87,31 @@ class BitGrid {
     return to - left < right - to ? left : right;
   }
 
-  /// Whether any cell of row `y` in columns `first` to `last` is blocked. @pre as first_blocked.
+  /// Returns whether any cell of row `y` in columns `first` to `last` is blocked. @pre as
+  /// first_blocked.
   [[nodiscard]] bool any_blocked(int y, int first, int last) const noexcept {
     return any_set(row(y).data(), first, last);
   }
 
-  /// Whether any cell of band `b`, rows kBandRows b to kBandRows (b + 1) - 1, in these columns is
-  /// blocked. @pre as first_blocked, and the band has a row of the grid.
+  /// Returns whether any cell of band `b` in columns `first` to `last` is blocked. Band b covers
+  /// rows kBandRows b to kBandRows (b + 1) - 1. @pre as first_blocked, and the band has a row of
+  /// the grid.
   [[nodiscard]] bool any_blocked_in_band(int b, int first, int last) const noexcept {
     return any_set(band(b).data(), first, last);
   }
 
-  /// The words of one row; bit i of word w is column 64 w + i. Bits past the width are 0.
+  /// Returns the words of a row; bit i of word w is column 64 w + i. Bits past the width are 0.
   [[nodiscard]] std::span<const std::uint64_t> row(int y) const noexcept {
     return {words_.data() + static_cast<std::size_t>(y) * words_per_row_, words_per_row_};
   }
 
-  /// The same of a band: a bit is set where the cell of any of its rows is blocked.
+  /// Returns the words of a band; a bit is set if any row of the band is blocked there.
   [[nodiscard]] std::span<const std::uint64_t> band(int b) const noexcept {
     return {bands_.data() + static_cast<std::size_t>(b) * words_per_row_, words_per_row_};
   }
 
-  /// Writes many cells at a time: calls write(row), where row(y) gives the words of a row to write
-  /// to, for every row. Bits past the width must stay 0.
+  /// Rewrites whole rows: calls write(row) once, where row(y) returns the writable words of row y.
+  /// Bits past the width must stay 0.
   template <typename Write>
   void rewrite(Write&& write) {
     write([this](int y) {
@@ -115,7 +122,7 @@ class BitGrid {
   }
 
  private:
-  // The word that holds a column, and of its bits those from the column on, or up to it.
+  // The word that holds a column, and masks of its bits from that column on and up to that column.
   [[nodiscard]] static std::size_t word_of(int column) noexcept {
     return static_cast<std::size_t>(column) / 64;
   }
@@ -145,7 +152,7 @@ class BitGrid {
   std::vector<std::uint64_t> bands_;
 };
 
-/// How the map is read.
+/// Settings for reading a map.
 struct MapSettings {
   bool unknown_is_occupied = true;  ///< whether unknown cells count as obstacles
 };

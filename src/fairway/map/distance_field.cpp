@@ -8,14 +8,15 @@
 #include "fairway/base/contract.hpp"
 #include "fairway/map/free_space.hpp"
 
-// Two passes (Meijster, Roerdink, Hesselink 2000): steps along every column, then along every row
-// the lower envelope of the parabolas that the columns' distances span.
+// The transform has two passes (Meijster, Roerdink, Hesselink 2000). The first counts steps along
+// every column; the second finds, along every row, the lower envelope of the parabolas given by the
+// columns' distances.
 //
-// Unit: half cells, so that all is integer. From a cell's centre to a closed square k columns away
-// it is 2k - 1 across (k > 0), that is, to the square's near edge. So for cell x and a column
+// The unit is half a cell, so that all numbers are integers. A closed square k > 0 columns away
+// begins 2k - 1 half cells from a cell's centre, at its near edge. So for cell x and a column
 // *edge* e (the line between columns e - 1 and e) the squared distance through that edge is
 //     (2x + 1 - 2e)^2 + height(e),
-// with height(e) = (2 min(steps) - 1)^2 over the edge's two columns: parabolas over edges.
+// with height(e) = (2 min(steps) - 1)^2 over the two columns at the edge: parabolas over edges.
 
 namespace fairway {
 
@@ -23,7 +24,7 @@ namespace {
 
 constexpr std::size_t kLanes = 8;
 
-// For 8 cells' bits: all ones in the lanes of free cells.
+// Lane masks for every pattern of 8 cells: all bits are set in the lanes of free cells.
 constexpr auto kFreeLanes = [] {
   std::array<std::array<std::uint16_t, kLanes>, 256> masks{};
   for (std::size_t bits = 0; bits < 256; ++bits) {
@@ -34,8 +35,8 @@ constexpr auto kFreeLanes = [] {
   return masks;
 }();
 
-// One step on from the row `previous`: 0 where blocked, one more than there elsewhere; kBounded:
-// and no more than `steps` holds already.
+// Advances the step counts by one row: 0 in blocked cells, one more than in row `previous` in
+// others. With kBounded the value already in `steps` is an upper bound.
 template <bool kBounded>
 void step_columns(std::span<const std::uint64_t> words,
                   const std::uint16_t* previous,
@@ -53,14 +54,14 @@ void step_columns(std::span<const std::uint64_t> words,
   }
 }
 
-// More steps than `most` are of no interest: so rows that differ in those only count as equal.
+// Limits step counts to `most`. Rows that differ only beyond that limit then compare as equal.
 void shorten(std::vector<std::uint16_t>& steps, int most) {
   const auto limit = static_cast<std::uint16_t>(most);
   for (std::uint16_t& step : steps)
     step = std::min(step, limit);
 }
 
-// std::max_element looks for where it is, and so at one value at a time.
+// Returns the greatest value. std::max_element also finds its position, and so does not vectorise.
 template <std::size_t kCount>
 std::int16_t greatest(const std::array<std::int16_t, kCount>& values) {
   std::int16_t most = values[0];
@@ -69,8 +70,9 @@ std::int16_t greatest(const std::array<std::int16_t, kCount>& values) {
   return most;
 }
 
-// Steps to the nearest blocked cell of the column or the outside, for the columns of some words.
-// `steps` points to row 0; the row before it and the row after the last are all 0: the outside.
+// Counts steps to the nearest blocked cell of the column, or to the outside, for the columns of
+// some words. `steps` points to row 0; the rows before the first and after the last are 0, for the
+// outside.
 void measure_columns(const BitGrid& obstacles,
                      std::size_t first_word,
                      std::size_t word_count,
@@ -147,8 +149,8 @@ void DistanceField::update_row(int y, int first, int last) {
   const std::uint16_t* steps = column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
   float* distances =
       cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
-  // A blocked cell shields: what lies beyond it is never nearer. So a change reaches as far as the
-  // runs of free cells that touch it, and every run is a task of its own.
+  // A blocked cell shields the cells beyond it: no obstacle behind it is nearer. A change therefore
+  // affects only the runs of free cells that touch it, and each run is computed on its own.
   while (first > 0 && steps[first - 1] != 0)
     --first;
   last = std::min(last + 1, frame_.width - 1);
@@ -167,20 +169,20 @@ void DistanceField::update_row(int y, int first, int last) {
 
 void DistanceField::update_run(const std::uint16_t* steps, int first, int end, float* distances) {
   Parabola* envelope = envelope_.data();
-  // The blocked cells (or the outside) at both ends are at height 0 at the run's own edges.
+  // The blocked cells (or the outside) at both ends have height 0 at the edges of the run.
   Parabola last{.edge = first, .start = first, .height = 0};
-  int count = 0;  // of those before `last`
+  int count = 0;  // number of parabolas before `last`
   for (int edge = first + 1; edge <= end; ++edge) {
     const std::int64_t nearest = 2 * std::min(steps[edge - 1], steps[edge]) - 1;
     const std::int64_t height = edge == end ? 0 : nearest * nearest;
-    // Drop what the new parabola beats from its start on:
+    // Drop every parabola that the new one undercuts from its start on:
     // (2 start + 1 - 2 edge)^2 + height <= (2 start + 1 - 2 last.edge)^2 + last.height.
     while (count > 0 && height - last.height <= 4 * static_cast<std::int64_t>(edge - last.edge) *
                                                     (2 * last.start + 1 - edge - last.edge)) {
       last = envelope[--count];
     }
-    // To the right of this the new one is lower. Where rounding moves it across a whole number,
-    // both are equal there.
+    // The new parabola is lower to the right of the crossing. Where rounding moves the crossing
+    // across an integer, both parabolas are equal there.
     const double crossing =
         0.5 * (edge + last.edge - 1) + static_cast<double>(height - last.height) *
                                            eighths_[static_cast<std::size_t>(edge - last.edge)];
@@ -206,8 +208,8 @@ void DistanceField::update_run(const std::uint16_t* steps, int first, int end, f
     distances[x] = scale * std::sqrt(squares_[static_cast<std::size_t>(x)]);
 }
 
-// Cells `first` to `last` of a row when only what is near counts: every column around is tried,
-// with the same arithmetic for many cells at once.
+// Updates cells `first` to `last` of a row under a finite reach. All columns within reach are
+// tried, with the same arithmetic for many cells at once.
 void DistanceField::update_near(int y, int first, int last) {
   const std::uint16_t* steps = column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
   float* distances =
@@ -234,7 +236,7 @@ void DistanceField::update_near(int y, int first, int last) {
     }
     const std::int16_t* const middle = near_squares_.data() + near_;
     std::copy_n(middle, kPart, best.begin());
-    constexpr int kOften = 4;  // columns between looks at what is still to be gained
+    constexpr int kOften = 4;  // columns between two checks whether any cell can still improve
     for (int k = 1; k <= near_; ++k) {
       const auto across = static_cast<std::int16_t>((2 * k - 1) * (2 * k - 1));
       if (k % kOften == 0 && least + across >= greatest(best)) break;

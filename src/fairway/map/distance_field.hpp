@@ -11,47 +11,51 @@
 
 namespace fairway {
 
-/// A block of cells, both corners included; empty when `first` exceeds `last` in either coordinate.
+/// A block of cells, both corners included; empty if `first` exceeds `last` in either coordinate.
 struct CellWindow {
   CellIndex first;
   CellIndex last;
 };
 
-/// Grows `window` to hold `cell` too. An empty window must have its `first` at or beyond, and its
-/// `last` at or before, every cell that it may get.
+/// Grows `window` to contain `cell`. An empty window must start with `first` at or beyond, and
+/// `last` at or before, every cell that is added later.
 inline void include(CellWindow& window, CellIndex cell) noexcept {
   window.first = {.x = std::min(window.first.x, cell.x), .y = std::min(window.first.y, cell.y)};
   window.last = {.x = std::max(window.last.x, cell.x), .y = std::max(window.last.y, cell.y)};
 }
 
-/// For every cell the exact Euclidean distance from its centre to the nearest blocked cell, as a
-/// closed square, and to the outside of the grid. 0 in blocked cells.
+/// The exact distance from the centre of every cell to the nearest obstacle.
 ///
-/// "Exact" up to the rounding to float: at most 1.5e-7 of the distance.
+/// Obstacles are the blocked cells, as closed squares, and the outside of the grid. The distance is
+/// 0 in blocked cells. It is rounded to float, an error of at most 1.5e-7 of the distance.
 class DistanceField {
  public:
-  DistanceField() = default;  ///< no cells
+  DistanceField() = default;  ///< makes a field without cells
   explicit DistanceField(const BitGrid& obstacles);
 
-  /// Distances above `reach` [m] are of no interest, and given as `reach`: both kinds of update
-  /// become several times cheaper. From the next full update on; infinite, as at first, for all.
-  /// @pre above 0, and infinite or at most kMostReach cells.
+  /// Limits distances to `reach` [m]: greater ones are stored as `reach`. A finite reach makes both
+  /// kinds of update several times cheaper. It takes effect with the next full update; the default
+  /// is infinite.
+  /// @pre reach > 0, and either infinite or at most kMostReach cells.
   void set_reach(double reach) noexcept { reach_ = reach; }
   static constexpr int kMostReach = 60;
 
-  /// Recomputes for new obstacles; reuses its memory when the size is unchanged. O(cells).
+  /// Recomputes the field for new obstacles in O(cells); reuses its memory if the size is
+  /// unchanged.
   void update(const BitGrid& obstacles);
 
-  /// Recomputes after a change of obstacles inside `changed` only; gives the same bits as a full
-  /// update, and does not allocate after the first window of this size. A window over the edge of
-  /// the grid is cut. O(height * window width + cells of the rows where something changed).
-  /// @pre the obstacles have the same frame as at the last update and differ from those only
-  ///      inside the window.
+  /// Recomputes the field after a change of obstacles inside `changed` only.
+  ///
+  /// The result equals that of a full update to the bit. The window is clipped to the grid. Cost:
+  /// O(height * window width + cells of the rows in which something changed). Does not allocate
+  /// after the first window of this size.
+  /// @pre the obstacles have the same frame as at the last update, and differ from those only
+  ///       inside the window.
   void update(const BitGrid& obstacles, const CellWindow& changed);
 
   [[nodiscard]] const GridFrame& frame() const noexcept { return frame_; }
 
-  /// Distance at a cell's centre [m]; 0 outside the grid.
+  /// Distance at the centre of a cell [m]; 0 outside the grid.
   [[nodiscard]] double at(CellIndex cell) const noexcept {
     return frame_.contains(cell)
                ? static_cast<double>(cells_[static_cast<std::size_t>(cell.y) *
@@ -68,8 +72,8 @@ class DistanceField {
   void update_run(const std::uint16_t* steps, int first, int end, float* distances);
   void update_near(int y, int first, int last);
 
-  // A parabola on the lower envelope of a run of free cells: the squared distance through one edge
-  // between two columns, best of all edges from cell `start` on.
+  // A parabola on the lower envelope of a run of free cells: the squared distance through one
+  // column edge. From cell `start` on it is the lowest of all.
   struct Parabola {
     int edge;
     int start;
@@ -78,24 +82,26 @@ class DistanceField {
 
   GridFrame frame_;
   double reach_ = std::numeric_limits<double>::infinity();  // [m]
-  int near_ = 0;  // the same in whole cells, not below it; 0: all
+  int near_ = 0;  // reach_ in cells, rounded up; 0 for an infinite reach
   std::vector<float> cells_;
   // Steps along the column to the nearest blocked cell or the outside. Rows are padded to whole
-  // words; the first and the last are the outside.
+  // words; the first and the last row are outside the grid.
   std::size_t stride_ = 0;
   std::vector<std::uint16_t> column_steps_;
   std::vector<std::uint16_t> window_steps_;
   std::vector<Parabola> envelope_;
-  std::vector<std::uint8_t> starts_;        // of one row: 1 where the next parabola takes over
-  std::vector<float> squares_;              // of one row, [(half cells)^2]
-  std::vector<double> eighths_;             // 1 / (8 n)
+  std::vector<std::uint8_t> starts_;  // of one row: 1 where the next parabola becomes the lowest
+  std::vector<float> squares_;        // of one row, [(half cells)^2]
+  std::vector<double> eighths_;       // 1 / (8 n)
   std::vector<std::int16_t> near_squares_;  // of one row with its surroundings, [(half cells)^2]
 };
 
-/// The cells whose centre is at most `radius` [m] from a blocked cell, and the blocked cells: where
-/// the centre of a disc robot cannot be. Errs towards "blocked" by kFreeSpaceSkin (free_space.hpp),
-/// so that wherever a cell stays free a disc of that radius is free at its centre.
-/// @pre radius is not negative, not NaN and below 10 m (then the skin covers the field's rounding).
+/// Returns the blocked cells and all cells whose centre is at most `radius` [m] from a blocked
+/// cell: the centre of a disc robot must not lie there.
+///
+/// The result errs towards "blocked" by kFreeSpaceSkin (free_space.hpp): a disc of that radius is
+/// free at the centre of every cell that stays free.
+/// @pre 0 <= radius < 10 m (then the skin covers the rounding of the field).
 [[nodiscard]] BitGrid inflate(const DistanceField& distances, double radius);
 
 }  // namespace fairway

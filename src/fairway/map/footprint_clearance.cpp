@@ -9,9 +9,9 @@ namespace fairway {
 
 namespace {
 
-constexpr double kResolution = 1e-4;  // [m], of the bisections
+constexpr double kResolution = 1e-4;  // [m], of the bisection
 
-// The largest value in [low, high] up to which `holds`, which must hold at `low`.
+// Finds the largest value in [low, high] for which `holds` is true. @pre holds(low).
 template <typename Predicate>
 double bisect(double low, double high, Predicate&& holds) noexcept {
   while (high - low > kResolution) {
@@ -44,9 +44,9 @@ double footprint_clearance(const BitGrid& obstacles,
     double least = limit;
     for (int i = 0; i < footprint.num_discs(); ++i) {
       const Footprint::Disc& disc = footprint.disc_at(i);
-      const double room =
+      const double distance =
           distance_to_blocked(obstacles, transform(pose, disc.center), disc.radius + limit);
-      least = std::min(least, room - disc.radius);
+      least = std::min(least, distance - disc.radius);
     }
     return least;
   }

@@ -6,16 +6,18 @@
 
 namespace fairway {
 
-/// Whether every blocked cell is further than `clearance` [m] from a robot's footprint at `pose`;
-/// exact, with the skin of free_space.hpp.
+/// Returns whether every blocked cell is further than `clearance` [m] from a footprint at `pose`.
+/// The test is exact, with the skin of free_space.hpp.
 [[nodiscard]] bool is_free(const BitGrid& obstacles,
                            const Footprint& footprint,
                            const Pose2& pose,
                            double clearance) noexcept;
 
-/// Distance from a robot's footprint at `pose` to the nearest blocked cell or the outside of the
-/// grid, but at most `limit` [m]. Exact for a disc and for discs, within 1e-4 m below for a
-/// rectangle. Negative when they touch: minus how much the footprint must shrink to be free.
+/// Returns the distance from a footprint at `pose` to the nearest obstacle, at most `limit` [m].
+///
+/// Obstacles are the blocked cells and the outside of the grid. The distance is exact for discs,
+/// and at most 1e-4 m too small for a rectangle. If they touch, the result is negative: minus the
+/// amount by which the footprint must shrink to be free.
 [[nodiscard]] double footprint_clearance(const BitGrid& obstacles,
                                          const Footprint& footprint,
                                          const Pose2& pose,

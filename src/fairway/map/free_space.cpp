@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using internal::RoundedRegion;
 
-// Whether the region lies in the open grid.
+// Returns whether the region lies in the interior of the grid.
 bool inside(const GridFrame& frame, const RoundedRegion& region) noexcept {
   return region.low().x() > 0.0 && region.low().y() > 0.0 && region.high().x() < frame.width &&
          region.high().y() < frame.height;
@@ -30,8 +30,8 @@ TurnedBox to_grid(const GridFrame& frame, const OrientedRectangle& r) noexcept {
 
 constexpr int kBandRows = BitGrid::kBandRows;
 
-// First blocked cell of a region that lies in the grid; {-1, -1} when there is none. Bands first:
-// where a band has none, none of its rows has.
+// Returns the first blocked cell of a region inside the grid, or {-1, -1} if there is none. Bands
+// are tested first: a free band has only free rows.
 CellIndex scan(const BitGrid& obstacles, const RoundedRegion& region) noexcept {
   const int first = static_cast<int>(region.low().y());
   const int last = static_cast<int>(region.high().y());
@@ -66,7 +66,7 @@ class Collector {
         towards_(towards),
         found_(found) {}
 
-  // Looks at the rows from `bottom` to `top`, all of one band.
+  // Searches the rows from `bottom` to `top`, all of one band.
   void look(int bottom, int top) noexcept {
     const Columns band = columns(region_.over_rows(bottom, top));
     if (!obstacles_.any_blocked_in_band(bottom / kBandRows, band.first, band.last)) return;
@@ -85,7 +85,7 @@ class Collector {
   [[nodiscard]] bool full() const noexcept { return count_ == found_.size(); }
 
  private:
-  // The columns of an interval, clipped to the grid; none where it lies outside.
+  // The columns of an interval, clipped to the grid; first > last if the interval lies outside.
   struct Columns {
     int first;
     int last;
@@ -112,7 +112,7 @@ std::optional<CellIndex> find_blocked_cell(const BitGrid& obstacles,
                                            const OrientedRectangle& rectangle,
                                            double clearance) noexcept {
   constexpr CellIndex kBelow{.x = -1, .y = -1};
-  // Written so that every non-finite number lands here too.
+  // This form also catches every non-finite number.
   if (rectangle.is_empty() || !(clearance >= 0.0)) return kBelow;
   const GridFrame& frame = obstacles.frame();
   const RoundedRegion region(to_grid(frame, rectangle),
@@ -170,7 +170,7 @@ double distance_to_blocked(const BitGrid& obstacles,
   const GridFrame& frame = obstacles.frame();
   const Vector2d g = frame.to_grid(point);
   const Vector2d size(frame.width, frame.height);
-  // Written so that a point that is not finite lands here too.
+  // This form also catches a non-finite point.
   if (!((g.array() > 0.0).all() && (g.array() < size.array()).all())) return 0.0;
   double best = std::min({limit / frame.resolution, g.minCoeff(), (size - g).minCoeff()});
   const auto outside = [](double v, int cell) { return std::max({cell - v, v - cell - 1, 0.0}); };

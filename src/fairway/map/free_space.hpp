@@ -10,36 +10,38 @@
 
 namespace fairway {
 
-/// Room kept between a free region and every obstacle beyond what is asked [m]: far above the float
-/// error of any coordinate here (about 1e-11 m) and of a number printed with seven digits, far
-/// below anything a robot can notice.
+/// Extra clearance [m] that every test adds to the one requested. It is far above the rounding
+/// error of coordinates (about 1e-11 m) and of numbers printed with seven digits, and far below
+/// what matters to a robot.
 inline constexpr double kFreeSpaceSkin = 1e-6;
 
-/// Some blocked cell that is at most `clearance` + kFreeSpaceSkin away from `rectangle` [m], or
-/// none.
+/// Returns a blocked cell at most `clearance` + kFreeSpaceSkin [m] away from `rectangle`, or none.
 ///
-/// THE test that everything in Fairway rests on. Cells are closed squares, the rectangle is closed,
-/// distances are Euclidean (so the grown rectangle has round corners), and nothing is sampled: the
-/// answer is exact up to the skin, which errs towards "blocked". Everything outside the grid is
-/// blocked; then the cell returned lies outside the grid. With clearance 0 it tests a footprint or
-/// a workspace rectangle; with the robot's radius it tests a rectangle for a disc robot's centre;
-/// on a segment it tests a straight motion, on a point a disc.
+/// All other tests for free space in Fairway rely on this one. Cells are closed squares, the
+/// rectangle is closed, and distances are Euclidean (the grown rectangle has round corners).
+/// Nothing is sampled: the answer is exact up to the skin, which errs towards "blocked". Everything
+/// outside the grid is blocked; the cell returned then lies outside the grid.
 ///
-/// Cost: one word operation per 64 cells of every band of rows that the region touches, and of
-/// every row of the bands in which something is near.
-/// An empty rectangle, a negative clearance or a number that is not finite counts as blocked.
+/// With clearance 0 the function tests a footprint or a workspace rectangle. With the robot's
+/// radius it tests a rectangle for the centre of a disc robot; a segment then stands for a straight
+/// motion, and a point for a disc. An empty rectangle, a negative clearance or a non-finite number
+/// counts as blocked.
+///
+/// Cost: one word operation per 64 cells of every band that the region touches, and of every row of
+/// the bands that contain obstacles near the region.
 [[nodiscard]] std::optional<CellIndex> find_blocked_cell(const BitGrid& obstacles,
                                                          const OrientedRectangle& rectangle,
                                                          double clearance) noexcept;
 
-/// Whether every blocked cell is further than `clearance` from `rectangle`; see find_blocked_cell.
+/// Returns whether every blocked cell is further than `clearance` [m] from `rectangle`; see
+/// find_blocked_cell.
 [[nodiscard]] inline bool is_free(const BitGrid& obstacles,
                                   const OrientedRectangle& rectangle,
                                   double clearance) noexcept {
   return !find_blocked_cell(obstacles, rectangle, clearance);
 }
 
-/// Whether a disc of radius `clearance` can move straight from `a` to `b`.
+/// Returns whether a disc of radius `clearance` [m] can move straight from `a` to `b`.
 [[nodiscard]] inline bool is_free(const BitGrid& obstacles,
                                   const Eigen::Vector2d& a,
                                   const Eigen::Vector2d& b,
@@ -47,17 +49,17 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
   return is_free(obstacles, segment_rectangle(a, b), clearance);
 }
 
-/// Distance from `point` to the nearest blocked cell or the outside of the grid, exact, but at most
-/// `limit` [m]. 0 on a blocked cell, outside the grid, or for a point that is not finite.
+/// Returns the exact distance from `point` to the nearest obstacle, at most `limit` [m]. Obstacles
+/// are the blocked cells and the outside of the grid. The distance is 0 on an obstacle, and for a
+/// non-finite point.
 [[nodiscard]] double distance_to_blocked(const BitGrid& obstacles,
                                          const Eigen::Vector2d& point,
                                          double limit) noexcept;
 
 /// A rectangle in grid coordinates: the points origin + x u + y v with min <= (x, y) <= max, where
-/// u is the unit vector `along` and v is u turned by +90 degrees. Lengths in cells.
+/// u is the unit vector `along` and v is u rotated by +90 degrees. Lengths are in cells.
 ///
-/// The form for searches that test thousands of rectangles: no angle, so no sine or cosine per
-/// test.
+/// Searches that test thousands of rectangles use this form: it needs no sine or cosine per test.
 struct TurnedBox {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   Eigen::Vector2d along = Eigen::Vector2d::UnitX();
@@ -65,28 +67,29 @@ struct TurnedBox {
   Eigen::Vector2d max = Eigen::Vector2d::Zero();
 };
 
-/// What lies in the way of a box: see find_blocked_cells.
+/// Result of find_blocked_cells.
 struct BlockedCells {
-  std::size_t count = 0;     ///< how many cells were written
-  bool outside_map = false;  ///< the region reaches out of the grid (cells may be written as well)
+  std::size_t count = 0;     ///< number of cells written
+  bool outside_map = false;  ///< the region extends beyond the grid (cells may be written as well)
 };
 
-/// Blocked cells at most `radius` [cells] from `box`: in every row that has any, the one nearest to
-/// `towards` (in columns), written into `found` until it is full; rows in bands
-/// (BitGrid::kBandRows), from the one of `towards` outwards. No skin is added. The part outside the
-/// grid is not looked at, only reported.
+/// Finds blocked cells at most `radius` [cells] from `box`: in every row that has any, the one
+/// nearest to `towards` in columns.
 ///
-/// The same exact test as find_blocked_cell, for callers that want to learn more from one pass:
-/// none is written if and only if there is none (and `found` has room). @pre box not empty, finite;
-/// radius >= 0.
+/// Writes the cells into `found` until it is full. Rows are visited in bands (BitGrid::kBandRows),
+/// from the band of `towards` outwards. No skin is added. The part of the region outside the grid
+/// is reported, but not searched.
+///
+/// The test is as exact as find_blocked_cell: unless `found` is empty, no cell is written if and
+/// only if there is none. @pre the box is not empty and finite; radius >= 0.
 [[nodiscard]] BlockedCells find_blocked_cells(const BitGrid& obstacles,
                                               const TurnedBox& box,
                                               double radius,
                                               const Eigen::Vector2d& towards,
                                               std::span<CellIndex> found) noexcept;
 
-/// Whether no blocked cell is at most `radius` [cells] from `box` and the region lies in the grid;
-/// no skin is added. @pre as above.
+/// Returns whether no blocked cell is at most `radius` [cells] from `box` and the region lies in
+/// the grid. No skin is added. @pre as find_blocked_cells.
 [[nodiscard]] bool is_free(const BitGrid& obstacles, const TurnedBox& box, double radius) noexcept;
 
 }  // namespace fairway

@@ -17,11 +17,11 @@ struct CellIndex {
   friend bool operator==(const CellIndex&, const CellIndex&) = default;
 };
 
-/// Where the cells of a grid lie in the world.
+/// The pose and size of a grid: it maps cells to the world.
 ///
 /// Grid coordinates count cells from the lower-left corner of cell (0, 0), so cell (i, j) is the
 /// closed square [i, i+1] x [j, j+1]. `origin` is the world pose of that corner, yaw included, as
-/// in map_server's `origin`.
+/// `origin` of map_server.
 struct GridFrame {
   int width = 0;            ///< number of columns
   int height = 0;           ///< number of rows
@@ -32,19 +32,19 @@ struct GridFrame {
     return cell.x >= 0 && cell.x < width && cell.y >= 0 && cell.y < height;
   }
 
-  /// World point [m] -> grid coordinates [cells].
+  /// Converts a world point [m] to grid coordinates [cells].
   [[nodiscard]] Eigen::Vector2d to_grid(const Eigen::Vector2d& point) const noexcept {
     return inverse_transform(origin, point) / resolution;
   }
 
-  /// Grid coordinates [cells] -> world point [m].
+  /// Converts grid coordinates [cells] to a world point [m].
   [[nodiscard]] Eigen::Vector2d to_world(const Eigen::Vector2d& grid_point) const noexcept {
     return transform(origin, grid_point * resolution);
   }
 
-  /// The cell that holds `point`; may lie outside the grid. A point on an edge between two cells
-  /// belongs to the upper or right one. Points further than 1e9 cells away, or non-finite, give a
-  /// cell outside the grid.
+  /// Returns the cell that contains `point`, which may lie outside the grid. A point on an edge
+  /// between two cells belongs to the upper or right one. A non-finite point, or one further than
+  /// 1e9 cells away, gives a cell outside the grid.
   [[nodiscard]] CellIndex cell_at(const Eigen::Vector2d& point) const noexcept {
     const Eigen::Vector2d g = to_grid(point);
     const auto index = [](double v) {
@@ -53,13 +53,13 @@ struct GridFrame {
     return {.x = index(g.x()), .y = index(g.y())};
   }
 
-  /// Centre of a cell in the world [m].
+  /// Centre of a cell in the world frame [m].
   [[nodiscard]] Eigen::Vector2d center(CellIndex cell) const noexcept {
     return to_world({cell.x + 0.5, cell.y + 0.5});
   }
 };
 
-/// Whether the cells of both grids lie at the same places, to the bit.
+/// Returns whether two frames are equal to the bit.
 [[nodiscard]] inline bool same_frame(const GridFrame& a, const GridFrame& b) noexcept {
   const auto same = [](double p, double q) {
     return std::bit_cast<std::uint64_t>(p) == std::bit_cast<std::uint64_t>(q);

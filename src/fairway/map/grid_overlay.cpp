@@ -8,10 +8,11 @@ namespace fairway {
 
 namespace {
 
-// The pieces per side into which a cell of `from` is cut, so that none is larger than one of
-// `onto`.
+// Returns the number of pieces per side into which a cell of `from` is divided. No piece is larger
+// than a cell of `onto`.
 int pieces_per_side(const BitGrid& from, const BitGrid& onto) noexcept {
-  constexpr double kSameSize = 1e-6;  // two writings of one resolution count as one
+  // Relative difference below which two resolutions count as equal.
+  constexpr double kSameSize = 1e-6;
   constexpr double kMost = 1000.0;
   const double ratio = from.frame().resolution / onto.frame().resolution;
   return static_cast<int>(std::clamp(std::ceil(ratio - kSameSize), 1.0, kMost));

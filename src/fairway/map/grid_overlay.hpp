@@ -5,12 +5,14 @@
 
 namespace fairway {
 
-/// Adds the obstacles of one grid to another that may lie elsewhere, be turned, or have cells of
-/// another size: a cell of `onto` becomes blocked when the centre of a blocked cell of `from` falls
-/// into it, or of one of the equal squares that such a cell is cut into where it is the larger one.
+/// Adds the obstacles of one grid to another, which may have another pose and resolution.
 ///
-/// Obstacles move by at most half the diagonal of a cell, the same as when they were entered into
-/// `from`. Nothing becomes free. Does not allocate.
+/// A cell of `onto` becomes blocked if the centre of a blocked cell of `from` falls into it. A cell
+/// of `from` that is larger than those of `onto` is first divided into equal squares, and the
+/// centre of each square counts.
+///
+/// Obstacles move by at most half the diagonal of a cell, which is also the error of entering them
+/// into `from`. No cell becomes free. Does not allocate.
 void add_obstacles(const BitGrid& from, BitGrid& onto) noexcept;
 
 }  // namespace fairway

@@ -12,10 +12,9 @@ namespace fairway {
 /// What is known about a cell.
 enum class CellState : std::uint8_t { Free, Occupied, Unknown };
 
-/// The static world: a state per cell.
+/// The static world: one state per cell.
 ///
-/// Outside the grid everything counts as occupied. How unknown cells count is decided where the
-/// grid is turned into obstacles (see BitGrid).
+/// Cells outside the grid count as occupied. BitGrid decides how unknown cells count.
 class OccupancyGrid {
  public:
   /// @throws std::invalid_argument unless width and height are 1 to kMaxSide, the resolution is
@@ -24,18 +23,18 @@ class OccupancyGrid {
 
   [[nodiscard]] const GridFrame& frame() const noexcept { return frame_; }
 
-  /// State of a cell; Occupied outside the grid.
+  /// Returns the state of a cell; Occupied outside the grid.
   [[nodiscard]] CellState at(CellIndex cell) const noexcept {
     return frame_.contains(cell) ? cells_[index(cell)] : CellState::Occupied;
   }
 
-  /// @pre the cell lies in the grid.
+  /// Changes the state of a cell. @pre the cell lies in the grid.
   void set(CellIndex cell, CellState state) noexcept;
 
   /// All cells, row by row from the lowest, `frame().width` per row.
   [[nodiscard]] std::span<const CellState> cells() const noexcept { return cells_; }
 
-  /// Longest side of a grid [cells]; keeps every coordinate and product far from overflow.
+  /// Longest side of a grid [cells]; it keeps every coordinate and product far from overflow.
   static constexpr int kMaxSide = 32768;
 
  private:

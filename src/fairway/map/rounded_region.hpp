@@ -9,10 +9,12 @@
 
 namespace fairway::internal {
 
-// The right half of the outline of a rectangle with round corners (all points within `radius` of
-// it), as a function of the height y: an arc about the bottom corner, a side, an arc about the
-// outer corner, a side, an arc about the top corner. The left half is the same with x negated and
-// the two turns swapped. The function is concave.
+// The right half of the outline of a rounded rectangle, as a function of the height y. A rounded
+// rectangle is the set of all points within `radius` of a rectangle.
+//
+// The outline consists of an arc about the bottom corner, a side, an arc about the outer corner, a
+// side, and an arc about the top corner. The left half has the same form with x negated and the two
+// sides swapped. The function is concave.
 class Flank {
  public:
   // (c, s) is the direction of the side from bottom to outer, both >= 0. Sides may have length 0.
@@ -38,20 +40,20 @@ class Flank {
         upper_start_(outer.y() + radius * s),
         upper_end_(top.y() + radius * s) {}
 
-  // The outermost x over the closed strip low <= y <= high if the two sides went on to where they
-  // meet each other and the limits: exact for radius 0, otherwise never too little.
+  // Bounds x over the closed strip low <= y <= high by the two sides and the limit. The bound is
+  // exact for radius 0, and otherwise never too small.
   [[nodiscard]] double reach_of_sides(double low, double high) const noexcept {
     return std::min(limit_, std::min(rise_ + rise_slope_ * high, fall_ - fall_slope_ * low));
   }
 
-  // Whether an arc may be the outline in the rows from `first` to `last`.
+  // Returns whether an arc may form the outline in the rows from `first` to `last`.
   [[nodiscard]] bool has_arc(double first, double last) const noexcept {
     return first < lower_start_ || last + 1.0 > upper_end_ ||
            (last + 1.0 > lower_end_ && first < upper_start_);
   }
 
-  // The outermost x over the closed strip row <= y <= row + 1. By concavity it is at the height
-  // nearest to that of the outer corner. @pre the set meets the strip.
+  // The greatest x over the closed strip row <= y <= row + 1. By concavity it is at the height
+  // nearest to the outer corner. @pre the region meets the strip.
   [[nodiscard]] double reach(double row) const noexcept {
     const double sides = reach_of_sides(row, row + 1.0);
     const double y = std::min(std::max(outer_.y(), row), row + 1.0);
@@ -62,8 +64,8 @@ class Flank {
   }
 
  private:
-  // A side that rises less than this along its length counts as level, and so does not bound: the
-  // corners do, to far less than the skin.
+  // A side with a smaller slope counts as level and gives no bound. The corners then bound the
+  // region, with an error far below the skin.
   static constexpr double kLevel = 1e-9;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -77,12 +79,13 @@ class Flank {
   Eigen::Vector2d top_;
   double square_;
   double limit_;
-  // The sides: x = rise + rise_slope y below the outer corner, x = fall - fall_slope y above it.
+  // The sides are x = rise + rise_slope y below the outer corner and x = fall - fall_slope y above
+  // it.
   double rise_slope_;
   double rise_;
   double fall_slope_;
   double fall_;
-  // Between which heights the outline is a side; elsewhere it is an arc.
+  // The outline is a side between these heights, and an arc elsewhere.
   double lower_start_;
   double lower_end_;
   double upper_start_;
@@ -91,8 +94,8 @@ class Flank {
 
 inline Eigen::Vector2d mirrored(const Eigen::Vector2d& p) noexcept { return {-p.x(), p.y()}; }
 
-// All cells that meet the region {distance to the box <= radius}, row by row. As a convex set it
-// meets a strip of rows in an interval of x.
+// All cells that meet the region {distance to the box <= radius}, row by row. The region is convex,
+// so it meets a strip of rows in an interval of x.
 class RoundedRegion {
  public:
   RoundedRegion(TurnedBox box, double radius) noexcept
@@ -101,7 +104,8 @@ class RoundedRegion {
   [[nodiscard]] const Eigen::Vector2d& low() const noexcept { return low_; }
   [[nodiscard]] const Eigen::Vector2d& high() const noexcept { return high_; }
 
-  // The interval over the rows from `first` to `last`, or a little more.
+  // An interval that contains the region over the rows from `first` to `last`, and may be slightly
+  // larger.
   // @pre the region meets each of these rows.
   struct Interval {
     double left;
@@ -112,7 +116,8 @@ class RoundedRegion {
             .right = right_.reach_of_sides(first, last + 1.0)};
   }
 
-  // Whether that may be too much even for one of them alone; and the exact interval of a row.
+  // Returns whether that interval may be too large even for a single row; over_row gives the exact
+  // one.
   [[nodiscard]] bool has_arc(int first, int last) const noexcept {
     return left_.has_arc(first, last) || right_.has_arc(first, last);
   }
@@ -122,8 +127,8 @@ class RoundedRegion {
   }
 
  private:
-  // The same box with both coordinates of `along` >= 0, so that the corners min, (max.x, min.y),
-  // max, (min.x, max.y) are the bottom, right, top and left one.
+  // Turns the box so that both coordinates of `along` are >= 0. The corners min, (max.x, min.y),
+  // max and (min.x, max.y) are then the bottom, right, top and left one.
   static TurnedBox turned_to_first_quadrant(TurnedBox box) noexcept {
     for (int i = 0; i < 3 && (box.along.x() < 0.0 || box.along.y() < 0.0); ++i) {
       box.along = Eigen::Vector2d(-box.along.y(), box.along.x());

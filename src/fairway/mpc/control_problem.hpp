@@ -12,39 +12,41 @@
 
 namespace fairway {
 
-inline constexpr int kMaxHorizon = 50;           ///< longest horizon [steps]
-inline constexpr int kMaxObstacles = 16;         ///< most moving obstacles in one problem
-inline constexpr int kMaxRectanglesPerStep = 2;  ///< a step may be bound to two at a switch
+inline constexpr int kMaxHorizon = 50;    ///< longest horizon [steps]
+inline constexpr int kMaxObstacles = 16;  ///< most moving obstacles in one problem
+/// Greatest number of rectangles of a step: two at a switch from one to the next.
+inline constexpr int kMaxRectanglesPerStep = 2;
 
-/// How one step of the unicycle, Eq. (1), is integrated.
+/// Method by which one step of the unicycle, Eq. (1), is integrated.
 enum class Integration : std::uint8_t {
   Euler,     ///< Eq. (3b): moves along the heading at the start of the step
-  Midpoint,  ///< moves along the heading half-way through the step: error O(dt^3) instead of
+  Midpoint,  ///< moves along the heading at the middle of the step; the error is O(dt^3) instead of
              ///< O(dt^2)
 };
 
-/// Pull towards a pose at one step: weight.x |dx|^2 + weight.y |dy|^2 + weight.z dheading^2.
+/// A target pose at one step. Its cost is weight.x |dx|^2 + weight.y |dy|^2 + weight.z dheading^2.
 struct StepTarget {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  double heading = 0.0;  ///< not wrapped: the caller gives the turn nearest to the robot's heading
+  double heading = 0.0;  ///< [rad], unwrapped: the turn nearest to the robot's heading
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
 };
 
-/// Rectangles (already moved inward) that the robot's centre must be inside at one step.
+/// Rectangles, already moved inward, that must contain the robot's centre at one step.
 struct StepRegion {
   std::array<OrientedRectangle, kMaxRectanglesPerStep> rectangles;
-  int count = 0;  ///< 0: free to be anywhere
+  int count = 0;  ///< 0: no constraint at this step
 };
 
-/// One moving obstacle over the horizon.
+/// The prediction of one moving obstacle over the horizon.
 struct PredictedObstacle {
   std::array<Eigen::Vector2d, kMaxHorizon + 1> position;  ///< centre at step k = 0..horizon [m]
-  std::array<double, kMaxHorizon + 1> keep_out;  ///< distance d_k between centres to keep [m]
+  std::array<double, kMaxHorizon + 1> keep_out;  ///< least distance d_k between the centres [m]
 };
 
-/// All numbers of one optimal control problem, Eq. (15), in the form that every solver takes.
+/// One optimal control problem, Eq. (15), in the form that all solvers take.
 ///
-/// Over the commands nu_0 .. nu_{N-1}, N = horizon, with p_k and psi_k from the rollout:
+/// The variables are the commands nu_0 .. nu_{N-1}, N = horizon; p_k and psi_k follow from the
+/// rollout:
 ///
 ///   minimise   sum_{k=1}^{N}   |pose_k - target_k|^2_{weight_k}
 ///            + sum_{k=0}^{N-1} |nu_k|^2_{command_weight}
@@ -55,16 +57,17 @@ struct PredictedObstacle {
 ///   subject to command_min <= nu_k <= command_max                       hard
 ///              |nu_k - nu_{k-1}| <= max_change                          hard, k = 0 included
 ///              nu_{N-1} = 0 if stop_at_end                              hard
-///              p_k in every rectangle of regions[k],  k = 1..N          elastic, (15d-1)
-///              h_{k+1} >= barrier_retention * h_k,    k = 0..N-1        elastic, (15d-2), per
-///              obstacle,
+///              p_k in every rectangle of regions[k],  k = 1..N          soft, (15d-1)
+///              h_{k+1} >= barrier_retention * h_k,    k = 0..N-1        soft, (15d-2), for each
+///                                                                       obstacle, with
 ///                                                       h_k = |p_k - o_k|^2 - keep_out_k^2
 ///
-/// Elastic rows are not enforced at any price: their l1 violation, metres or square metres, costs
-/// `violation_weight` each, so that a problem without a feasible point still has an answer.
+/// Soft constraints may be violated: the sum of their violations, in metres or square metres, is
+/// multiplied by `violation_weight`. A problem without a feasible point therefore still has a
+/// solution.
 ///
-/// The paper's two targets (Q1 and Q2) are one target at their weighted mean plus a constant, so
-/// this form holds them exactly: see `dual_target`.
+/// The two targets of the paper (Q1 and Q2) equal one target at their weighted mean plus a
+/// constant, so this form represents them exactly; see `dual_target`.
 struct ControlProblem {
   int horizon = 10;  ///< N, 1..kMaxHorizon
   double dt = 0.1;   ///< length of a step [s]
@@ -73,35 +76,36 @@ struct ControlProblem {
 
   Twist2 command_min{.linear = 0.0, .angular = -1.5};
   Twist2 command_max{.linear = 1.0, .angular = 1.5};
-  Twist2 previous_command;  ///< what the robot executes now, nu_{-1}
-  /// Largest change from one command to the next; infinite for none.
+  Twist2 previous_command;  ///< the command being executed, nu_{-1}
+  /// Greatest change from one command to the next; infinite for no limit.
   Twist2 max_change{.linear = std::numeric_limits<double>::infinity(),
                     .angular = std::numeric_limits<double>::infinity()};
   bool stop_at_end = false;
 
-  std::array<StepTarget, kMaxHorizon + 1> targets;  ///< entry 0 is not used
+  std::array<StepTarget, kMaxHorizon + 1> targets;  ///< entry 0 is unused
   Eigen::Vector2d command_weight{0.1, 0.1};         ///< R, linear and angular
   Eigen::Vector2d change_weight{0.1, 0.1};          ///< S, linear and angular
   bool penalise_first_change = false;
   double cost_offset = 0.0;
 
-  std::array<StepRegion, kMaxHorizon + 1> regions;  ///< entry 0 is not used
+  std::array<StepRegion, kMaxHorizon + 1> regions;  ///< entry 0 is unused
 
   int num_obstacles = 0;  ///< 0..kMaxObstacles
   std::array<PredictedObstacle, kMaxObstacles> obstacles;
   double barrier_retention = 0.5;  ///< 1 - gamma dt, in [0, 1)
 
-  double violation_weight =
-      1e4;  ///< price of one metre of violation; 1e3 is too little to be exact
+  /// Penalty of a violation of one metre; 1e3 is too small to be exact.
+  double violation_weight = 1e4;
 };
 
-/// The one target that equals two: |x - a|^2_Qa + |x - b|^2_Qb = |x - target|^2_{Qa + Qb} + offset.
+/// A single target that equals two:
+/// |x - a|^2_Qa + |x - b|^2_Qb = |x - target|^2_{Qa + Qb} + offset.
 struct DualTarget {
   StepTarget target;
   double offset = 0.0;
 };
 
-/// @pre the weights are >= 0 and both positive or both zero in sum per coordinate.
+/// Combines two targets into one. @pre in each coordinate the weights are >= 0.
 [[nodiscard]] inline DualTarget dual_target(const StepTarget& a, const StepTarget& b) noexcept {
   const Eigen::Vector3d sum = a.weight + b.weight;
   const Eigen::Vector3d xa(a.position.x(), a.position.y(), a.heading);
@@ -117,7 +121,7 @@ struct DualTarget {
   return dual;
 }
 
-/// One step of the unicycle, Eq. (1) and (3b).
+/// Integrates one step of the unicycle, Eq. (1) and (3b).
 [[nodiscard]] inline Pose2 step(const Pose2& pose,
                                 const Twist2& command,
                                 double dt,

@@ -5,7 +5,7 @@
 
 namespace fairway {
 
-/// Something that solves the optimal control problem: the structured real-time solver, or IPOPT.
+/// Interface of the solvers of the optimal control problem: the real-time solver and IPOPT.
 class ControlSolver {
  public:
   ControlSolver() = default;
@@ -13,8 +13,8 @@ class ControlSolver {
   ControlSolver& operator=(const ControlSolver&) = delete;
   virtual ~ControlSolver() = default;
 
-  /// Solves from a guess. The result is finite, obeys the hard rows, and stays valid until the next
-  /// call.
+  /// Solves `problem` from `guess`. The result is finite and satisfies the hard constraints; it
+  /// stays valid until the next call.
   [[nodiscard]] virtual const MpcSolution& solve(const ControlProblem& problem,
                                                  const InitialGuess& guess) noexcept = 0;
 };

@@ -8,7 +8,7 @@
 namespace fairway {
 namespace {
 
-// How much the direction of travel turns per unit of angular speed.
+// Derivative of the direction of travel by the angular speed [s].
 double lead(double dt, Integration integration) noexcept {
   return integration == Integration::Midpoint ? 0.5 * dt : 0.0;
 }

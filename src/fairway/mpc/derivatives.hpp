@@ -7,8 +7,8 @@
 
 #include "fairway/mpc/control_problem.hpp"
 
-// Analytic first and second derivatives of what evaluation.hpp defines. Poses count as
-// (x, y, heading), commands as (linear, angular).
+// Analytic first and second derivatives of the functions in evaluation.hpp. Poses are ordered (x,
+// y, heading), commands (linear, angular).
 
 namespace fairway {
 
@@ -23,41 +23,43 @@ struct StepJacobian {
                                          double dt,
                                          Integration integration) noexcept;
 
-/// Second derivatives of (multiplier . next pose). Only heading, linear and angular speed enter
-/// twice, so the matrix is by these three, in this order; all other second derivatives are 0.
-/// The heading of the next pose is linear: the third multiplier has no effect.
+/// Computes the second derivatives of (multiplier . next pose).
+///
+/// Only heading, linear and angular speed have second derivatives; the matrix is ordered by these
+/// three. The heading of the next pose is linear, so the third multiplier has no effect.
 [[nodiscard]] Eigen::Matrix3d step_hessian(const Pose2& pose,
                                            const Twist2& command,
                                            double dt,
                                            Integration integration,
                                            const Eigen::Vector3d& multiplier) noexcept;
 
-/// Derivative of the cost by pose k, the commands held: 2 weight (pose - target). @pre 1 <= k <= N
+/// Derivative of the cost by pose k with fixed commands: 2 weight (pose - target). @pre 1 <= k <= N
 [[nodiscard]] Eigen::Vector3d cost_gradient_by_pose(const ControlProblem& problem,
                                                     const Pose2& pose,
                                                     int k) noexcept;
 
-/// Derivative of the cost by command k, the poses held. @pre 0 <= k < N
+/// Derivative of the cost by command k with fixed poses. @pre 0 <= k < N
 [[nodiscard]] Eigen::Vector2d cost_gradient_by_command(const ControlProblem& problem,
                                                        std::span<const Twist2> commands,
                                                        int k) noexcept;
 
-/// Second derivative of the cost by command k and itself; diagonal. By command k and k + 1 it is
-/// -2 change_weight, by the poses 2 weight, and every other one is 0.
+/// Second derivative of the cost by command k, which is diagonal. The derivative by commands k and
+/// k + 1 is -2 change_weight, that by a pose is 2 weight, and all others are 0.
 [[nodiscard]] Eigen::Vector2d cost_hessian_by_command(const ControlProblem& problem,
                                                       int k) noexcept;
 
-/// Turns derivatives by the poses into derivatives by the commands, through the rollout (adjoint).
+/// Transforms derivatives by the poses into derivatives by the commands, through the rollout
+/// (adjoint).
 ///
-/// @param by_pose  Derivative of some function by poses 0..N; pose 0 is fixed and not read.
-/// @param by_command  Its derivative by commands 0..N-1 is added to this.
+/// @param by_pose  Derivative of a function by poses 0..N; pose 0 is fixed and not read.
+/// @param by_command  The derivative by commands 0..N-1 is added to this.
 void add_pullback(const ControlProblem& problem,
                   std::span<const Twist2> commands,
                   std::span<const Pose2> poses,
                   std::span<const Eigen::Vector3d> by_pose,
                   std::span<Eigen::Vector2d> by_command) noexcept;
 
-/// Total derivative of the cost by the commands, poses from the rollout.
+/// Total derivative of the cost by the commands, with poses from the rollout.
 void cost_gradient(const ControlProblem& problem,
                    std::span<const Twist2> commands,
                    std::span<const Pose2> poses,

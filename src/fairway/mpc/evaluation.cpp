@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-void note(Violation& violation, const RowName& name, double amount) noexcept {
+void note(Violation& violation, const ConstraintName& name, double amount) noexcept {
   if (!(amount > 0.0)) return;
   violation.sum += amount;
   if (amount > violation.max) {
@@ -39,7 +39,7 @@ CommandBounds reachable_bounds(const ControlProblem& problem, int k) noexcept {
 
 void clip_to_bounds(const ControlProblem& problem, std::span<Twist2> commands) noexcept {
   const auto clip = [](double value, double before, double change, double low, double high) {
-    // The range comes last: where rounding makes the two disagree, it wins.
+    // The range is applied last, so that it holds where rounding makes the two disagree.
     return std::clamp(std::clamp(finite_or_zero(value), before - change, before + change), low,
                       high);
   };
@@ -102,9 +102,9 @@ double barrier(const PredictedObstacle& obstacle, int k, const Eigen::Vector2d& 
 
 SoftConstraint soft_constraint(const ControlProblem& problem,
                                std::span<const Pose2> poses,
-                               const RowName& name) noexcept {
+                               const ConstraintName& name) noexcept {
   const Eigen::Vector2d& here = poses[step_index(name.step)].position;
-  if (name.kind == RowKind::Corridor) {
+  if (name.kind == ConstraintKind::Corridor) {
     // Eqs. (8)-(10): in the rectangle's frame, side 0: x - min.x, 1: max.x - x, 2, 3: same for y.
     const OrientedRectangle& rectangle =
         problem.regions[step_index(name.step)].rectangles[step_index(name.index / 4)];
@@ -131,7 +131,7 @@ SoftConstraint soft_constraint(const ControlProblem& problem,
 
 Violation soft_violation(const ControlProblem& problem, std::span<const Pose2> poses) noexcept {
   Violation violation;
-  visit_soft_constraints(problem, [&](const RowName& name) {
+  visit_soft_constraints(problem, [&](const ConstraintName& name) {
     note(violation, name, -soft_constraint(problem, poses, name).margin);
   });
   return violation;
@@ -140,8 +140,8 @@ Violation soft_violation(const ControlProblem& problem, std::span<const Pose2> p
 Violation bound_violation(const ControlProblem& problem,
                           std::span<const Twist2> commands) noexcept {
   Violation violation;
-  constexpr std::array kRange{RowKind::LinearSpeed, RowKind::AngularSpeed};
-  constexpr std::array kChange{RowKind::LinearChange, RowKind::AngularChange};
+  constexpr std::array kRange{ConstraintKind::LinearSpeed, ConstraintKind::AngularSpeed};
+  constexpr std::array kChange{ConstraintKind::LinearChange, ConstraintKind::AngularChange};
   const Eigen::Vector2d low = as_vector(problem.command_min);
   const Eigen::Vector2d high = as_vector(problem.command_max);
   const Eigen::Vector2d change = as_vector(problem.max_change);
@@ -150,7 +150,7 @@ Violation bound_violation(const ControlProblem& problem,
     const Eigen::Vector2d command = as_vector(commands[step_index(k)]);
     const bool stopped = problem.stop_at_end && k == problem.horizon - 1;
     for (int i = 0; i < 2; ++i) {
-      const RowName range{.kind = kRange[step_index(i)], .step = k, .index = i};
+      const ConstraintName range{.kind = kRange[step_index(i)], .step = k, .index = i};
       note(violation, range, std::max(low[i] - command[i], command[i] - high[i]));
       if (stopped) note(violation, range, std::abs(command[i]));
       note(violation, {.kind = kChange[step_index(i)], .step = k, .index = i},

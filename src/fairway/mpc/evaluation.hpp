@@ -9,119 +9,121 @@
 #include "fairway/mpc/control_problem.hpp"
 #include "fairway/mpc/solution.hpp"
 
-// The optimal control problem of control_problem.hpp in formulas: what every solver, test and
-// checker means by its cost and by its constraints. Written to be read; solvers may be faster, not
-// other.
+// Defines the cost and the constraints of control_problem.hpp in formulas, for all solvers, tests
+// and checkers. The functions are written to be read; solvers may be faster, but must agree with
+// them.
 
 namespace fairway {
 
-/// A constraint counts as satisfied when it is violated by at most this much [its own unit].
+/// Greatest violation at which a constraint still counts as satisfied [its own unit].
 inline constexpr double kFeasibilityTolerance = 1e-6;
 
-/// Greatest magnitude of any number in a problem (infinite `max_change` excepted): its squares,
-/// weighted and summed over the horizon, stay far from overflow.
+/// Greatest magnitude of any number in a problem, except an infinite `max_change`. Squares of such
+/// numbers, weighted and summed over the horizon, stay far from overflow.
 inline constexpr double kLargestNumber = 1e9;
 
-/// What is wrong with a problem; the first that applies.
+/// The first fault found in a problem.
 enum class ProblemFault : std::uint8_t {
   None,
   Horizon,       ///< horizon outside 1..kMaxHorizon
   Counts,        ///< a number of rectangles or obstacles outside its range
   NotFinite,     ///< a number that is NaN or beyond kLargestNumber
   TimeStep,      ///< dt not positive
-  Weights,       ///< a weight below 0, or violation_weight not positive
+  Weights,       ///< a weight is negative, or violation_weight is not positive
   Retention,     ///< barrier_retention outside [0, 1), that is dt gamma outside (0, 1]
-  KeepOut,       ///< a keep-out distance below 0
-  CommandRange,  ///< command_min above command_max, or max_change below 0
-  Contradiction  ///< no commands satisfy all bounds: too far from previous_command, or from 0
+  KeepOut,       ///< a keep-out distance is negative
+  CommandRange,  ///< command_min is above command_max, or max_change is negative
+  Contradiction  ///< no commands satisfy all bounds: previous_command or the stop is out of reach
 };
 
 [[nodiscard]] const char* to_text(ProblemFault fault) noexcept;
 
-/// Whether the problem can be solved: what a solver does not promise is listed in ProblemFault.
-/// Empty rectangles are allowed: their constraints are soft. Does not allocate.
+/// Checks whether a problem can be solved. Empty rectangles are allowed, because their constraints
+/// are soft. Does not allocate.
 [[nodiscard]] ProblemFault validate(const ControlProblem& problem) noexcept;
 
-/// Interval of one command that all bounds leave.
+/// The interval that all bounds leave for one command.
 struct CommandBounds {
   Twist2 min;
   Twist2 max;
 };
 
-/// The commands of step k that some sequence within all bounds has there, whatever came before
-/// it: command range, and being able to stop at the end.
+/// Returns the commands of step k that are part of some sequence within all bounds, whatever came
+/// before: those in the command range from which the stop at the end is reachable.
 [[nodiscard]] CommandBounds reachable_bounds(const ControlProblem& problem, int k) noexcept;
 
-/// The nearest commands, step after step from the first on, that satisfy every bound; anything
-/// not finite counts as 0. @pre validate(problem) is None; `commands` holds `horizon` of them.
+/// Moves commands to the nearest ones, from the first step on, that satisfy every bound; non-finite
+/// numbers count as 0. @pre validate(problem) is None; `commands` has `horizon` entries.
 void clip_to_bounds(const ControlProblem& problem, std::span<Twist2> commands) noexcept;
 
-/// The commands to start from: the guess with its last one repeated (zeros when it has none),
-/// clipped to the bounds. @pre validate(problem) is None; `commands` holds `horizon` of them.
+/// Fills in the initial commands: the guess, with its last command repeated (zeros without a
+/// guess), clipped to the bounds. @pre validate(problem) is None; `commands` has `horizon` entries.
 void expand_guess(const ControlProblem& problem,
                   const InitialGuess& guess,
                   std::span<Twist2> commands) noexcept;
 
-/// Eq. (3b): poses[0] = start, poses[k + 1] = step(poses[k], commands[k]).
+/// Computes the poses, Eq. (3b): poses[0] = start, poses[k + 1] = step(poses[k], commands[k]).
 void rollout(const ControlProblem& problem,
              std::span<const Twist2> commands,
              std::span<Pose2> poses) noexcept;
 
-/// Eq. (15a), offset included, penalty excluded.
+/// Computes the cost, Eq. (15a), with cost_offset and without the penalty.
 [[nodiscard]] double cost(const ControlProblem& problem,
                           std::span<const Twist2> commands,
                           std::span<const Pose2> poses) noexcept;
 
-/// h_k of one obstacle, Eq. (11): |p - o_k|^2 - keep_out_k^2; at least 0 outside its disc [m^2].
+/// Computes h_k of one obstacle, Eq. (11): |p - o_k|^2 - keep_out_k^2 [m^2]; >= 0 outside its disc.
 [[nodiscard]] double barrier(const PredictedObstacle& obstacle,
                              int k,
                              const Eigen::Vector2d& position) noexcept;
 
-/// One soft constraint, margin >= 0. It depends on the positions at its step and the one before,
-/// and its second derivative in each is a multiple of the identity.
+/// The value and derivatives of one soft constraint, margin >= 0. It depends on the positions at
+/// its step and the step before; its second derivative by each is a multiple of the identity.
 struct SoftConstraint {
-  double margin = 0.0;  ///< how much room is left; negative: violation [m or m^2]
+  double margin = 0.0;  ///< distance to violation; negative if violated [m or m^2]
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();         ///< by p_step
   Eigen::Vector2d gradient_before = Eigen::Vector2d::Zero();  ///< by p_{step-1}
-  double curvature = 0.0;         ///< second derivative by p_step is curvature * I
-  double curvature_before = 0.0;  ///< and by p_{step-1}
+  double curvature = 0.0;         ///< second derivative by p_step: curvature * I
+  double curvature_before = 0.0;  ///< second derivative by p_{step-1}
 };
 
-/// The constraint called `name` at these poses. Its step is the later one that it
-/// restrains, 1..N:
-///   Corridor:  distance to the side, inward positive                            Eq. (15d-1)
-///   Barrier:   h_step - barrier_retention * h_{step-1} of obstacle `index`      Eq. (15d-2)
-/// @pre name.kind is Corridor or Barrier and the problem has such a constraint.
+/// Evaluates the constraint `name` at these poses. Its step, 1..N, is the later one that it
+/// constrains:
+///   Corridor:  distance to the side, positive inside                           Eq. (15d-1)
+///   Barrier:   h_step - barrier_retention * h_{step-1} of obstacle `index`     Eq. (15d-2)
+/// @pre name.kind is Corridor or Barrier, and the problem has such a constraint.
 [[nodiscard]] SoftConstraint soft_constraint(const ControlProblem& problem,
                                              std::span<const Pose2> poses,
-                                             const RowName& name) noexcept;
+                                             const ConstraintName& name) noexcept;
 
-/// Calls visitor(RowName) for every soft constraint: by step, corridor sides before obstacles.
+/// Calls visitor(ConstraintName) for every soft constraint: by step, and corridor sides before
+/// obstacles.
 template <typename Visitor>
 void visit_soft_constraints(const ControlProblem& problem, Visitor&& visitor) {
   for (int k = 1; k <= problem.horizon; ++k) {
     for (int i = 0; i < 4 * problem.regions[static_cast<std::size_t>(k)].count; ++i)
-      visitor(RowName{.kind = RowKind::Corridor, .step = k, .index = i});
+      visitor(ConstraintName{.kind = ConstraintKind::Corridor, .step = k, .index = i});
     for (int j = 0; j < problem.num_obstacles; ++j)
-      visitor(RowName{.kind = RowKind::Barrier, .step = k, .index = j});
+      visitor(ConstraintName{.kind = ConstraintKind::Barrier, .step = k, .index = j});
   }
 }
 
-/// How far a set of constraints is from being satisfied.
+/// The violation of a set of constraints.
 struct Violation {
-  double max = 0.0;  ///< greatest violation of one constraint; 0 when all hold
-  double sum = 0.0;  ///< sum over the constraints
-  RowName worst;     ///< the constraint with the greatest violation
+  double max = 0.0;      ///< greatest violation of one constraint; 0 if all are satisfied
+  double sum = 0.0;      ///< sum over the constraints
+  ConstraintName worst;  ///< the constraint with the greatest violation
 };
 
 [[nodiscard]] Violation soft_violation(const ControlProblem& problem,
                                        std::span<const Pose2> poses) noexcept;
 
-/// Command range, change bounds and the stop at the end; step = index of the later command.
+/// Violation of the command range, the change bounds and the stop at the end; `step` is the index
+/// of the later command.
 [[nodiscard]] Violation bound_violation(const ControlProblem& problem,
                                         std::span<const Twist2> commands) noexcept;
 
-/// Fills everything in `solution` that its commands determine: horizon, poses, cost, violations.
+/// Computes everything in `solution` that its commands determine: horizon, poses, cost, violations.
 void assess(const ControlProblem& problem, MpcSolution& solution) noexcept;
 
 }  // namespace fairway

@@ -16,13 +16,13 @@ struct Range {
   double high;
 };
 
-// The speeds of `range`, and those that lead back to it from `last` with changes of `change`.
+// Extends `range` to the speeds on the path from `last` back into it, in steps of `change`.
 Range reachable(const Range& range, double last, double change) noexcept {
   return {.low = std::min(range.low, last + change), .high = std::max(range.high, last - change)};
 }
 
-// Commands lie within the range, the last one perhaps not; a change as wide as all that never
-// binds.
+// Returns the change limit, or infinity if it never binds: if it covers the whole range and the
+// last command, which may lie outside the range.
 double change_limit(double acceleration, double dt, const Range& range, double last) noexcept {
   const double change = acceleration * dt;
   const double widest = std::max(range.high, last) - std::min(range.low, last);

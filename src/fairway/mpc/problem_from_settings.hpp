@@ -7,12 +7,12 @@
 
 namespace fairway {
 
-/// Sets the parts of a problem that the settings and the last command decide: horizon, model,
-/// limits and weights. Start, targets, regions and obstacles are left to the caller.
+/// Sets the parts of a problem that the settings and the last command determine: horizon, model,
+/// limits and weights. The caller sets start, targets, regions and obstacles.
 ///
-/// A change limit too wide to bind is infinite. Where the last command is outside the speed range
-/// (a limit was lowered), the range is widened just so far that the acceleration limit can be kept
-/// on the way back: acceleration wins over speed.
+/// A change limit too wide to bind is infinite. If the last command is outside the speed range
+/// (because a limit was lowered), the range is widened just enough to return within the
+/// acceleration limit, which takes precedence over the speed limit.
 ///
 /// @pre 1 <= mpc.horizon <= kMaxHorizon
 void set_from_settings(const MpcSettings& mpc,

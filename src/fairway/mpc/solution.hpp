@@ -8,13 +8,16 @@
 
 namespace fairway {
 
-/// Why a solve ended.
+/// Reason why a solve ended.
 enum class SolveStatus : std::uint8_t {
-  Solved,          ///< optimal to tolerance, every row satisfied
-  LeastViolation,  ///< optimal to tolerance, but the rows cannot all hold: the least violation
+  Solved,          ///< optimal to tolerance, and every constraint is satisfied
+  LeastViolation,  ///< optimal to tolerance, but the constraints cannot all hold: the least
+                   ///< violation
   IterationLimit,  ///< the iteration budget ran out; the best iterate is returned
-  Stalled,         ///< no further progress was possible before the tolerance; best iterate returned
-  InvalidProblem,  ///< a number is not finite, or sizes or bounds contradict; commands are zero
+  Stalled,  ///< no further progress was possible before reaching the tolerance; the best iterate is
+            ///< returned
+  InvalidProblem,  ///< a number is not finite, or sizes or bounds contradict each other; commands
+                   ///< are zero
 };
 
 [[nodiscard]] constexpr const char* to_text(SolveStatus status) noexcept {
@@ -33,8 +36,8 @@ enum class SolveStatus : std::uint8_t {
   return "unknown";
 }
 
-/// Which row holds the solution back most.
-enum class RowKind : std::uint8_t {
+/// Kind of the constraint that limits the solution most.
+enum class ConstraintKind : std::uint8_t {
   None,
   LinearSpeed,
   AngularSpeed,
@@ -44,51 +47,52 @@ enum class RowKind : std::uint8_t {
   Barrier
 };
 
-[[nodiscard]] constexpr const char* to_text(RowKind kind) noexcept {
+[[nodiscard]] constexpr const char* to_text(ConstraintKind kind) noexcept {
   switch (kind) {
-    case RowKind::None:
+    case ConstraintKind::None:
       return "none";
-    case RowKind::LinearSpeed:
+    case ConstraintKind::LinearSpeed:
       return "linear speed";
-    case RowKind::AngularSpeed:
+    case ConstraintKind::AngularSpeed:
       return "angular speed";
-    case RowKind::LinearChange:
+    case ConstraintKind::LinearChange:
       return "linear acceleration";
-    case RowKind::AngularChange:
+    case ConstraintKind::AngularChange:
       return "angular acceleration";
-    case RowKind::Corridor:
+    case ConstraintKind::Corridor:
       return "corridor";
-    case RowKind::Barrier:
+    case ConstraintKind::Barrier:
       return "moving obstacle";
   }
   return "unknown";
 }
 
-/// A row of the problem: which kind, at which step, and for Barrier which obstacle, for Corridor
-/// which side (0..3: min x, max x, min y, max y in the rectangle's frame; + 4 for the second
-/// rectangle).
-struct RowName {
-  RowKind kind = RowKind::None;
+/// Identifies a constraint of the problem by kind and step. For Barrier, `index` is the obstacle.
+/// For Corridor it is the side: 0..3 for min x, max x, min y, max y in the rectangle's frame, + 4
+/// for the second rectangle.
+struct ConstraintName {
+  ConstraintKind kind = ConstraintKind::None;
   int step = 0;
   int index = 0;
 };
 
-/// What a solver returns: always finite, always within the hard rows.
+/// The result of a solver. It is always finite and always satisfies the hard constraints.
 struct MpcSolution {
   SolveStatus status = SolveStatus::InvalidProblem;
   int horizon = 0;
   int iterations = 0;
-  double cost = 0.0;  ///< objective at the commands, cost_offset included, penalty excluded
-  double max_violation = 0.0;  ///< greatest violation of an elastic row [m or m^2]
-  double sum_violation = 0.0;  ///< their sum, as the penalty counts it
-  RowName limiting;            ///< the row with the greatest multiplier
+  double cost = 0.0;  ///< objective at the commands, with cost_offset and without the penalty
+  double max_violation = 0.0;  ///< greatest violation of a soft constraint [m or m^2]
+  double sum_violation = 0.0;  ///< sum of the violations, as in the penalty
+  ConstraintName limiting;     ///< the constraint with the greatest multiplier
   std::array<Twist2, kMaxHorizon> commands;
   std::array<Pose2, kMaxHorizon + 1> poses;  ///< the rollout, entry 0 is the start
 };
 
-/// Where a solver starts: commands of an earlier solution, shifted. Clipped to the hard rows.
+/// Commands from which a solver starts: a shifted earlier solution, clipped to the hard
+/// constraints.
 struct InitialGuess {
-  int count = 0;  ///< commands given; the last is repeated, none means zero commands (cold)
+  int count = 0;  ///< number of commands; the last one is repeated, and 0 means a cold start
   std::array<Twist2, kMaxHorizon> commands;
 };
 

@@ -17,7 +17,7 @@ double radical_inverse(std::size_t index, std::size_t base) noexcept {
   return result;
 }
 
-// The commands of both halves of the horizon as shares of their range, 0..1.
+// The commands of both halves of the horizon, as shares (0..1) of their range.
 struct Shares {
   std::array<double, 2> linear;
   std::array<double, 2> angular;

@@ -7,12 +7,12 @@
 
 namespace fairway {
 
-/// Step `k` of the horizon as an index of arrays. @pre k >= 0.
+/// Converts step `k` of the horizon to an array index. @pre k >= 0.
 [[nodiscard]] constexpr std::size_t step_index(int k) noexcept {
   return static_cast<std::size_t>(k);
 }
 
-/// (linear, angular).
+/// Returns the vector (linear, angular).
 [[nodiscard]] inline Eigen::Vector2d as_vector(const Twist2& twist) noexcept {
   return {twist.linear, twist.angular};
 }

@@ -8,7 +8,7 @@
 namespace fairway {
 namespace {
 
-// False for NaN and infinities too.
+// Also false for NaN and infinities.
 bool sane(double value) noexcept { return std::abs(value) <= kLargestNumber; }
 bool sane(const Eigen::Vector2d& v) noexcept { return sane(v.x()) && sane(v.y()); }
 bool sane(const Twist2& t) noexcept { return sane(t.linear) && sane(t.angular); }
@@ -68,8 +68,8 @@ bool keep_outs_allowed(const ControlProblem& problem) noexcept {
   return true;
 }
 
-// Every interval of reachable_bounds leads on to the next, so only the first step can fail: its
-// interval must be there at all and be within one change of the previous command.
+// Every interval of reachable_bounds leads to the next one, so only the first step can fail: its
+// interval must not be empty, and must lie within one change of the previous command.
 bool bounds_agree(const ControlProblem& problem) noexcept {
   constexpr double kRounding = 1e-9;
   const auto agree = [](double low, double high, double before, double change) {

@@ -5,17 +5,17 @@
 
 namespace fairway {
 
-/// Decides when the goal's position is reached: near, and either slow or past the nearest point.
-/// It stays reached until the robot is pushed away.
+/// Decides when the position of the goal is reached: the robot is near it, and either slow or past
+/// the nearest point. The goal stays reached until the robot is pushed away.
 class GoalCheck {
  public:
   void reset() noexcept { *this = GoalCheck(); }
 
-  /// @param distance   from the robot to the goal [m]
-  /// @param speed      the last linear speed sent [m/s]
-  /// @param tolerance  distance at which the goal counts as reached [m]
+  /// @param distance   Distance from the robot to the goal [m].
+  /// @param speed      The last linear speed sent [m/s].
+  /// @param tolerance  Distance at which the goal counts as reached [m].
   [[nodiscard]] bool update(double distance, double speed, double tolerance) noexcept {
-    constexpr double kSlow = 0.1;        // [m/s]; the rest of the way is shorter than a tolerance
+    constexpr double kSlow = 0.1;  // [m/s]; the rest of the path is shorter than the tolerance
     constexpr double kPushedAway = 1.5;  // tolerances; noise of the pose must not undo an arrival
     if (reached_) {
       reached_ = distance <= kPushedAway * tolerance;

@@ -8,13 +8,13 @@ namespace fairway {
 LimitingFactor check_input(const NavigationInput& input,
                            const SafetySettings& settings,
                            DeadReckoning& reckoning) noexcept {
-  // More turns than a robot makes in a drive: a heading in degrees.
+  // A greater heading is probably in degrees; no robot turns that often in a run.
   constexpr double kMostHeading = 64.0;  // [rad]
   if (!is_finite(input.pose) || !std::isfinite(input.time) ||
       std::abs(input.pose.heading) > kMostHeading) {
     return LimitingFactor::InvalidPose;
   }
-  // Written so that a stamp that is not finite is stale. A stamp from the future is no better.
+  // This form also treats a non-finite stamp as stale. A stamp in the future is stale too.
   const auto fresh = [&](double stamp, double timeout) {
     return std::abs(input.time - stamp) <= timeout;
   };

@@ -9,24 +9,24 @@
 
 namespace fairway {
 
-/// What is wrong with the inputs of a cycle: not finite, too old, or a pose that jumped. None when
-/// the robot may drive on them. `reckoning` takes in the pose if it fits.
+/// Checks the inputs of a cycle: returns why the robot must not drive on them (not finite, too old,
+/// or a pose jump), or None. If the pose is consistent, `reckoning` is updated with it.
 [[nodiscard]] LimitingFactor check_input(const NavigationInput& input,
                                          const SafetySettings& settings,
                                          DeadReckoning& reckoning) noexcept;
 
-/// Notices times that are not in seconds: two cycles in a row that come a hundred control periods
-/// after the one before. A single pause is none.
+/// Detects times that are not in seconds: two consecutive cycles that each come more than a hundred
+/// control periods after the one before. A single pause is accepted.
 class CycleClock {
  public:
   [[nodiscard]] bool plausible(double time, double period) noexcept;
 
  private:
   double last_ = std::numeric_limits<double>::infinity();
-  int slow_ = 0;  // such intervals in a row
+  int slow_ = 0;  // number of consecutive long intervals
 };
 
-/// The status of a robot that stops because of this.
+/// Returns the status of a robot that stops for this reason.
 [[nodiscard]] NavigationStatus status_for(LimitingFactor bad_input) noexcept;
 
 }  // namespace fairway

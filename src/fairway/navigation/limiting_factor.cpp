@@ -3,19 +3,19 @@
 
 namespace fairway {
 
-LimitingFactor limit_of(const RowName& row) noexcept {
-  switch (row.kind) {
-    case RowKind::None:
+LimitingFactor limit_of(const ConstraintName& constraint) noexcept {
+  switch (constraint.kind) {
+    case ConstraintKind::None:
       return LimitingFactor::None;
-    case RowKind::LinearSpeed:
-    case RowKind::AngularSpeed:
+    case ConstraintKind::LinearSpeed:
+    case ConstraintKind::AngularSpeed:
       return LimitingFactor::Speed;
-    case RowKind::LinearChange:
-    case RowKind::AngularChange:
+    case ConstraintKind::LinearChange:
+    case ConstraintKind::AngularChange:
       return LimitingFactor::Acceleration;
-    case RowKind::Corridor:
+    case ConstraintKind::Corridor:
       return LimitingFactor::Corridor;
-    case RowKind::Barrier:
+    case ConstraintKind::Barrier:
       return LimitingFactor::MovingObstacle;
   }
   return LimitingFactor::None;

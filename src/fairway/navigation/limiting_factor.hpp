@@ -6,7 +6,7 @@
 
 namespace fairway {
 
-/// The constraint that holds a plan back most, in the words of the navigator.
-[[nodiscard]] LimitingFactor limit_of(const RowName& row) noexcept;
+/// Returns the limiting factor that corresponds to a constraint of the control problem.
+[[nodiscard]] LimitingFactor limit_of(const ConstraintName& constraint) noexcept;
 
 }  // namespace fairway

@@ -6,23 +6,23 @@
 
 namespace fairway {
 
-/// What the navigator is doing in a cycle.
+/// State of the navigator in a cycle.
 enum class NavigationStatus : std::uint8_t {
-  Ok,           ///< driving on a plan that holds every constraint
-  Degraded,     ///< driving, but a constraint gives way or the second choice was taken
+  Ok,           ///< driving on a plan that satisfies every constraint
+  Degraded,     ///< driving, but a soft constraint is violated or the second-best solution is used
   Stopping,     ///< executing the last verified stop
-  Blocked,      ///< standing, and no way on is known
-  Recovering,   ///< turning or backing out of where it was stuck
+  Blocked,      ///< at standstill, and no way to continue is known
+  Recovering,   ///< turning or reversing to leave a place where the robot was stuck
   Stale,        ///< an input is too old: stopping
-  BadInput,     ///< an input is not finite, or the pose jumps: stopping
-  Infeasible,   ///< the solver has no usable answer: stopping
-  NoPlan,       ///< no goal, or no path or corridor to it: standing
-  GoalReached,  ///< at the goal: standing
-  Planning,     ///< a first plan is being made in the background: standing
-  GaveUp,       ///< no progress for `navigation.patience`: the goal is dropped, standing
+  BadInput,     ///< an input is not finite, or the pose jumped: stopping
+  Infeasible,   ///< the solver has no usable solution: stopping
+  NoPlan,       ///< no goal, or no path or corridor to it: at standstill
+  GoalReached,  ///< at the goal, at standstill
+  Planning,     ///< a first plan is being made in the background: at standstill
+  GaveUp,       ///< no progress for `navigation.patience`: the goal is dropped, at standstill
 };
 
-/// How many there are.
+/// Number of statuses.
 inline constexpr std::size_t kNavigationStatuses =
     static_cast<std::size_t>(NavigationStatus::GaveUp) + 1;
 
@@ -56,21 +56,21 @@ inline constexpr std::size_t kNavigationStatuses =
   return "unknown";
 }
 
-/// What limits the robot in a cycle: why it is slow, turns, or stands.
+/// The reason why a robot is slow, turns or stops in a cycle.
 enum class LimitingFactor : std::uint8_t {
   None,
   Speed,            ///< a speed limit
   Acceleration,     ///< an acceleration limit
-  Corridor,         ///< a side of the rectangle
+  Corridor,         ///< a side of the corridor's rectangle
   MovingObstacle,   ///< the barrier of a moving obstacle
-  StopNotProven,    ///< the stop after the new command would not stay free
+  StopNotProven,    ///< the stop after the new command cannot be proven to stay free
   OutsideCorridor,  ///< the robot is in no rectangle of the corridor
   StalePose,
   StaleMap,
   StaleTracks,
   InvalidPose,    ///< not finite, or its heading is not in radians
   InvalidTracks,  ///< a moving obstacle is not finite, or has a negative radius
-  PoseJump,       ///< the pose is not where the commands lead
+  PoseJump,       ///< the pose differs from the one expected from the commands
   SolverFailed,
   NoPath,
   InvalidGoal,  ///< the goal is not finite, or its heading is not in radians

@@ -97,7 +97,7 @@ void Navigator::note_remaining() noexcept {
   const double now = corridor_.remaining();
   if (new_way_) {
     const double driven = std::max(0.0, sent_.linear) * period_;
-    recovery_.change_way(now - (remaining_ - driven));
+    recovery_.path_changed(now - (remaining_ - driven));
   }
   remaining_ = now;
   new_way_ = false;
@@ -108,7 +108,7 @@ void Navigator::coordinate(const NavigationInput& input) noexcept {
   way_ = fleet_.update(corridor_.reference_path(),
                        {.speed_max = settings_.robot.linear_max,
                         .radius = settings_.robot.radius,
-                        .standing = std::abs(sent_.linear) < kStandingLinear,
+                        .stopped = std::abs(sent_.linear) < kStandingLinear,
                         .dt = period_,
                         .robot = input.robot,
                         .fleet = input.fleet,

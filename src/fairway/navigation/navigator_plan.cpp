@@ -32,7 +32,7 @@ void Navigator::follow(Plan plan) {
   corridor_ = plan_.usable() && !plan_is_too_small_
                   ? CorridorFollower(plan_.corridor, plan_.goal.position, settings_.tracking)
                   : CorridorFollower();
-  fleet_.change_way();
+  fleet_.path_changed();
   goal_check_.reset();
   plan_time_ = -1.0;
   new_way_ = true;

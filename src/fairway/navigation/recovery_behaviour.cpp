@@ -12,16 +12,16 @@ namespace fairway {
 
 namespace {
 
-constexpr double kStandingLinear = 0.02;   // [m/s]; slower is a standstill
-constexpr double kStandingAngular = 0.05;  // [rad/s]; slower is a standstill
-constexpr double kAligned = 0.2;           // [rad]; the controller drives curves from here on
-constexpr double kBackingSpeed = 0.2;      // [m/s]; backwards, out of a narrow place
+constexpr double kStoppedLinear = 0.02;   // [m/s]; a slower robot is at standstill
+constexpr double kStoppedAngular = 0.05;  // [rad/s]; a slower robot is at standstill
+constexpr double kAligned = 0.2;          // [rad]; below this the controller can drive a curve
+constexpr double kBackingSpeed = 0.2;     // [m/s]; for reversing out of a narrow place
 
-bool stands(const Twist2& twist) noexcept {
-  return std::abs(twist.linear) < kStandingLinear && std::abs(twist.angular) < kStandingAngular;
+bool is_stopped(const Twist2& twist) noexcept {
+  return std::abs(twist.linear) < kStoppedLinear && std::abs(twist.angular) < kStoppedAngular;
 }
 
-// A small turn that gives the body more clearance, or none.
+// Returns a small turn that gives the body more clearance, or 0.
 double turn_to_clearance(const BitGrid& obstacles,
                          const Footprint& body,
                          const Pose2& pose) noexcept {
@@ -47,8 +47,9 @@ RecoveryStep next_step(RecoveryBehaviour& recovery, const RecoveryInput& input) 
                           : 0.0;
   const RobotSettings& robot = input.robot;
   RecoveryStep step;
-  step.action = recovery.update(input.remaining, stands(input.command), std::abs(turn) < kAligned,
-                                robot.linear_min < 0.0, input.period, input.patience);
+  step.action =
+      recovery.update(input.remaining, is_stopped(input.command), std::abs(turn) < kAligned,
+                      robot.linear_min < 0.0, input.period, input.patience);
   if (step.action == RecoveryAction::Turn) {
     step.wanted.angular = turning_speed(turn, robot, input.period);
   } else if (step.action == RecoveryAction::Back) {

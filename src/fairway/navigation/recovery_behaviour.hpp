@@ -11,39 +11,41 @@
 
 namespace fairway {
 
-/// What to try when the robot stands although it should drive.
+/// Action of a robot that is at standstill although it should drive.
 enum class RecoveryAction : std::uint8_t {
-  None,             ///< it drives, or has not stood for long
-  Turn,             ///< turn on the spot towards the string
-  Plan,             ///< ask for a new path and corridor from here
-  Back,             ///< back out, where the limits allow to reverse
-  TurnToClearance,  ///< turn to where the body has more room
-  Wait,             ///< all has been tried: blocked, until something changes
+  None,             ///< the robot drives, or has not been at standstill for long
+  Turn,             ///< turn on the spot towards the reference path
+  Plan,             ///< request a new path and corridor from here
+  Back,             ///< reverse, if the limits allow it
+  TurnToClearance,  ///< turn to where the body has more clearance
+  Wait,             ///< all actions have been tried: blocked, until something changes
 };
 
-/// Watches whether the robot gets on, and goes through what can be done about it when it does not:
-/// turn, plan, back, free, wait, and round again. Standing is noticed after `patience`; moving to
-/// and fro without getting nearer after five times that.
+/// Detects that the robot makes no progress and selects recovery actions.
+///
+/// The actions are, in this order: turn, plan, back, turn to clearance, and wait; then they start
+/// again. A standstill is detected after `patience`, and motion without progress towards the goal
+/// after five times that.
 class RecoveryBehaviour {
  public:
   void reset() noexcept { *this = RecoveryBehaviour(); }
 
-  /// Tells that the way to the goal has changed and that its length jumped by `longer` [m], which
-  /// is neither progress nor the lack of it.
-  void change_way(double longer) noexcept {
+  /// Signals that the path to the goal has changed and became longer by `longer` [m]. The change
+  /// counts neither as progress nor as lack of it.
+  void path_changed(double longer) noexcept {
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
   }
 
-  /// Tells that the action could not be taken safely in this cycle; after three such cycles the
-  /// next one is tried.
+  /// Signals that the action was not safe in this cycle. After three such cycles the next action is
+  /// tried.
   void refuse() noexcept { ++refused_; }
 
-  /// @param remaining  length of the way to the goal [m]; getting nearer than ever is progress
-  /// @param standing   whether the command is (nearly) zero
-  /// @param aligned    whether the robot already looks along the string
-  /// @param can_back   whether the limits allow to reverse
+  /// @param remaining  Length of the path to the goal [m]; a new minimum is progress.
+  /// @param stopped   Whether the command is (nearly) zero.
+  /// @param aligned    Whether the robot's heading already is along the reference path.
+  /// @param can_back   Whether the limits allow reversing.
   [[nodiscard]] RecoveryAction update(double remaining,
-                                      bool standing,
+                                      bool stopped,
                                       bool aligned,
                                       bool can_back,
                                       double dt,
@@ -54,15 +56,15 @@ class RecoveryBehaviour {
       least_ = remaining;
     }
     stalled_ += dt;
-    standing_ = standing ? standing_ + dt : 0.0;
+    stopped_for_ = stopped ? stopped_for_ + dt : 0.0;
     elapsed_ += dt;
     if (action_ == RecoveryAction::None) {
       if (stalled_ >= 5.0 * patience) return enter(RecoveryAction::Plan);
-      if (standing_ >= patience)
+      if (stopped_for_ >= patience)
         return enter(aligned ? RecoveryAction::Plan : RecoveryAction::Turn);
       return RecoveryAction::None;
     }
-    return enter(next(standing, aligned, can_back, patience));
+    return enter(next(stopped, aligned, can_back, patience));
   }
 
  private:
@@ -75,77 +77,77 @@ class RecoveryBehaviour {
     return action;
   }
 
-  [[nodiscard]] RecoveryAction next(bool standing,
+  [[nodiscard]] RecoveryAction next(bool stopped,
                                     bool aligned,
                                     bool can_back,
                                     double patience) noexcept {
-    constexpr double kTurnTime = 4.0;  // [s], of turning before it counts as failed
+    constexpr double kTurnTime = 4.0;  // [s] of turning until it counts as failed
     constexpr double kBackTime = 1.5;  // [s]
     constexpr double kFreeTime = 1.5;  // [s]
-    constexpr int kRefused = 3;        // cycles in which it could not be taken
-    const bool hopeless = refused_ >= kRefused;
+    constexpr int kRefused = 3;        // cycles in which the action was not safe
+    const bool refused = refused_ >= kRefused;
     switch (action_) {
       case RecoveryAction::None:
         return RecoveryAction::None;
       case RecoveryAction::Turn:
-        if (aligned) return again();  // let the controller try from here
-        return elapsed_ > kTurnTime || hopeless ? RecoveryAction::Plan : RecoveryAction::Turn;
+        if (aligned) return resume();  // the controller tries from here
+        return elapsed_ > kTurnTime || refused ? RecoveryAction::Plan : RecoveryAction::Turn;
       case RecoveryAction::Plan:
         if (can_back) return RecoveryAction::Back;
-        return standing ? RecoveryAction::TurnToClearance : RecoveryAction::Wait;
+        return stopped ? RecoveryAction::TurnToClearance : RecoveryAction::Wait;
       case RecoveryAction::Back:
         if (elapsed_ > kBackTime) return RecoveryAction::Wait;
-        return hopeless ? RecoveryAction::TurnToClearance : RecoveryAction::Back;
+        return refused ? RecoveryAction::TurnToClearance : RecoveryAction::Back;
       case RecoveryAction::TurnToClearance:
-        return elapsed_ > kFreeTime || hopeless ? RecoveryAction::Wait
-                                                : RecoveryAction::TurnToClearance;
+        return elapsed_ > kFreeTime || refused ? RecoveryAction::Wait
+                                               : RecoveryAction::TurnToClearance;
       case RecoveryAction::Wait:
-        return elapsed_ > patience ? again() : RecoveryAction::Wait;
+        return elapsed_ > patience ? resume() : RecoveryAction::Wait;
     }
     return RecoveryAction::None;
   }
 
-  // Gives the controller another chance, as long as before the first recovery.
-  RecoveryAction again() noexcept {
-    standing_ = 0.0;
+  // Returns to the controller, for as long as before the first recovery.
+  RecoveryAction resume() noexcept {
+    stopped_for_ = 0.0;
     if (action_ == RecoveryAction::Wait) stalled_ = 0.0;
     return RecoveryAction::None;
   }
 
   RecoveryAction action_ = RecoveryAction::None;
   double least_ = std::numeric_limits<double>::infinity();
-  double stalled_ = 0.0;  // since the last progress, or the last round
-  double standing_ = 0.0;
-  double elapsed_ = 0.0;  // in the present action
-  int refused_ = 0;       // cycles of the present action
+  double stalled_ = 0.0;  // time since the last progress or the last round [s]
+  double stopped_for_ = 0.0;
+  double elapsed_ = 0.0;  // time in the present action [s]
+  int refused_ = 0;       // cycles of the present action in which it was not safe
 };
 
-/// What a recovery is decided from, after the controller's own command of a cycle.
+/// Input of a recovery, after the controller computed its command in a cycle.
 struct RecoveryInput {
-  double remaining = 0.0;  ///< length of the way to the goal [m]
-  const Twist2& command;   ///< of the controller
+  double remaining = 0.0;  ///< length of the path to the goal [m]
+  const Twist2& command;   ///< command of the controller
   const Pose2& pose;
-  const ReferencePath& path;  ///< to be followed, from the robot on
-  double chord_length = 0.0;  ///< look-ahead that gives the direction to turn to [m]
+  const ReferencePath& path;  ///< path to follow, from the robot on
+  double chord_length = 0.0;  ///< look-ahead for the direction to turn to [m]
   const BitGrid& obstacles;
   const Footprint& body;
   const RobotSettings& robot;
-  double period = 0.0;    ///< from one command to the next [s]
-  double patience = 0.0;  ///< standstill before a recovery starts [s]
+  double period = 0.0;    ///< control period [s]
+  double patience = 0.0;  ///< standstill after which a recovery starts [s]
 };
 
-/// What is tried in a cycle.
+/// Recovery action of a cycle.
 struct RecoveryStep {
   RecoveryAction action = RecoveryAction::None;
-  Twist2 wanted;  ///< of Turn, Back and Free; zero for the others
+  Twist2 wanted;  ///< twist of Turn, Back and TurnToClearance; zero for the others
 
-  /// Whether the robot stays where it is.
+  /// Returns whether the robot does not move.
   [[nodiscard]] bool stays() const noexcept {
     return action == RecoveryAction::Plan || action == RecoveryAction::Wait;
   }
 };
 
-/// Moves `recovery` on by one cycle and tells what to try.
+/// Advances `recovery` by one cycle and returns what to do.
 [[nodiscard]] RecoveryStep next_step(RecoveryBehaviour& recovery,
                                      const RecoveryInput& input) noexcept;
 

@@ -15,7 +15,7 @@ struct RenamedSetting {
   std::string_view name;
 };
 
-/// `mpc.dt` was both the step length and the control period, so it stands here twice.
+/// `mpc.dt` was both the step length and the control period, so it appears twice.
 inline constexpr std::array<RenamedSetting, 25> kRenamedSettings{{
     {"mpc.dt", "mpc.step_length"},
     {"mpc.dt", "navigation.control_period"},
@@ -44,12 +44,12 @@ inline constexpr std::array<RenamedSetting, 25> kRenamedSettings{{
     {"navigation.blocked_after", "navigation.stall_timeout"},
 }};
 
-/// `value` as it is written today for a setting under its old name.
+/// Returns the present form of `value` for a setting given under its old name.
 [[nodiscard]] inline std::string_view renamed_value(std::string_view value) noexcept {
   return value == "timed_string" ? std::string_view("reference_path") : value;
 }
 
-/// "`old` (now `new`)", as warnings say it; none where `name` is no old name.
+/// Returns "`old` (now `new`)" for warnings, or none if `name` is not an old name.
 [[nodiscard]] inline std::optional<std::string> renaming_text(std::string_view name) {
   std::string text;
   for (const RenamedSetting& renamed : kRenamedSettings) {

@@ -49,7 +49,7 @@ Expected<void> validate(const Settings& settings) {
       using Value = std::remove_cvref_t<decltype(value)>;
       if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
         const auto number = static_cast<double>(value);
-        // Written so that NaN fails too.
+        // This form also rejects NaN.
         if (error.empty() && !(number >= info.min && number <= info.max)) {
           std::ostringstream text;
           text << group << '.' << info.name << ": expected a number from " << info.min << " to "
@@ -71,7 +71,7 @@ Expected<void> validate(const Settings& settings) {
     return fail(std::string("robot.discs: expected ") + kBodyDiscsExpected);
   }
   if (settings.robot.discs.count > 0 && settings.robot.length > 0.0) {
-    return fail("robot.discs: expected no robot.length and robot.width beside them");
+    return fail("robot.discs: expected no robot.length and robot.width together with discs");
   }
   if (settings.robot.linear_min > settings.robot.linear_max) {
     return fail("robot.linear_min: expected at most robot.linear_max");

@@ -16,36 +16,42 @@
 
 namespace fairway {
 
-/// The control cycle, the goal, and when a robot counts as stuck.
+/// Settings of the control cycle and the goal, and of the detection of a stuck robot.
 struct NavigationSettings {
-  double control_period = 0.1;  ///< time from one command to the next [s], 0.005 to 1
+  double control_period = 0.1;  ///< period of the commands [s], 0.005 to 1
   double goal_tolerance = 0.1;  ///< distance at which the goal is reached [m], 0.001 to 10 (d_max)
-  double heading_tolerance =
-      0.1;                     ///< turn at which a goal's heading is reached [rad], 0.001 to 3.15
-  double stall_timeout = 0.4;  ///< standstill that starts a recovery [s], 0.05 to 1000
-  double patience = 0.0;  ///< time without progress after which the goal is dropped [s]; 0: never
+  /// Turn at which a goal's heading is reached [rad], 0.001 to 3.15.
+  double heading_tolerance = 0.1;
+  double stall_timeout = 0.4;  ///< standstill after which a recovery starts [s], 0.05 to 1000
+  double patience = 0.0;       ///< time without progress until the goal is dropped [s]; 0: never
 };
 
 template <typename Settings, typename Visitor>
 void visit_navigation(Settings& s, Visitor&& field) {
-  field(s.control_period, SettingInfo{"control_period", "s", "time from one command to the next",
-                                      0.005, 1, kEssential});
-  field(s.goal_tolerance,
-        SettingInfo{"goal_tolerance", "m", "distance at which the goal counts as reached", 0.001,
-                    10, kEssential});
-  field(s.heading_tolerance,
-        SettingInfo{"heading_tolerance", "rad", "turn at which a goal's heading counts as reached",
-                    0.001, 3.15});
-  field(s.stall_timeout,
-        SettingInfo{"stall_timeout", "s", "standstill before the goal that starts a recovery", 0.05,
-                    1000});
+  field(
+      s.control_period,
+      SettingInfo{"control_period", "s",
+                  "period of the commands; it must match the rate at which the base receives them",
+                  0.005, 1, kEssential});
+  field(s.goal_tolerance, SettingInfo{"goal_tolerance", "m",
+                                      "distance at which the goal counts as reached; a greater "
+                                      "value arrives sooner and less exactly",
+                                      0.001, 10, kEssential});
+  field(s.heading_tolerance, SettingInfo{"heading_tolerance", "rad",
+                                         "heading error at which the heading of the goal counts as "
+                                         "reached; 3.15 ignores the heading",
+                                         0.001, 3.15});
+  field(s.stall_timeout, SettingInfo{"stall_timeout", "s",
+                                     "standstill away from the goal after which a recovery starts; "
+                                     "a greater value waits longer for obstacles to move",
+                                     0.05, 1000});
   field(s.patience,
         SettingInfo{"patience", "s",
                     "time without progress after which the goal is dropped; 0: never", 0, 1e5});
 }
 
-/// Every setting of Fairway. A group belongs to the folder that reads it; functions take the groups
-/// that they need.
+/// All settings of Fairway. A group belongs to the folder that reads it; functions take only the
+/// groups that they need.
 struct Settings {
   RobotSettings robot;
   MapSettings map;
@@ -60,8 +66,8 @@ struct Settings {
   PerceptionSettings perception;
 };
 
-/// Calls `group(name, struct-visitor)` for every group: the one table behind YAML, command line,
-/// docs. `group` receives the group's name and a function that visits its fields.
+/// Calls `group(name, struct-visitor)` for every group: the table behind YAML, command line and
+/// documentation. `group` receives the group's name and a function that visits its fields.
 template <typename S, typename GroupVisitor>
 void visit_settings(S& s, GroupVisitor&& group) {
   group("robot", [&](auto&& field) { visit_robot(s.robot, field); });
@@ -77,19 +83,19 @@ void visit_settings(S& s, GroupVisitor&& group) {
   group("perception", [&](auto&& field) { visit_perception(s.perception, field); });
 }
 
-/// The part of the settings that a plan depends on.
+/// Returns the part of the settings that a plan depends on.
 [[nodiscard]] inline PlannerSettings planner_settings(const Settings& settings) {
   return {.radius = settings.robot.radius, .path = settings.path, .corridor = settings.corridor};
 }
 
-/// Table I of the paper, with docs/paper_notes.md where the table is silent.
+/// Returns the settings of Table I of the paper; docs/paper_notes.md explains what the table omits.
 [[nodiscard]] Settings paper_settings();
 
-/// Whether every number lies in its range and the groups agree with each other.
-/// The error names `group.name`, what was expected and what was found.
+/// Checks that every number lies in its range and that the groups are consistent. The error names
+/// `group.name`, what was expected and what was found.
 [[nodiscard]] Expected<void> validate(const Settings& settings);
 
-/// The settings themselves. @throws std::invalid_argument unless validate(settings) holds.
+/// Returns the settings. @throws std::invalid_argument unless validate(settings) holds.
 [[nodiscard]] const Settings& checked(const Settings& settings);
 
 }  // namespace fairway

@@ -7,15 +7,16 @@ namespace fairway {
 
 namespace {
 
-// Half of what a step costs, for either of its nodes.
+// Half of the cost of a step, per unit of cost of either of its nodes.
 constexpr std::array<std::uint32_t, 8> kHalfStep{29, 41, 29, 41, 29, 41, 29, 41};
 constexpr std::uint32_t kDiagonalExtra = 82 - GridSearch::kStep;
 
-constexpr std::uint32_t kFlooded = kUnreached - 1;  // unreached too, but seen by the flood
-constexpr std::uint32_t kTooFar = kUnreached / 2;   // below it no sum overflows
+// Unreached by the search, but visited by the flood fill.
+constexpr std::uint32_t kFlooded = kUnreached - 1;
+constexpr std::uint32_t kTooFar = kUnreached / 2;  // sums of costs below this cannot overflow
 
-constexpr std::uint8_t kStart = 8;    // arrived from nowhere
-constexpr std::uint8_t kClosed = 16;  // expanded since its cost last fell
+constexpr std::uint8_t kStart = 8;    // marks the start, which has no previous node
+constexpr std::uint8_t kClosed = 16;  // expanded since its cost was last reduced
 
 constexpr std::uint32_t pack(int x, int y) {
   return static_cast<std::uint32_t>(y) << 16U | static_cast<std::uint32_t>(x);
@@ -24,8 +25,8 @@ constexpr CellIndex unpack(std::uint32_t packed) {
   return {.x = static_cast<int>(packed & 0xFFFFU), .y = static_cast<int>(packed >> 16U)};
 }
 
-// The octile distance to the goals' box at the lowest cost there is. Consistent: a step changes it
-// by no more than the step costs.
+// Estimates the remaining cost: the octile distance to the bounding box of the goals at the lowest
+// cost per step. The estimate is consistent: it changes by at most the cost of a step.
 struct Estimate {
   CellIndex min;
   CellIndex max;
@@ -91,7 +92,7 @@ bool GridSearch::find_on(Grid& grid,
     if (grid.nodes()[i] == 0 || start.cost >= so_far_[i]) continue;
     so_far_[i] = start.cost;
     arrivals_[i] = kStart;
-    // Starts may be spread further than the ring is long: too early is no harm.
+    // Starts may be spread further than the ring is long. Expanding a start too early does no harm.
     const std::uint32_t total = start.cost + estimate(start.node.x, start.node.y);
     const std::uint32_t bucket =
         std::min(total >> kBucketShift, (lowest_ >> kBucketShift) + kBuckets - 1);
@@ -106,8 +107,8 @@ bool GridSearch::find_on(Grid& grid,
   return true;
 }
 
-// Whether the goals lie in a small pocket without a start: most failed searches fail for that, and
-// so it is found before the whole rest of the map is searched for a way in.
+// Returns whether the goals lie in a small pocket that contains no start. Most failed searches fail
+// for this reason; the test finds it before the rest of the map is searched.
 template <typename Grid>
 bool GridSearch::is_pocket(Grid& grid,
                            std::span<const Terminal> starts,
@@ -136,18 +137,18 @@ bool GridSearch::is_pocket(Grid& grid,
   });
 }
 
-// At an open node x, steps that cannot be on a cheapest way are left out. With p the node before x,
-// c the cost of a node, straight steps 29 (c + c') and diagonal ones 41 (c + c'), and all nine
-// costs between m and M with 58 M < 106 m:
+// At an open node x, the search skips steps that cannot be on a cheapest path. Let p be the node
+// before x and c the cost of a node; straight steps cost 29 (c + c'), diagonal ones 41 (c + c'),
+// and all nine costs are between m and M with 58 M < 106 m. The skipped steps are:
 // - back to p and to the neighbours of p on its side of x: p reaches them directly for less;
-// - after a straight step the square turns: p reaches those nodes n diagonally, and
-//   41 (c_p + c_n) < 29 (c_p + 2 c_x + c_n), since 24 M < 58 m;
-// - after a diagonal step the square turns: over y beside p and n it is less, since
-//   29 (c_p + 2 c_y + c_n) < 41 (c_p + 2 c_x + c_n) when 58 M < 106 m.
-// Each is strictly dearer, so no tie is decided here and the cost found is the grid's least.
+// - after a straight step, to the sides: p reaches those nodes n diagonally, and 41 (c_p + c_n) <
+//   29 (c_p + 2 c_x + c_n), since 24 M < 58 m;
+// - after a diagonal step, to the sides: over the node y beside p and n the cost is less, since 29
+//   (c_p + 2 c_y + c_n) < 41 (c_p + 2 c_x + c_n) when 58 M < 106 m. Each skipped step is strictly
+//   more expensive, so no tie is decided here and the cost found is the least on the grid.
 template <typename Grid>
 void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {
-  // Copies: a store to a byte may alias every member.
+  // Local copies, because a store to a byte may alias every member.
   const Estimate estimate(goals, grid.unit());
   const std::uint8_t* const nodes = grid.nodes();
   std::uint32_t* const so_far = so_far_.data();

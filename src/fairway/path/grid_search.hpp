@@ -10,24 +10,25 @@
 
 namespace fairway {
 
-/// A node where a search may begin or end, and what it costs to get to it from the true start, or
-/// from it to the true goal, in the search's own unit (see GridSearch::kStep).
+/// A node where a search may begin or end. Its cost is that between the node and the true start or
+/// goal, in the search's own unit (see GridSearch::kStep).
 struct Terminal {
   CellIndex node;
   std::uint32_t cost = 0;
 };
 
-/// A*: the cheapest way over linked neighbours of a grid, on one grid after another.
+/// A* over the linked neighbours of a grid; it reuses its memory from one grid to the next.
 class GridSearch {
  public:
-  /// Cost of a straight step between nodes that cost 1; a diagonal one costs 82, and 82 / 58 is
-  /// 0.03 % below sqrt 2. A step costs the mean of its two nodes.
+  /// Cost of a straight step between nodes of cost 1. A diagonal step costs 82; 82 / 58 is 0.03 %
+  /// below sqrt 2. A step costs the mean of its two nodes.
   static constexpr int kStep = 58;
 
-  /// Searches from all of `starts` to the best of `goals`. False when there is no way, or when it
-  /// is too long: more than about a million straight steps at the lowest cost.
-  /// @pre the grid has begun; terminals' costs are below 2^28. Terminals that are no nodes are left
-  ///      out.
+  /// Finds a cheapest path from any of `starts` to any of `goals`.
+  ///
+  /// Returns false if there is no path, or if the cheapest one is too long: more than about a
+  /// million straight steps at the lowest cost. Terminals that are not nodes are ignored.
+  /// @pre `begin` of the grid was called; the terminals' costs are below 2^28.
   [[nodiscard]] bool find(BlockGrid& grid,
                           std::span<const Terminal> starts,
                           std::span<const Terminal> goals);
@@ -35,9 +36,11 @@ class GridSearch {
                           std::span<const Terminal> starts,
                           std::span<const Terminal> goals);
 
-  /// The nodes of the way found, from start to goal.
+  /// The nodes of the path found, from start to goal.
   [[nodiscard]] std::span<const CellIndex> nodes() const noexcept { return nodes_; }
-  [[nodiscard]] std::uint32_t cost() const noexcept { return best_; }  ///< terminals included
+  [[nodiscard]] std::uint32_t cost() const noexcept {
+    return best_;
+  }  ///< costs of the terminals included
   [[nodiscard]] int expanded() const noexcept { return expanded_; }  ///< nodes taken from the queue
 
  private:
@@ -51,12 +54,13 @@ class GridSearch {
   void run(Grid& grid, std::span<const Terminal> goals);
   void collect_nodes(const SearchGrid& grid);
 
-  // Buckets of about equal estimated total cost, in a ring: no entry lies a full turn ahead.
+  // A ring of buckets, each for nearly equal estimated total costs. No entry lies a full turn
+  // ahead.
   static constexpr unsigned kBucketShift = 7;
   static constexpr std::uint32_t kBuckets = 256;
 
   std::array<std::vector<std::uint32_t>, kBuckets> buckets_;
-  std::uint32_t lowest_ = 0;  // least estimate of a start
+  std::uint32_t lowest_ = 0;  // least estimated total cost of a start
   std::size_t queued_ = 0;
   std::uint32_t best_ = 0;
   CellIndex best_goal_;

@@ -11,17 +11,18 @@
 
 namespace fairway {
 
-/// The length of a straight line; finite also where the square of it is not [m].
-[[nodiscard]] inline double line_length(const Eigen::Vector2d& way) noexcept {
-  const double length = way.norm();
-  return std::isfinite(length) ? length : way.stableNorm();
+/// Returns the length of a line [m]; it is finite even where its square is not.
+[[nodiscard]] inline double line_length(const Eigen::Vector2d& line) noexcept {
+  const double length = line.norm();
+  return std::isfinite(length) ? length : line.stableNorm();
 }
 
-/// Geometry without time: straight lines between waypoints, from start to goal, world frame [m].
+/// Geometry without time: straight lines between waypoints, from start to goal, in the world frame
+/// [m].
 struct Path {
   std::vector<Eigen::Vector2d> waypoints;
 
-  /// Sum of the straight lines [m].
+  /// Sum of the lengths of the lines [m].
   [[nodiscard]] double length() const noexcept {
     double sum = 0.0;
     for (std::size_t i = 1; i < waypoints.size(); ++i)
@@ -30,14 +31,14 @@ struct Path {
   }
 };
 
-/// How a path search ended.
+/// Result of a path search.
 enum class PathStatus : std::uint8_t {
-  Found,            ///< there is a path
-  StartOutsideMap,  ///< the start is not on the map, or not finite
-  GoalOutsideMap,   ///< the goal is not on the map, or not finite
-  StartBlocked,     ///< the robot does not fit at the start
-  GoalBlocked,      ///< the robot does not fit at the goal
-  NoConnection,     ///< it fits at both, but there is no way between them
+  Found,            ///< a path was found
+  StartOutsideMap,  ///< the start lies outside the map, or is not finite
+  GoalOutsideMap,   ///< the goal lies outside the map, or is not finite
+  StartBlocked,     ///< an obstacle is closer to the start than the robot's radius
+  GoalBlocked,      ///< an obstacle is closer to the goal than the robot's radius
+  NoConnection,     ///< the robot fits at start and goal, but no path connects them
   InvalidInput,     ///< the radius or the margin is negative or not finite
 };
 
@@ -54,32 +55,40 @@ enum class PathStatus : std::uint8_t {
     case PathStatus::GoalBlocked:
       return "the robot does not fit at the goal";
     case PathStatus::NoConnection:
-      return "there is no way from start to goal that is wide enough";
+      return "no path from start to goal is wide enough for the robot";
     case PathStatus::InvalidInput:
       return "the radius or the margin is negative or not finite";
   }
   return "unknown";
 }
 
-/// How a path is searched. The radius that must fit is not here: it belongs to the robot.
+/// Settings of the path search. The robot's radius is not among them; it belongs to the robot.
 struct PathSettings {
-  double margin = 0.02;           ///< room beyond the robot's radius that every path keeps [m]
-  double comfort_distance = 0.3;  ///< room beyond the margin below which a metre costs more [m]
-  double comfort_weight = 1.5;    ///< at no room at all a metre costs 1 + this []
-  bool any_angle = true;          ///< straighten the grid's wiggle into lines of sight
+  double margin = 0.02;           ///< clearance of every path beyond the robot's radius [m]
+  double comfort_distance = 0.3;  ///< clearance beyond the margin that costs nothing extra [m]
+  double comfort_weight = 1.5;    ///< a metre without clearance beyond the margin costs 1 + this []
+  bool any_angle = true;          ///< whether the path is straightened into lines of sight
 };
 
 template <typename Settings, typename Visitor>
 void visit_path(Settings& s, Visitor&& field) {
-  field(s.margin,
-        SettingInfo{"margin", "m", "room beyond the robot's radius that every path keeps", 0, 10});
+  field(s.margin, SettingInfo{"margin", "m",
+                              "clearance that every path keeps beyond the robot's radius; a "
+                              "greater value closes narrow gaps",
+                              0, 10});
   field(s.comfort_distance,
         SettingInfo{"comfort_distance", "m",
-                    "room beyond the margin below which a metre costs more", 0, 10});
-  field(s.comfort_weight,
-        SettingInfo{"comfort_weight", "", "at no room at all a metre costs 1 + this", 0, 100});
+                    "clearance beyond the margin below which a metre of path costs more; a greater "
+                    "value keeps paths further from obstacles",
+                    0, 10});
+  field(s.comfort_weight, SettingInfo{"comfort_weight", "",
+                                      "extra cost of a metre of path at the least clearance; a "
+                                      "greater value accepts longer detours for more clearance",
+                                      0, 100});
   field(s.any_angle,
-        SettingInfo{"any_angle", "", "straighten the grid's wiggle into lines of sight"});
+        SettingInfo{
+            "any_angle", "",
+            "whether paths are straightened into lines of sight instead of following the grid"});
 }
 
 }  // namespace fairway

@@ -5,7 +5,7 @@
 
 namespace fairway {
 
-/// The first `length` metres of a path; all of it where it is no longer. @pre length >= 0.
+/// Returns the first `length` metres of a path, or all of a shorter path. @pre length >= 0.
 [[nodiscard]] inline Path beginning_of(const Path& path, double length) {
   Path part;
   for (const Eigen::Vector2d& point : path.waypoints) {

@@ -28,7 +28,7 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
                              const Vector2d& goal,
                              double robot_radius,
                              const PathSettings& settings) {
-  // Written so that NaN fails too.
+  // This form also rejects NaN.
   if (!(robot_radius >= 0.0 && settings.margin >= 0.0) ||
       !std::isfinite(robot_radius + settings.margin)) {
     return {.status = PathStatus::InvalidInput, .path = {}};
@@ -53,7 +53,7 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
     result.path.waypoints.front() = start;
     result.path.waypoints.back() = goal;
   } else if (is_free(obstacles, start, goal, costs.required())) {
-    // Between walls so close that no cell's centre has room, yet the line has.
+    // The clearance between two walls may suffice on a line, but not at the centre of any cell.
     result.status = PathStatus::Found;
     result.cost = costs.line(start_.point, goal_.point).cost * frame.resolution;
     result.path.waypoints = {start, goal};
@@ -61,9 +61,9 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
   return result;
 }
 
-// The cells around an end to which the robot can go straight. Where the end is too near to an
-// obstacle for the margin, those cells may be further away, and the way there keeps the radius
-// only.
+// Finds the cells around an end that the robot can reach in a straight line. If the end is too
+// close to an obstacle for the margin, the cells may be further away, and the line to them keeps
+// only the radius.
 void PathPlanner::join_grid(const TravelCost& costs, double robot_radius, End& end) {
   end.cells.clear();
   const GridFrame& frame = costs.frame();
@@ -74,15 +74,15 @@ void PathPlanner::join_grid(const TravelCost& costs, double robot_radius, End& e
       add_ring(costs, costs.required(), ring, end);
   }
   if (end.cells.empty()) {
-    // Straight out of a gap between two posts it is sqrt(required^2 - radius^2) to where the margin
-    // is kept; twice that reaches out of most corners.
+    // To leave a gap between two posts straight ahead takes sqrt(required^2 - radius^2) until the
+    // margin is kept; twice that distance also leads out of most corners.
     end.tight = true;
     const double required = costs.required();
-    const double way_out =
+    const double exit_distance =
         std::sqrt(std::max(0.0, required * required - robot_radius * robot_radius));
     const int last =
-        2 + static_cast<int>(std::min(40.0, std::ceil(2.0 * way_out / frame.resolution)));
-    int more = 2;  // rings after the first that has a cell: the next may be better placed
+        2 + static_cast<int>(std::min(40.0, std::ceil(2.0 * exit_distance / frame.resolution)));
+    int more = 2;  // further rings after the first one with a cell: they may have better cells
     for (int ring = 0; ring <= last && more > 0; ++ring) {
       if (add_ring(costs, robot_radius, ring, end) || !end.cells.empty()) --more;
     }
@@ -122,12 +122,12 @@ bool PathPlanner::search(const TravelCost& costs, PathResult& result) {
   bool found = search_.find(blocks_, start_.blocks, goal_.blocks);
   result.expanded = search_.expanded();
   if (!found) return false;
-  way_.assign(search_.nodes().begin(), search_.nodes().end());
-  cells_.begin(costs, way_);
+  coarse_path_.assign(search_.nodes().begin(), search_.nodes().end());
+  cells_.begin(costs, coarse_path_);
   found = search_.find(cells_, start_.terminals, goal_.terminals);
   result.expanded += search_.expanded();
   if (!found) {
-    // A block's cells are taken as connected, which need not be true.
+    // The blocks treat their cells as connected, which may be wrong. Search all cells.
     cells_.begin(costs);
     found = search_.find(cells_, start_.terminals, goal_.terminals);
     result.expanded += search_.expanded();

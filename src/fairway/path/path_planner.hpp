@@ -13,28 +13,31 @@
 
 namespace fairway {
 
-/// A path, or why there is none.
+/// A path, or the reason why there is none.
 struct PathResult {
   PathStatus status = PathStatus::NoConnection;
-  Path path;          ///< from the very start to the very goal; empty unless Found
-  double cost = 0.0;  ///< of the chain of cells found, before straightening [m]
-  int expanded = 0;   ///< nodes taken from the queue
+  Path path;          ///< from the exact start to the exact goal; empty unless Found
+  double cost = 0.0;  ///< cost of the chain of cells found, before straightening [m]
+  int expanded = 0;   ///< number of nodes taken from the queue
 };
 
-/// Finds paths for a disc robot on one map after another, reusing its memory.
+/// Finds paths for a disc robot, on one map after another, and reuses its memory.
 ///
 /// Every straight piece of a path keeps the robot's radius plus `settings.margin` from every
-/// blocked cell, exactly (is_free holds for it). From a start nearer than that to an obstacle the
-/// first piece leads out, and to such a goal the last piece leads in: these two keep the radius.
-/// A path has at least two waypoints, the first is the start and the last is the goal, to the bit.
+/// blocked cell, exactly (is_free holds for it). If the start or the goal is closer to an obstacle
+/// than that, the first or the last piece keeps only the radius. A path has at least two waypoints:
+/// the first equals the start and the last equals the goal, to the bit.
 ///
-/// The search goes over blocks of 4 x 4 cells first and then over the cells along the way found; it
-/// finds a way wherever neighbouring allowed cells (see TravelCost) connect the two, and one that
-/// is nearly always the cheapest. Deterministic: the same map and query give the same bits.
+/// The search first covers blocks of 4 x 4 cells, and then the cells along the blocks found. It
+/// finds a path wherever neighbouring allowed cells (see TravelCost) connect start and goal; that
+/// path is nearly always a cheapest one. The planner is deterministic: the same map and query give
+/// the same bits.
 class PathPlanner {
  public:
-  /// `obstacles` and `distances` are of the same map and only read during the call.
-  /// A radius or margin that is negative or not finite is answered by PathStatus::InvalidInput.
+  /// Finds a path from `start` to `goal` [m, world] for a disc of `robot_radius` [m].
+  ///
+  /// `obstacles` and `distances` describe the same map and are only read during the call. A radius
+  /// or a margin that is negative or not finite gives PathStatus::InvalidInput.
   [[nodiscard]] PathResult find(const BitGrid& obstacles,
                                 const DistanceField& distances,
                                 const Eigen::Vector2d& start,
@@ -43,13 +46,13 @@ class PathPlanner {
                                 const PathSettings& settings);
 
  private:
-  // An end of the path, and the cells by which it joins the grid.
+  // An end of the path, and the cells that connect it to the grid.
   struct End {
     Eigen::Vector2d point;  // grid coordinates
-    bool tight = false;     // nearer to an obstacle than radius + margin
+    bool tight = false;     // closer to an obstacle than radius + margin
     std::vector<CellIndex> cells;
     std::vector<Terminal> blocks;
-    std::vector<Terminal> terminals;  // the cells, with the cost of the way to them
+    std::vector<Terminal> terminals;  // the cells, with the cost of reaching each
   };
 
   void join_grid(const TravelCost& costs, double robot_radius, End& end);
@@ -63,7 +66,7 @@ class PathPlanner {
   CellGrid cells_;
   GridSearch search_;
   Straightening straightening_;
-  std::vector<CellIndex> way_;
+  std::vector<CellIndex> coarse_path_;
   std::vector<Eigen::Vector2d> points_;
 };
 

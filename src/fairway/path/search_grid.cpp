@@ -9,7 +9,7 @@ namespace fairway {
 namespace {
 
 constexpr int kMaxUnit = 32;
-constexpr float kMuchRoom = std::numeric_limits<float>::infinity();
+constexpr float kLargeDistance = std::numeric_limits<float>::infinity();
 constexpr std::uint16_t kFull = 0xFFFF;
 
 }  // namespace
@@ -29,7 +29,7 @@ bool SearchGrid::is_gentle(int index) const noexcept {
 }
 
 int SearchGrid::unit_for(const TravelCost& costs) noexcept {
-  return std::clamp(static_cast<int>(kCost / costs.dearest()), 1, kMaxUnit);
+  return std::clamp(static_cast<int>(kCost / costs.greatest_cost()), 1, kMaxUnit);
 }
 
 void SearchGrid::resize(const TravelCost& costs, int spacing) {
@@ -43,8 +43,8 @@ void SearchGrid::resize(const TravelCost& costs, int spacing) {
 void BlockGrid::begin(const TravelCost& costs) {
   resize(costs, kSide);
   masks_.resize(size());
-  roomiest_.resize(static_cast<std::size_t>(kSide * width()));
-  tightest_.resize(roomiest_.size());
+  column_distances_.resize(static_cast<std::size_t>(kSide * width()));
+  tightest_.resize(column_distances_.size());
   first_row_ = 0;
   last_row_ = -1;
 }
@@ -80,26 +80,26 @@ void BlockGrid::fill_row(int y) {
   std::fill_n(masks - 1, stride(), std::uint16_t{0});
   if (y < 0 || y >= height()) return;
   const GridFrame& frame = costs_->frame();
-  // Cells beyond the upper and the right edge of the map have no room.
+  // Cells beyond the upper and the right edge of the map have no clearance.
   const int rows = std::min(kSide, frame.height - kSide * y);
-  std::fill(roomiest_.begin(), roomiest_.end(), -1.0F);
-  std::fill(tightest_.begin(), tightest_.end(), rows < kSide ? -1.0F : kMuchRoom);
+  std::fill(column_distances_.begin(), column_distances_.end(), -1.0F);
+  std::fill(tightest_.begin(), tightest_.end(), rows < kSide ? -1.0F : kLargeDistance);
   std::fill(tightest_.begin() + frame.width, tightest_.end(), -1.0F);
   const float* distances =
       costs_->distances().cells().data() + static_cast<std::ptrdiff_t>(kSide * y) * frame.width;
-  float* const roomiest = roomiest_.data();
+  float* const greatest = column_distances_.data();
   float* const tightest = tightest_.data();
   for (int row = 0; row < rows; ++row, distances += frame.width) {
     for (int x = 0; x < frame.width; ++x) {
-      roomiest[x] = std::max(roomiest[x], distances[x]);
+      greatest[x] = std::max(greatest[x], distances[x]);
       tightest[x] = std::min(tightest[x], distances[x]);
     }
   }
   const float least = costs_->least_distance();
   for (int x = 0; x < width(); ++x) {
-    const float* room = roomiest + kSide * x;
+    const float* d = greatest + kSide * x;
     const float* tight = tightest + kSide * x;
-    const float most = std::max(std::max(room[0], room[1]), std::max(room[2], room[3]));
+    const float most = std::max(std::max(d[0], d[1]), std::max(d[2], d[3]));
     if (most < least) continue;
     nodes[x] = byte_at(most);
     const bool full = std::min(std::min(tight[0], tight[1]), std::min(tight[2], tight[3])) >= least;
@@ -143,7 +143,7 @@ bool BlockGrid::linked(CellIndex node, unsigned direction) const noexcept {
   const unsigned to =
       masks_[static_cast<std::size_t>(i + kStepY[direction] * stride() + kStepX[direction])];
   if ((from & to) == kFull) return true;
-  // Cells that touch across a side: the same row or column, or one beside it.
+  // Cells that touch across a side: those in the same row or column, or offset by one.
   constexpr unsigned kColumn = 0x1111;
   constexpr unsigned kRow = 0xF;
   const auto touch = [](unsigned a, unsigned b, unsigned shift) {
@@ -186,7 +186,7 @@ void CellGrid::begin(const TravelCost& costs, std::span<const CellIndex> blocks)
 }
 
 void CellGrid::clear(const TravelCost& costs) {
-  // The size may change: then all bytes are new, and 0.
+  // When the size changes, all bytes are new, and 0.
   const std::size_t before = nodes_.size();
   resize(costs, 1);
   if (nodes_.size() == before) {

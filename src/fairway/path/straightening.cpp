@@ -10,28 +10,29 @@ namespace {
 
 using Eigen::Vector2d;
 
-// All in cells. Costs are equal up to kRounding; a move must gain more, a further corner must be
-// worth its while, and corners end up about as near to their best place as the last step.
+// All lengths are in cells. Costs within kRounding count as equal. A move must gain at least
+// kLeastGain, an additional corner kWorthACorner. Corners end within about kLastStep of their best
+// position.
 constexpr double kRounding = 1e-6;
 constexpr double kLeastGain = 0.01;
 constexpr double kWorthACorner = 0.2;
 constexpr double kFirstStep = 2.0;
 constexpr double kLastStep = 0.4;
-constexpr int kSweeps = 6;  // of moves, before and after each round of cuts
+constexpr int kSweeps = 6;  // sweeps of moves, before and after each round of cuts
 constexpr int kCuts = 2;
 
 bool fits(const TravelCost& costs,
           const TravelCost::Line& line,
           const Vector2d& a,
           const Vector2d& b) {
-  return line.roomy || costs.fits(a, b);
+  return line.surely_free || costs.fits(a, b);
 }
 
 }  // namespace
 
 void Straightening::apply(const TravelCost& costs, std::vector<Vector2d>& points) {
   if (points.size() < 3) return;
-  pull_string(costs, points);
+  connect_lines_of_sight(costs, points);
   for (int cut = 0; cut <= kCuts; ++cut) {
     for (int sweep = 0; sweep < kSweeps && move_corners(costs); ++sweep) {
     }
@@ -42,9 +43,10 @@ void Straightening::apply(const TravelCost& costs, std::vector<Vector2d>& points
     points.push_back(corner.point);
 }
 
-// From each corner to the furthest point that a line may lead to. Whether one may is not monotone
-// along the chain; doubling the reach and then halving the doubt finds a far one in few tests.
-void Straightening::pull_string(const TravelCost& costs, const std::vector<Vector2d>& points) {
+// Connects each corner to the furthest point that a line may lead to. Visibility is not monotone
+// along the chain; doubling the reach and then bisecting finds a far point in few tests.
+void Straightening::connect_lines_of_sight(const TravelCost& costs,
+                                           const std::vector<Vector2d>& points) {
   const std::size_t n = points.size();
   cost_to_.assign(n, 0.0);
   for (std::size_t i = 1; i < n; ++i)
@@ -75,8 +77,8 @@ void Straightening::pull_string(const TravelCost& costs, const std::vector<Vecto
   }
 }
 
-// One sweep: drops each corner that a line may replace, and tries each other one at its step.
-// False when all steps are at their end.
+// Makes one sweep: drops each corner that a line may replace, and tries to move the others by their
+// step. Returns false when no step is left to try.
 bool Straightening::move_corners(const TravelCost& costs) {
   bool busy = false;
   std::size_t kept = 1;
@@ -102,8 +104,8 @@ bool Straightening::move_corners(const TravelCost& costs) {
   return busy;
 }
 
-// Moves a corner to the cheapest of four places around it: inward along its bisector, outward, and
-// to either side.
+// Moves a corner to the cheapest of four positions around it: inward along its bisector, outward,
+// or to either side.
 bool Straightening::move_corner(const TravelCost& costs,
                                 const Vector2d& before,
                                 Corner& corner,
@@ -114,8 +116,8 @@ bool Straightening::move_corner(const TravelCost& costs,
   inward *= corner.step / inward.norm();
   const Vector2d along(-inward.y(), inward.x());
   bool moved = false;
-  for (const Vector2d& way : {inward, along, Vector2d(-along), Vector2d(-inward)}) {
-    const Vector2d to = from + way;
+  for (const Vector2d& offset : {inward, along, Vector2d(-along), Vector2d(-inward)}) {
+    const Vector2d to = from + offset;
     const double limit = corner.cost + after.cost - kLeastGain;
     const TravelCost::Line first = costs.line(before, to, limit);
     if (std::isinf(first.cost)) continue;
@@ -132,8 +134,8 @@ bool Straightening::move_corner(const TravelCost& costs,
   return moved;
 }
 
-// A sharp turn around an obstacle wants more than one corner: replaces a corner by two, one on each
-// leg, where that is worth it.
+// Replaces a corner by two, one on each leg, where that pays: a sharp turn around an obstacle needs
+// more than one corner.
 bool Straightening::cut_corners(const TravelCost& costs) {
   bool changed = false;
   cut_.clear();
@@ -153,15 +155,16 @@ bool Straightening::cut_corners(const TravelCost& costs) {
     for (double size = 0.5 * leg; size > 0.5 && !cut; size *= 0.5) {
       const Vector2d p = corner.point + size * to_before.normalized();
       const Vector2d q = corner.point + size * to_after.normalized();
-      // At most this is gained where all costs alike; smaller cuts gain even less.
-      if ((2.0 * size - (q - p).norm()) * static_cast<double>(costs.dearest()) < kWorthACorner)
+      // This is the greatest possible gain where all metres cost the same; smaller cuts gain less.
+      if ((2.0 * size - (q - p).norm()) * static_cast<double>(costs.greatest_cost()) <
+          kWorthACorner)
         break;
       const TravelCost::Line first = costs.line(before, p);
       const TravelCost::Line last = costs.line(q, after.point);
       const double limit = corner.cost + after.cost - kWorthACorner - first.cost - last.cost;
       const TravelCost::Line middle = costs.line(p, q, limit);
       if (std::isinf(middle.cost) || !fits(costs, middle, p, q)) continue;
-      // The legs' own parts fit: they are on pieces that do, up to rounding.
+      // The parts of the legs lie on pieces that fit, up to rounding; check them again.
       if (!fits(costs, first, before, p) || !fits(costs, last, q, after.point)) continue;
       cut_.push_back({.point = p, .cost = first.cost, .step = kFirstStep});
       corner = {.point = q, .cost = middle.cost, .step = kFirstStep};

@@ -10,13 +10,13 @@ namespace fairway {
 
 namespace {
 
-// When two allowed cells touch at a corner, which obstacles can come nearer to the line between
-// their centres than to the centres?
+// Obstacles that can come closer to the line between the centres of two diagonal neighbours than to
+// the centres themselves.
 //
-// From (1/2, 1/2) to (3/2, 3/2) the squared distance to a cell with the corner (1 + k, 1 - k) is
-// 2 k^2 + 1/2 at both ends and 2 k^2 in the middle; for every other cell it is least at an end. So
-// with R the required distance in cells only k with 2 k^2 < R^2 <= 2 k^2 + 1/2 matters: the
-// largest k below R / sqrt 2, and for most R none. k = 0 is the rule not to cut corners.
+// From (1/2, 1/2) to (3/2, 3/2) the squared distance to a cell with the corner (1 + k, 1 - k) is 2
+// k^2 + 1/2 at both ends and 2 k^2 in the middle; for every other cell it is least at an end. With
+// R the required distance in cells, only k with 2 k^2 < R^2 <= 2 k^2 + 1/2 matter: the largest k
+// below R / sqrt 2, and none for most R. k = 0 is the rule not to cut corners.
 int critical_corner(double required_low, double required_high) {
   const int k = static_cast<int>(std::min(1e6, required_high / std::sqrt(2.0)));
   return required_low * required_low > 2.0 * k * k + 0.5 ? -1 : k;
@@ -35,16 +35,17 @@ TravelCost::TravelCost(const BitGrid& obstacles,
   const GridFrame& frame = obstacles.frame();
   FAIRWAY_EXPECTS(distances.frame().width == frame.width &&
                   distances.frame().height == frame.height);
-  // Twice the skin of is_free, and the field's rounding: what is allowed here is free there.
+  // Twice the skin of is_free plus the rounding of the field, so that is_free holds in every
+  // allowed cell.
   const double allowed = (required + 2.0 * kFreeSpaceSkin) * (1.0 + 3e-7);
   allowed_ = static_cast<float>(allowed);
-  roomy_ = static_cast<float>(allowed + frame.resolution * std::sqrt(0.5));
+  surely_free_distance_ = static_cast<float>(allowed + frame.resolution * std::sqrt(0.5));
   corner_ = critical_corner(required / frame.resolution, allowed / frame.resolution);
   const bool graded = settings.comfort_distance > 0.0 && settings.comfort_weight > 0.0;
   const double rise = graded ? settings.comfort_weight / settings.comfort_distance : 0.0;
   rise_ = static_cast<float>(rise);
   at_zero_ = static_cast<float>(1.0 + rise * (allowed + settings.comfort_distance));
-  dearest_ = graded ? static_cast<float>(1.0 + settings.comfort_weight) : 1.0F;
+  greatest_cost_ = graded ? static_cast<float>(1.0 + settings.comfort_weight) : 1.0F;
 }
 
 TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
@@ -57,8 +58,9 @@ TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
   if (!inside(a) || !inside(b)) return {};
   constexpr double kFar = std::numeric_limits<double>::max();
   const float* const cells = distances_.cells().data();
-  // Goes along the longer axis u, a column of cells at a time; in each the line meets one cell or
-  // two neighbours across, v. Free of branches that depend on the line: they would be mispredicted.
+  // Follows the longer axis u, one column of cells at a time; in each column the line meets one
+  // cell, or two neighbours across, along v. The loop has no branches that depend on the line,
+  // because they would be mispredicted.
   const bool steep = std::abs(b.y() - a.y()) > std::abs(b.x() - a.x());
   const int u_axis = steep ? 1 : 0;
   const std::ptrdiff_t u_stride = steep ? grid.width : 1;
@@ -70,11 +72,11 @@ TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
   const double v0 = from[1 - u_axis];
   const double v1 = to[1 - u_axis];
   const double length = (b - a).norm();
-  if (length == 0.0) return {.cost = 0.0, .roomy = false};
+  if (length == 0.0) return {.cost = 0.0, .surely_free = false};
   const double slope = (v1 - v0) / (u1 - u0);
   const int v_last = static_cast<int>(v1);
   const double per_slope = slope != 0.0 ? 1.0 / std::abs(slope) : kFar;
-  const double scale = length / (u1 - u0);  // of the line's length to that of its shadow on u
+  const double scale = length / (u1 - u0);  // of the line's length to its extent along u
   const double bound = limit / scale;
   double sum = 0.0;
   float least = std::numeric_limits<float>::infinity();
@@ -87,7 +89,7 @@ TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
     const double v_next = v0 + (u_next - u0) * slope;
     int next_cell = static_cast<int>(v_next);
     next_cell = slope >= 0.0 ? std::min(next_cell, v_last) : std::max(next_cell, v_last);
-    // How far along u the line stays in the first of the two cells.
+    // Distance along u for which the line stays in the first of the two cells.
     const double rest = slope >= 0.0 ? v_cell + 1.0 - v : v - v_cell;
     const double width = u_next - u;
     const double in_first = next_cell == v_cell ? width : std::min(rest * per_slope, width);
@@ -102,7 +104,7 @@ TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
     v = v_next;
     v_cell = next_cell;
   }
-  return {.cost = sum * scale, .roomy = least >= roomy_};
+  return {.cost = sum * scale, .surely_free = least >= surely_free_distance_};
 }
 
 bool TravelCost::fits(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const noexcept {

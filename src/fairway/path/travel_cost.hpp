@@ -10,15 +10,15 @@
 
 namespace fairway {
 
-/// What a metre costs a disc robot, cell by cell, and where it fits at all.
+/// Defines the cost of a metre for a disc robot, cell by cell, and the cells in which it fits.
 ///
-/// With room d [m] between a cell's centre and the nearest obstacle and r = radius + margin, a
-/// metre in that cell costs 1 + comfort_weight * max(0, 1 - (d - r) / comfort_distance), at most 1
-/// + comfort_weight; a line costs the integral over the cells it crosses. A cell is *allowed* when
+/// Let d be the distance from a cell's centre to the nearest obstacle and r = radius + margin [m].
+/// A metre in that cell costs 1 + comfort_weight * max(0, 1 - (d - r) / comfort_distance), at most
+/// 1 + comfort_weight. A line costs the integral over the cells it crosses. A cell is *allowed* if
 /// a disc of radius r is free at its centre (is_free holds there).
 class TravelCost {
  public:
-  /// Reads both maps for as long as it lives.
+  /// Keeps references to both maps, which must outlive this object.
   /// @pre required = radius + margin >= 0 [m]; both maps have the same frame.
   TravelCost(const BitGrid& obstacles,
              const DistanceField& distances,
@@ -30,26 +30,30 @@ class TravelCost {
   [[nodiscard]] const DistanceField& distances() const noexcept { return distances_; }
   [[nodiscard]] double required() const noexcept { return required_; }
 
-  /// Least distance of an allowed cell [m].
+  /// Least distance to obstacles at the centre of an allowed cell [m].
   [[nodiscard]] float least_distance() const noexcept { return allowed_; }
   [[nodiscard]] bool is_allowed(CellIndex cell) const noexcept {
     return distances_.at(cell) >= static_cast<double>(allowed_);
   }
 
-  /// Cost of a metre at distance `d` from the nearest obstacle.
+  /// Cost of a metre at distance `d` [m] from the nearest obstacle.
   [[nodiscard]] float at_distance(float d) const noexcept {
     const float cost = at_zero_ - rise_ * d;
-    return std::min(std::max(cost, 1.0F), dearest_);
+    return std::min(std::max(cost, 1.0F), greatest_cost_);
   }
-  [[nodiscard]] float dearest() const noexcept { return dearest_; }  ///< the most a metre can cost
-  [[nodiscard]] float rise() const noexcept { return rise_; }        ///< per metre nearer [1/m]
+  [[nodiscard]] float greatest_cost() const noexcept {
+    return greatest_cost_;
+  }  ///< the greatest cost of a metre
+  [[nodiscard]] float rise() const noexcept {
+    return rise_;
+  }  ///< increase of the cost per metre closer to an obstacle [1/m]
 
-  /// Whether moves between allowed diagonal neighbours need `diagonal_is_free` at all. Moves
+  /// Returns whether moves between allowed diagonal neighbours need `diagonal_is_free`. Moves
   /// between allowed neighbours that share a side are always free.
   [[nodiscard]] bool diagonals_need_checks() const noexcept { return corner_ >= 0; }
 
-  /// Whether the robot fits along the way from the centre of an allowed cell to that of its allowed
-  /// diagonal neighbour at (dx, dy).
+  /// Returns whether the robot can move between the centres of two allowed diagonal neighbours,
+  /// `cell` and the one at (dx, dy).
   [[nodiscard]] bool diagonal_is_free(CellIndex cell, int dx, int dy) const noexcept {
     if (corner_ < 0) return true;
     const int near = corner_;
@@ -58,19 +62,20 @@ class TravelCost {
            !obstacles_.blocked({.x = cell.x - dx * near, .y = cell.y + dy * far});
   }
 
-  /// What a straight line costs.
+  /// The cost of a straight line.
   struct Line {
     double cost = std::numeric_limits<double>::infinity();  ///< [cells]
-    bool roomy = false;  ///< so far from everything that the robot fits without a closer look
+    /// So far from all obstacles that the robot fits along it without the exact test.
+    bool surely_free = false;
   };
 
-  /// The straight line between two points in grid coordinates. Costs infinitely much when it
-  /// exceeds `limit` and when an end is off the map. Does not ask whether the robot fits.
+  /// Computes the cost of the line between two points in grid coordinates. The cost is infinite if
+  /// it exceeds `limit` or an end lies outside the map. Whether the robot fits is not tested.
   [[nodiscard]] Line line(const Eigen::Vector2d& a,
                           const Eigen::Vector2d& b,
                           double limit = std::numeric_limits<double>::infinity()) const noexcept;
 
-  /// Whether the robot fits along such a line, exactly.
+  /// Tests exactly whether the robot fits along a line between two points in grid coordinates.
   [[nodiscard]] bool fits(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const noexcept;
 
  private:
@@ -78,10 +83,10 @@ class TravelCost {
   const DistanceField& distances_;
   double required_;
   float allowed_;
-  float roomy_;    // least distance at the centre of a cell that leaves room all over it [m]
-  float at_zero_;  // cost where the straight slope of costs meets distance 0
+  float surely_free_distance_;  // least distance at the centre of a cell that is free all over [m]
+  float at_zero_;               // cost that the linear increase extrapolates to at distance 0
   float rise_;
-  float dearest_;
+  float greatest_cost_;
   int corner_;
 };
 

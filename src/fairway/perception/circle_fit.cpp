@@ -12,13 +12,13 @@ using Eigen::Vector2d;
 
 std::optional<CircleFit> fit_circle(std::span<const Vector2d> points) noexcept {
   constexpr std::size_t kLeast = 4;
-  constexpr double kFlat = 1e-4;  // ratio of the spreads below which the points are a line
+  constexpr double kFlat = 1e-4;  // ratio of the variances below which the points form a line
   if (points.size() < kLeast) return std::nullopt;
   const auto count = static_cast<double>(points.size());
   Vector2d mean = Vector2d::Zero();
   for (const Vector2d& p : points)
     mean += p / count;
-  // About the mean: [Sxx Sxy; Sxy Syy] c = 1/2 [Sxxx + Sxyy; Syyy + Sxxy].
+  // Relative to the mean: [Sxx Sxy; Sxy Syy] c = 1/2 [Sxxx + Sxyy; Syyy + Sxxy].
   Matrix2d spread = Matrix2d::Zero();
   Vector2d third = Vector2d::Zero();
   double square = 0.0;
@@ -52,7 +52,7 @@ CenterFit fit_center(std::span<const Vector2d> points,
   CenterFit fit{.center = guess, .covariance = {}, .deviation = 0.0};
   Matrix2d information = Matrix2d::Identity() * guess_weight;
   for (int n = 0; n < kSteps; ++n) {
-    // Residual |p - c| - r has the gradient -(p - c) / |p - c| in c.
+    // The residual |p - c| - r has the gradient -(p - c) / |p - c| by c.
     information = Matrix2d::Identity() * guess_weight;
     Vector2d pull = guess_weight * (guess - fit.center);
     for (const Vector2d& p : points) {

@@ -9,39 +9,40 @@
 
 namespace fairway {
 
-/// One turn of a planar lidar: what ROS calls a LaserScan, with the poses it was taken from.
+/// One revolution of a planar lidar (a LaserScan in ROS), with the poses from which it was taken.
 struct LidarScan {
-  double time = 0.0;         ///< when the last beam was measured [s]
+  double time = 0.0;         ///< time of the last beam [s]
   Pose2 first_pose;          ///< of the sensor at the first beam, in the frame of the grid
   Pose2 last_pose;           ///< of the sensor at the last beam
-  double first_angle = 0.0;  ///< of beam 0 against the sensor's heading [rad]
-  double angle_step = 0.0;   ///< from beam to beam [rad]
-  double min_range = 0.0;    ///< nearer returns are none [m]
-  double max_range = 30.0;   ///< furthest that is seen [m]
-  /// Distance per beam [m]; at least `max_range` or infinite: nothing stands there up to max_range;
-  /// NaN or below `min_range`: the beam says nothing.
+  double first_angle = 0.0;  ///< of beam 0, relative to the sensor's heading [rad]
+  double angle_step = 0.0;   ///< angle between consecutive beams [rad]
+  double min_range = 0.0;    ///< smaller ranges are invalid [m]
+  double max_range = 30.0;   ///< greatest range that the sensor measures [m]
+  /// Range of each beam [m]. A range of at least `max_range`, or an infinite one, means that the
+  /// beam is free up to max_range. NaN, or a range below `min_range`, means that the beam is
+  /// invalid.
   std::span<const float> ranges;
 };
 
-/// What a beam tells about where it ends.
+/// What a beam shows about its end.
 enum class BeamEnd : std::uint8_t {
-  Hit,      ///< something is there
-  Open,     ///< nothing up to there
-  Nothing,  ///< the beam was lost
+  Hit,      ///< there is an obstacle
+  Open,     ///< the beam is free up to there
+  Nothing,  ///< the beam is invalid
 };
 
 /// A beam in the frame of the grid.
 struct Beam {
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< where the sensor was [m]
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();    ///< where the beam ended [m]
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< position of the sensor [m]
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();    ///< end of the beam [m]
   BeamEnd end = BeamEnd::Nothing;
-  bool moving = false;  ///< hit something that moves
+  bool moving = false;  ///< whether the beam hit a moving object
 };
 
-/// Lays the beams of a scan into the frame of the grid.
+/// Transforms the beams of a scan into the frame of the grid.
 ///
-/// Motion-compensated: the sensor is taken to move evenly from `first_pose` to `last_pose`. Beams
-/// longer than `reach` [m] are cut there and are Open.
+/// The motion of the sensor is compensated: it is assumed to move evenly from `first_pose` to
+/// `last_pose`. Beams longer than `reach` [m] are cut there and become Open.
 /// @param beams  Filled with one beam per range; keeps its memory.
 void lay_beams(const LidarScan& scan, double reach, std::vector<Beam>& beams);
 

@@ -13,21 +13,21 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPointSigma = 0.03;     // of a point against the disc it is taken from [m]
+constexpr double kPointSigma = 0.03;     // of a point relative to its disc [m]
 constexpr double kSmallestRadius = 0.1;  // [m]
 constexpr std::size_t kFewestPoints = 3;
-constexpr double kGate = 0.25;  // [m]; and so many standard deviations more:
+constexpr double kGate = 0.25;  // [m]; kGateSigmas standard deviations are added
 constexpr double kGateSigmas = 2.0;
 constexpr double kWidestGate = 0.8;       // [m]
-constexpr double kSeenThroughFor = 0.25;  // [s]; then it is not there
-constexpr double kStandingFor = 1.0;      // [s]; then it no longer counts as moving
+constexpr double kSeenThroughFor = 0.25;  // [s]; after this the object is gone
+constexpr double kStoppedFor = 1.0;       // [s]; after this the object no longer counts as moving
 constexpr int kFewestSightings = 4;
 
 double gate(const MovingTrack& track) noexcept {
   return std::min(kWidestGate, kGate + kGateSigmas * track.position_sigma());
 }
 
-// How far a point is from the outline of a track's disc.
+// Returns the distance of a point from the outline of a track's disc [m].
 double distance_to_outline(const MovingTrack& track, const Vector2d& point) noexcept {
   return std::abs((point - track.position()).norm() - track.radius);
 }
@@ -61,7 +61,7 @@ void MovingObjectTracker::update(double time,
   emit();
 }
 
-// Every hit goes to the track whose outline it is nearest to, if it is near enough.
+// Assigns every hit to the track with the nearest outline, if it is within the gate.
 void MovingObjectTracker::assign(std::span<const Beam> beams) noexcept {
   owner_.assign(beams.size(), -1);
   for (std::size_t b = 0; b < beams.size(); ++b) {
@@ -88,13 +88,14 @@ void MovingObjectTracker::correct(std::size_t index,
     sensor = beams[b].from;
   }
   if (cluster_.size() < kFewestPoints) return;
-  // A good circle tells the size; what is learnt is kept, so that a half hidden disc stays whole.
+  // A well-fitting circle gives the size. The estimate is kept, so that a half hidden disc keeps
+  // its size.
   const std::optional<CircleFit> circle = fit_circle(cluster_);
   const bool behind =
       circle && (circle->center - sensor).norm() > (cluster_[cluster_.size() / 2] - sensor).norm();
   if (behind && circle->deviation < kPointSigma && circle->radius < 0.5 * settings_.object_size &&
       circle->radius > kSmallestRadius) {
-    constexpr double kMostWeight = 20.0;  // [scans]; then the size drifts no faster than 1/20
+    constexpr double kMostWeight = 20.0;  // [scans]; the size changes by at most 1/20 per scan
     const double share = 1.0 / (track.radius_weight + 1.0);
     track.radius += share * (circle->radius - track.radius);
     track.radius_weight = std::min(kMostWeight, track.radius_weight + 1.0);
@@ -103,7 +104,8 @@ void MovingObjectTracker::correct(std::size_t index,
   const CenterFit fit =
       fit_center(cluster_, track.radius, track.position(), kPointSigma, guess_sigma);
   if (fit.deviation > 3.0 * kPointSigma && !behind) return;
-  // The points of a scan err together (the shape is no perfect disc), so they are not averaged out.
+  // The errors of the points of a scan are correlated (the object is not a perfect disc), so they
+  // do not average out.
   const Eigen::Matrix2d noise =
       fit.covariance + kPointSigma * kPointSigma * Eigen::Matrix2d::Identity();
   track.correct(fit.center, noise);
@@ -111,7 +113,7 @@ void MovingObjectTracker::correct(std::size_t index,
   ++track.sightings;
 }
 
-// A track that nothing was seen of: hidden, or gone? Beams that go on behind it say "gone".
+// Decides whether an unseen track is hidden or gone: it is gone if beams pass through its position.
 void MovingObjectTracker::judge_unseen(MovingTrack& track,
                                        double dt,
                                        std::span<const Beam> beams) const noexcept {
@@ -119,14 +121,14 @@ void MovingObjectTracker::judge_unseen(MovingTrack& track,
     track.seen_through = 0.0;
     return;
   }
-  constexpr int kEnough = 3;  // beams
+  constexpr int kEnough = 3;  // number of beams
   int through = 0;
   for (const Beam& beam : beams) {
     if (beam.end == BeamEnd::Nothing) continue;
-    const Vector2d way = beam.to - beam.from;
-    const double length = way.norm();
-    const double along = (track.position() - beam.from).dot(way) / length;
-    const Vector2d nearest = beam.from + along / length * way;
+    const Vector2d ray = beam.to - beam.from;
+    const double length = ray.norm();
+    const double along = (track.position() - beam.from).dot(ray) / length;
+    const Vector2d nearest = beam.from + along / length * ray;
     if (along > 0.0 && along + track.radius < length &&
         (track.position() - nearest).norm() < 0.7 * track.radius) {
       ++through;
@@ -135,15 +137,15 @@ void MovingObjectTracker::judge_unseen(MovingTrack& track,
   track.seen_through = through >= kEnough ? track.seen_through + dt : 0.0;
 }
 
-// A thing without the shape of a disc can be a part of a wall, of which more and more comes into
-// sight, or that a drifting pose has put where nothing was. Then beams still end where it has been;
-// what moves leaves its place.
+// Returns whether a track may be a part of a wall. An object that is not a disc can be a part of a
+// wall that gradually comes into view, or that appears at a new place because the pose drifted.
+// Beams then still end where the track was first seen; a moving object leaves that place.
 bool MovingObjectTracker::slides_along_a_wall(const MovingTrack& track,
                                               std::span<const Beam> beams) noexcept {
-  constexpr double kFewFits = 3.0;  // good circles of it, and it is no part of a wall
-  constexpr int kFewest = 2;        // beams
-  constexpr double kNear = 0.05;    // [m] around where the disc has been
-  constexpr double kOff = 0.1;      // [m] outside of where it is now
+  constexpr double kFewFits = 3.0;  // after this many good circles the track is no part of a wall
+  constexpr int kFewest = 2;        // number of beams
+  constexpr double kNear = 0.05;    // [m] around the first position of the disc
+  constexpr double kOff = 0.1;      // [m] outside its present outline
   if (track.radius_weight >= kFewFits) return false;
   int remain = 0;
   for (const Beam& beam : beams) {
@@ -163,7 +165,7 @@ void MovingObjectTracker::judge_motion(MovingTrack& track,
   const bool fast = speed > settings_.moving_speed;
   track.slow_for = fast ? 0.0 : track.slow_for + dt;
   if (track.moving) {
-    track.moving = track.slow_for < kStandingFor;
+    track.moving = track.slow_for < kStoppedFor;
     if (!track.moving) track.born_at = track.position();
     return;
   }
@@ -173,7 +175,7 @@ void MovingObjectTracker::judge_motion(MovingTrack& track,
                         moved > 3.0 * track.position_sigma();
   if (!may_move) return;
   track.moving = !slides_along_a_wall(track, beams);
-  if (!track.moving) track.born_at = track.position();  // to be seen again from here
+  if (!track.moving) track.born_at = track.position();  // moves are counted from here again
 }
 
 void MovingObjectTracker::drop_lost(double time) noexcept {
@@ -184,7 +186,7 @@ void MovingObjectTracker::drop_lost(double time) noexcept {
            hidden > (track.moving ? settings_.forget_after : kForgetUnproven);
   };
   std::erase_if(tracks_, lost);
-  // Two on the same thing: the one that knows more stays.
+  // Of two tracks on the same object, keep the one with more evidence.
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     for (std::size_t j = tracks_.size(); j-- > i + 1;) {
       const double away = (tracks_[i].position() - tracks_[j].position()).norm();
@@ -209,7 +211,7 @@ bool MovingObjectTracker::is_new(const Beam& beam, const RollingGrid& grid) cons
 void MovingObjectTracker::begin_tracks(double time,
                                        std::span<const Beam> beams,
                                        const RollingGrid& grid) noexcept {
-  constexpr int kMostMissing = 4;  // beams lost between two of one cluster
+  constexpr int kMostMissing = 4;  // invalid beams between two beams of one cluster
   cluster_.clear();
   int missing = 0;
   Vector2d sensor = Vector2d::Zero();
@@ -247,7 +249,7 @@ void MovingObjectTracker::begin_track(double time, const Vector2d& sensor) noexc
   tracks_.push_back(new_track(next_id_++, time, center, 2.0 * kPointSigma, radius));
 }
 
-// Beams that end on a moving disc, or a little inside or outside of it.
+// Marks the beams that end on a moving disc, or slightly inside or outside of it.
 void MovingObjectTracker::mark_moving(std::span<Beam> beams) const noexcept {
   for (std::size_t b = 0; b < beams.size(); ++b) {
     beams[b].moving = owner_[b] >= 0 && tracks_[static_cast<std::size_t>(owner_[b])].moving;

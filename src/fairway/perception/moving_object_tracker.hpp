@@ -10,30 +10,32 @@
 
 namespace fairway {
 
-/// Finds and follows what moves in lidar scans.
+/// Detects and tracks moving objects in lidar scans.
 ///
-/// A beam that ends where space was surely free a moment ago is new: neighbouring ones form a
-/// cluster, and each cluster of a plausible size begins a track. A track takes the beams that end
-/// near where it should be, fits a disc of its size to them, and corrects its Kalman filter;
-/// without beams it goes on at its velocity while it may be hidden, and ends when it is hidden for
-/// too long or beams pass where it should be. It counts as moving once it has moved; until then,
-/// and when it stands, its beams belong to the grid like all others. No allocation after
-/// construction; deterministic.
+/// A beam that ends where space was surely free shortly before is new. Neighbouring new beams form
+/// a cluster, and each cluster of a plausible size starts a track. A track takes the beams that end
+/// near its predicted position, fits a disc of its size to them, and corrects its Kalman filter.
+/// Without beams it continues at its velocity while it may be hidden. It ends if it is hidden for
+/// too long, or if beams pass through its position.
+///
+/// A track counts as moving once it has moved. Before that, and after it stops, its beams belong to
+/// the grid like all others. Does not allocate after construction; deterministic.
 class MovingObjectTracker {
  public:
-  static constexpr std::size_t kMaxTracks = 48;  ///< beyond these nothing new is followed
+  static constexpr std::size_t kMaxTracks = 48;  ///< further objects are not tracked
 
   MovingObjectTracker(const PerceptionSettings& settings, std::size_t max_beams);
 
-  /// Takes in one scan, before the grid does.
+  /// Processes one scan. Call it before the grid processes the same scan.
   /// @param beams  In order of their angle; those that hit a moving object are marked.
-  /// @param grid   What was known before the scan.
+  /// @param grid   The grid before the scan.
   void update(double time, std::span<Beam> beams, const RollingGrid& grid) noexcept;
 
   /// All tracks, moving or not.
   [[nodiscard]] std::span<const MovingTrack> tracks() const noexcept { return tracks_; }
 
-  /// What moves, as of the last scan; the radius grows with the uncertainty of the position.
+  /// The moving obstacles at the time of the last scan; each radius includes the uncertainty of the
+  /// position.
   [[nodiscard]] MovingObstacles obstacles() const noexcept { return obstacles_; }
 
  private:
@@ -53,9 +55,9 @@ class MovingObjectTracker {
   PerceptionSettings settings_;
   std::vector<MovingTrack> tracks_;
   std::vector<int> owner_;                // track of each beam; -1 for none
-  std::vector<Eigen::Vector2d> cluster_;  // points of the one being looked at
+  std::vector<Eigen::Vector2d> cluster_;  // points of the cluster being processed
   std::vector<MovingObstacle> obstacles_;
-  double time_ = -1.0;  // of the last scan
+  double time_ = -1.0;  // time of the last scan [s]
   int next_id_ = 0;
 };
 

@@ -23,7 +23,7 @@ void MovingTrack::predict(double dt, double acceleration_noise) noexcept {
   Matrix4d transition = Matrix4d::Identity();
   transition.topRightCorner<2, 2>() = dt * Matrix2d::Identity();
   state = transition * state;
-  // White noise in acceleration, of density q: q [dt^3/3, dt^2/2; dt^2/2, dt] per axis.
+  // White noise in acceleration with density q: q [dt^3/3, dt^2/2; dt^2/2, dt] per axis.
   const double q = acceleration_noise * acceleration_noise;
   Matrix4d noise = Matrix4d::Zero();
   noise.topLeftCorner<2, 2>() = q * dt * dt * dt / 3.0 * Matrix2d::Identity();

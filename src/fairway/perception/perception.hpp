@@ -8,22 +8,25 @@
 
 namespace fairway {
 
-/// From lidar scans to what a navigator reads: a map of what stands, and what moves.
+/// Turns lidar scans into the input of a navigator: a map of static obstacles, and moving
+/// obstacles.
 ///
-/// Allocates in the constructor only; of a scan with more than `max_beams` beams the first are
+/// Allocates in the constructor only. Of a scan with more than `max_beams` beams the first are
 /// used. Deterministic.
 class Perception {
  public:
   Perception(const PerceptionSettings& settings, const Eigen::Vector2d& position);
 
-  /// Takes in one scan.
-  /// @param position  Where the robot was at the scan's time, in the same frame.
-  /// @param body_radius  Of the disc that covers the robot [m].
+  /// Processes one scan.
+  /// @param position  Position of the robot at the scan's time, in the same frame.
+  /// @param body_radius  Radius of the disc that covers the robot [m].
   void observe(const LidarScan& scan, const Eigen::Vector2d& position, double body_radius) noexcept;
 
   [[nodiscard]] const RollingGrid& grid() const noexcept { return grid_; }
   [[nodiscard]] const MovingObjectTracker& tracker() const noexcept { return tracker_; }
-  [[nodiscard]] std::span<const Beam> beams() const noexcept { return beams_; }  ///< of this scan
+  [[nodiscard]] std::span<const Beam> beams() const noexcept {
+    return beams_;
+  }                                                             ///< of the last scan
   [[nodiscard]] double time() const noexcept { return time_; }  ///< of the last scan [s]
 
  private:

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 constexpr int kWordBits = 64;
 static_assert(RollingGrid::kBlock == kWordBits);
 
-// An odd number of blocks, so that the robot's own block can be the middle one.
+// Rounds the window up to an odd number of blocks, so that the robot's block can be the middle one.
 int side_in_cells(const PerceptionSettings& settings) {
   const auto blocks =
       static_cast<int>(std::ceil(settings.window / (settings.resolution * RollingGrid::kBlock)));
@@ -23,7 +23,8 @@ int side_in_cells(const PerceptionSettings& settings) {
 }
 
 GridFrame window_around(const Vector2d& center, int side, double resolution) {
-  // On whole blocks of the world, so that a window that comes back has the same cells.
+  // The window is aligned to whole blocks of the world, so that a revisited place has the same
+  // cells.
   const double block = resolution * RollingGrid::kBlock;
   const double half = 0.5 * (side / RollingGrid::kBlock - 1);
   const auto low = [&](double c) { return (std::floor(c / block) - half) * block; };
@@ -33,41 +34,42 @@ GridFrame window_around(const Vector2d& center, int side, double resolution) {
           .origin = {.position = {low(center.x()), low(center.y())}, .heading = 0.0}};
 }
 
-// The part of a segment that lies strictly inside the grid, in grid coordinates: Liang-Barsky.
+// Clips a segment to the part strictly inside the grid, in grid coordinates (Liang-Barsky).
 bool clip(const GridFrame& frame, Vector2d& from, Vector2d& to) noexcept {
   constexpr double kInside = 1e-6;  // [cells]
   const Vector2d start = from;
-  const Vector2d way = to - from;
+  const Vector2d segment = to - from;
   double first = 0.0;
   double last = 1.0;
   const double limit[2] = {frame.width - kInside, frame.height - kInside};
   for (int axis = 0; axis < 2; ++axis) {
     const double enter = kInside - start[axis];
     const double leave = limit[axis] - start[axis];
-    if (std::abs(way[axis]) < 1e-12) {
+    if (std::abs(segment[axis]) < 1e-12) {
       if (enter > 0.0 || leave < 0.0) return false;
       continue;
     }
-    const double a = enter / way[axis];
-    const double b = leave / way[axis];
+    const double a = enter / segment[axis];
+    const double b = leave / segment[axis];
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
   if (!(first <= last)) return false;
-  from = start + first * way;
-  to = start + last * way;
+  from = start + first * segment;
+  to = start + last * segment;
   return true;
 }
 
-// Up to which length a beam crosses only cells that its neighbours cross too, so that it need not
-// clear them again; near the sensor beams are much denser than cells.
+// Returns the length up to which a beam crosses only cells that its neighbours cross too. The beam
+// need not clear these cells again; near the sensor beams are much denser than cells.
 //
-// Beam i looks at beams i - b and i + b, b its lowest bit: so every beam leaves cells only to beams
-// that leave theirs to fewer others. Where those two are less than a cell apart, a cell crossed by
-// the one between them is crossed by one of them, since a square is nowhere narrower than its side.
+// Beam i is compared with beams i - b and i + b, where b is its lowest bit. Every beam thus relies
+// only on beams that rely on fewer others. Where those two are less than a cell apart, a cell
+// crossed by the beam between them is crossed by one of them, since a square is nowhere narrower
+// than its side.
 double covered_by_neighbours(std::span<const Beam> beams, std::size_t i, double cell) noexcept {
   constexpr std::size_t kFurthest = 8;
-  constexpr double kApart = 0.9;  // [cells]; the rest is for the sensor's motion
+  constexpr double kApart = 0.9;  // [cells]; the remainder allows for the sensor's motion
   const std::size_t b = i & (~i + 1);
   if (b == 0 || b > kFurthest || i + b >= beams.size()) return 0.0;
   const Beam& left = beams[i - b];
@@ -124,8 +126,8 @@ void RollingGrid::insert(std::span<const Beam> beams,
 }
 
 void RollingGrid::follow(const Vector2d& robot) noexcept {
-  // The window moves once the robot is a quarter block outside of the middle one: not at every step
-  // of a robot that moves to and fro over an edge.
+  // The window moves once the robot is a quarter block outside of the middle one. It does not move
+  // repeatedly when the robot moves back and forth over an edge.
   const Vector2d cell = frame().to_grid(robot);
   const double middle = 0.5 * (side_ - kBlock);
   const auto blocks = [&](double c) {
@@ -143,8 +145,8 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
   const int all = side_ / kBlock;
   const int dx = std::clamp(blocks_x, -all, all);
   const int rows = std::clamp(blocks_y, -all, all) * kBlock;
-  const auto kept = static_cast<std::size_t>(all - std::abs(dx));  // blocks of a row
-  // A row is moved by `dx` blocks and filled up; `unit` elements make a block.
+  const auto kept = static_cast<std::size_t>(all - std::abs(dx));  // blocks kept in a row
+  // Moves a row by `dx` blocks and fills the rest; `unit` elements make a block.
   const auto move_row = [&](auto* to, const auto* from, std::size_t unit, auto fill) {
     const auto shift = static_cast<std::size_t>(std::abs(dx)) * unit;
     const std::size_t stay = kept * unit;
@@ -158,10 +160,10 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
       std::fill_n(to, shift, fill);
     }
   };
-  // target(y) and source(y) give the elements of a row.
+  // target(y) and source(y) return the elements of a row.
   const auto move_rows = [&](const auto& target, const auto& source, std::size_t unit, auto fill) {
     for (int n = 0; n < side_; ++n) {
-      const int y = rows >= 0 ? n : side_ - 1 - n;  // no row is overwritten before it was moved
+      const int y = rows >= 0 ? n : side_ - 1 - n;  // no row is overwritten before it is moved
       const int from = y + rows;
       const bool known = from >= 0 && from < side_;
       move_row(target(y), known ? source(from) : nullptr, unit, fill);
@@ -181,7 +183,7 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
   move_bits(not_seen_free_, ~std::uint64_t{0});
   Pose2 origin = frame().origin;
   const double block = settings_.resolution * kBlock;
-  // Counted in blocks, not summed up, so that the same place always has the same cells.
+  // Computed from the number of blocks, not accumulated, so that a place always has the same cells.
   origin.position.x() = (std::round(origin.position.x() / block) + blocks_x) * block;
   origin.position.y() = (std::round(origin.position.y() / block) + blocks_y) * block;
   occupied_.move_to(origin);
@@ -191,7 +193,7 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
 void RollingGrid::next_scan() noexcept {
   scan_ = static_cast<std::uint8_t>((scan_ + 1) % kNever);
   if (scan_ != 0) return;
-  // Numbers start again: no old one may look like a new one.
+  // The numbers wrap around: old numbers must not equal new ones.
   scan_ = 1;
   for (Cell& cell : cells_) {
     if (cell.scan != kNever) cell.scan = 0;
@@ -218,14 +220,14 @@ void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
 }
 
 void RollingGrid::mark(const Beam& beam) noexcept {
-  const Vector2d way = beam.to - beam.from;
-  const double length = way.norm();
+  const Vector2d ray = beam.to - beam.from;
+  const double length = ray.norm();
   if (!(length > 0.0)) return;
-  // A cell reaches out before the point that marked it, by half a side on average, and every error
-  // of the range adds to that; a little depth keeps narrow ways open.
-  const Vector2d along = way / length;
+  // A cell extends in front of the hit by half a side on average, and range errors add to that. A
+  // small offset keeps narrow gaps open.
+  const Vector2d along = ray / length;
   CellIndex cell = frame().cell_at(beam.to + settings_.hit_depth * along);
-  // Of the errors around a known surface those to the front would make a skin of false cells.
+  // Range errors in front of a known surface would form a layer of false cells.
   const CellIndex behind =
       frame().cell_at(beam.to + (settings_.hit_depth + settings_.hit_snap) * along);
   if (behind != cell && at(behind) == CellState::Occupied && at(cell) != CellState::Occupied) {
@@ -237,16 +239,16 @@ void RollingGrid::mark(const Beam& beam) noexcept {
 }
 
 void RollingGrid::clear(const Beam& beam, double known) noexcept {
-  const Vector2d way = beam.to - beam.from;
-  const double length = way.norm();
+  const Vector2d ray = beam.to - beam.from;
+  const double length = ray.norm();
   if (known >= length) return;
-  Vector2d from = frame().to_grid(beam.from + known / length * way);
+  Vector2d from = frame().to_grid(beam.from + known / length * ray);
   Vector2d to = frame().to_grid(beam.to);
   if (!clip(frame(), from, to)) return;
   const auto least = static_cast<std::int8_t>(settings_.least_evidence);
   walk_cells(from, to, [this, least](CellIndex cell, double) {
     Cell& value = cell_of(cell);
-    // The cells that were hit bear this scan's number already. Most others are as free as can be.
+    // Cells that were hit already have this scan's number. Most others have the least evidence.
     if (value.scan == scan_) return true;
     if (value.evidence == least && value.scan != kNever) {
       value.scan = scan_;
@@ -258,7 +260,7 @@ void RollingGrid::clear(const Beam& beam, double known) noexcept {
 }
 
 void RollingGrid::claim_body(const Vector2d& robot, double radius) noexcept {
-  const double reach = radius / settings_.resolution + 1.5;  // [cells], to centres
+  const double reach = radius / settings_.resolution + 1.5;  // [cells], to the centres
   const Vector2d center = frame().to_grid(robot);
   const auto low = [&](double c) { return std::max(0, static_cast<int>(std::floor(c - reach))); };
   const auto high = [&](double c) {

@@ -12,30 +12,32 @@
 
 namespace fairway {
 
-/// A map of what the lidar has seen around the robot, in a square window that follows it.
+/// A map of what the lidar has measured around the robot, in a square window that follows it.
 ///
-/// Every cell holds evidence: up where a beam ends, down where one passes, at most once each per
-/// scan, and a cell that is hit in a scan is not cleared by it. Above zero it is occupied, else
-/// free; a cell that no beam has touched is unknown. The window's axes are those of the world; it
-/// moves by whole blocks of kBlock cells, and what enters it is unknown.
+/// Every cell holds evidence. It increases where a beam ends and decreases where a beam crosses,
+/// each at most once per scan; a cell that is hit in a scan is not cleared by it. A cell is
+/// occupied if its evidence is above zero, and otherwise free. A cell that no beam has touched is
+/// unknown. The window is aligned with the world's axes and moves by whole blocks of kBlock cells;
+/// cells that enter it are unknown.
 ///
-/// Two readings: `occupied` lets unknown space pass (to plan ways through it), `not_seen_free`
-/// blocks it (to drive no faster than can be stopped inside what was seen). No allocation after
-/// construction; deterministic.
+/// There are two readings. In `occupied` unknown cells are free, for planning paths through them.
+/// In `not_seen_free` they are blocked, so that the robot can always stop inside what was measured.
+/// Does not allocate after construction; deterministic.
 class RollingGrid {
  public:
-  static constexpr int kBlock = 64;  ///< cells by which the window moves: one word of a BitGrid
+  /// Step by which the window moves [cells]: one word of a BitGrid.
+  static constexpr int kBlock = 64;
   static constexpr int kNewScans = 20;
 
-  /// @param settings  As validated; the window is rounded up to whole blocks, an odd number.
-  /// @param center  Where the window is at first [m].
+  /// @param settings  Valid settings; the window is rounded up to an odd number of blocks.
+  /// @param center  Initial centre of the window [m].
   RollingGrid(const PerceptionSettings& settings, const Eigen::Vector2d& center);
 
-  /// Takes over what one scan says. Beams that hit something moving clear up to and including
-  /// their end, and mark nothing.
-  /// @param robot  Where the robot is: the window follows it.
-  /// @param body_radius  Cells nobody has seen count as free where the robot itself stands, and a
-  ///        cell's diagonal around it [m].
+  /// Processes one scan. Beams that hit a moving object clear all their cells, their end included,
+  /// and mark none.
+  /// @param robot  Position of the robot; the window follows it.
+  /// @param body_radius  Radius of the robot's disc [m]. Unknown cells within this radius plus a
+  ///       cell's diagonal become free.
   void insert(std::span<const Beam> beams,
               const Eigen::Vector2d& robot,
               double body_radius) noexcept;
@@ -47,21 +49,22 @@ class RollingGrid {
   /// Whether the last insert moved the window.
   [[nodiscard]] bool rolled() const noexcept { return rolled_; }
 
-  /// Where `occupied` changed in the last insert, apart from rolling; empty if nowhere.
+  /// Cells where `occupied` changed in the last insert, apart from moving the window; may be empty.
   [[nodiscard]] const CellWindow& changed() const noexcept { return changed_; }
 
-  /// Occupied, Free or Unknown; Unknown outside the window.
+  /// Returns Occupied, Free or Unknown; Unknown outside the window.
   [[nodiscard]] CellState at(CellIndex cell) const noexcept;
 
-  /// Whether something in this cell must have come there lately: beams had passed it so often that
-  /// it was surely free, and since then it was hit in no more than kNewScans scans. False outside.
+  /// Returns whether an obstacle in this cell must have come there recently: beams had crossed the
+  /// cell until it was surely free, and since then at most kNewScans scans hit it. False outside
+  /// the window.
   [[nodiscard]] bool would_be_new(CellIndex cell) const noexcept;
 
  private:
   struct Cell {
     std::int8_t evidence = 0;
-    std::uint8_t scan = 0;     // that touched it last; kNever for unknown cells
-    std::uint8_t newness = 0;  // kNewScans when surely free, then less by one with every hit
+    std::uint8_t scan = 0;     // the last scan that touched it; kNever if unknown
+    std::uint8_t newness = 0;  // kNewScans once surely free; each hit subtracts one
   };
   static constexpr std::uint8_t kNever = 255;
 
@@ -86,7 +89,7 @@ class RollingGrid {
   std::vector<Cell> cells_;
   BitGrid occupied_;
   BitGrid not_seen_free_;
-  std::uint8_t scan_ = 0;  // number of this scan, 0..kNever - 1
+  std::uint8_t scan_ = 0;  // number of the present scan, 0..kNever - 1
   bool rolled_ = false;
   CellWindow changed_{.first = {.x = 0, .y = 0}, .last = {.x = -1, .y = -1}};
 };

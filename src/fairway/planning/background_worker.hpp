@@ -7,10 +7,10 @@
 
 namespace fairway {
 
-/// Runs one job at a time in a thread of its own, which begins with the first job.
+/// Runs one job at a time in a thread of its own, which starts with the first job.
 ///
-/// The thread that owns the worker calls its functions; none of them waits but `wait` and the
-/// destructor. What the job reads and writes belongs to the job from `start` until `finished`
+/// All functions are called by the thread that owns the worker; only `wait` and the destructor
+/// block. Everything that the job reads and writes belongs to the job from `start` until `finished`
 /// returns true.
 class BackgroundWorker {
  public:
@@ -19,7 +19,7 @@ class BackgroundWorker {
   BackgroundWorker& operator=(const BackgroundWorker&) = delete;
   ~BackgroundWorker();  ///< waits for the job
 
-  /// @pre idle. A job must not throw.
+  /// Starts a job, which must not throw. @pre idle.
   void start(std::function<void()> job);
 
   [[nodiscard]] bool idle() const noexcept { return state_.load() == State::Idle; }

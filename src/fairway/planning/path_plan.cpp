@@ -51,7 +51,8 @@ Plan plan_along(Planner& planner,
                 const Eigen::Vector2d& start,
                 const GivenPath& given,
                 const PlannerSettings& settings) {
-  // Waypoints within a radius of the edge are left out: the corridor must end inside the map.
+  // Waypoints within a radius of the edge are left out, because the corridor must end inside the
+  // map.
   const GridFrame& frame = map.obstacles.frame();
   PathAhead ahead = path_ahead(given.path, start, frame, settings.radius + frame.resolution);
   const Goal goal{.position = ahead.path.waypoints.back(),

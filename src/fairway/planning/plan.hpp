@@ -8,37 +8,37 @@
 
 namespace fairway {
 
-/// Where to go; without a heading every heading will do. In the frame of the map.
+/// A goal, in the frame of the map. Without a heading, every heading is accepted.
 struct Goal {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
   std::optional<double> heading{};                     ///< [rad]
 };
 
-/// A way to a goal: path and corridor, or why there is none.
+/// A path to a goal and its corridor, or the reason why there is none.
 struct Plan {
   PathStatus path_status = PathStatus::NoConnection;
   CorridorStatus corridor_status = CorridorStatus::EmptyPath;
   Path path;
   Corridor corridor;
   Goal goal;
-  bool whole = true;              ///< whether the corridor covers all of the path
-  double margin = 0.0;            ///< room beyond the robot's radius that the path keeps [m]
-  double stuck_at = 0.0;          ///< where on the path the corridor broke, if it did [m]
-  double path_seconds = 0.0;      ///< spent on paths, when a clock was lent [s]
-  double corridor_seconds = 0.0;  ///< spent on corridors, when a clock was lent [s]
+  bool whole = true;          ///< whether the corridor covers the whole path
+  double margin = 0.0;        ///< clearance of the path beyond the robot's radius [m]
+  double stuck_at = 0.0;      ///< arc length at which building the corridor stopped, if it did [m]
+  double path_seconds = 0.0;  ///< time spent on paths, if a clock is given [s]
+  double corridor_seconds = 0.0;  ///< time spent on corridors, if a clock is given [s]
 
   [[nodiscard]] bool usable() const noexcept {
     return path_status == PathStatus::Found && corridor_status == CorridorStatus::Built;
   }
 
-  /// Why it is not usable, for a person.
+  /// Explains to the user why the plan is not usable.
   [[nodiscard]] const char* reason() const noexcept {
     return path_status != PathStatus::Found ? to_text(path_status) : to_text(corridor_status);
   }
 };
 
-/// Whether a plan was made for a robot of this radius [m], or for a larger one. Where start or goal
-/// have less clearance a corridor is a little narrower than the robot.
+/// Returns whether a plan was made for a robot of at least this radius [m]. If start or goal have
+/// less clearance, a corridor is slightly narrower than the robot.
 [[nodiscard]] inline bool fits(const Plan& plan, double radius) noexcept {
   constexpr double kLeastShare = 0.85;  // of the radius; the planner keeps 0.9
   return plan.corridor.space != CorridorSpace::Configuration ||

@@ -15,38 +15,39 @@ namespace fairway {
 
 namespace {
 
-// Shares of the wished margin and overlap that are tried in turn.
+// Shares of the desired margin and overlap, in the order in which they are tried.
 constexpr std::array kMarginShares = {1.0, 0.5, 0.2, 0.05};
 struct CorridorTry {
-  double
-      margin_share;  // of the path's margin that stays in the rectangles' sides; the rest is play
-  double overlap_share;  // of the wished overlap
+  double margin_share;   // share of the path margin that the rectangles keep; the rest is tolerance
+  double overlap_share;  // share of the desired overlap
 };
 constexpr std::array kCorridorTries = {CorridorTry{0.5, 1.0}, CorridorTry{0.5, 0.25},
                                        CorridorTry{0.5, 0.05}, CorridorTry{0.0, 0.25},
                                        CorridorTry{0.0, 0.05}};
 
-// The disc that the corridor is built for; where start or goal have less room, what they have.
+// Returns the radius of the disc for which the corridor is built: robot and margin, or the
+// clearance of start and goal if that is less.
 double corridor_radius(const PreparedMap& map,
                        const Eigen::Vector2d& start,
                        const Eigen::Vector2d& goal,
                        double robot_radius,
                        double margin) {
-  const double wished = robot_radius + margin;
-  const double room = std::min(distance_to_blocked(map.obstacles, start, wished + 1.0),
-                               distance_to_blocked(map.obstacles, goal, wished + 1.0));
-  return std::max(0.0, std::min(wished, room - 4.0 * kFreeSpaceSkin));
+  const double desired = robot_radius + margin;
+  const double clearance = std::min(distance_to_blocked(map.obstacles, start, desired + 1.0),
+                                    distance_to_blocked(map.obstacles, goal, desired + 1.0));
+  return std::max(0.0, std::min(desired, clearance - 4.0 * kFreeSpaceSkin));
 }
 
-// A robot that measures itself slightly inside an obstacle stands there all the same: plan for as
-// much of it as fits, so that it can leave. What it then does is still checked with all of it.
+// Returns the radius to plan for. If the robot's estimated position is slightly inside an obstacle,
+// the plan uses as much of the robot as fits, so that it can leave. The commands are still checked
+// with the whole robot.
 double radius_that_fits(const PreparedMap& map, const Eigen::Vector2d& start, double radius) {
-  constexpr double kLeast = 0.9;  // share; a start with less room is blocked
-  const double room = distance_to_blocked(map.obstacles, start, radius + 1.0);
-  return room > radius ? radius : std::max(kLeast * radius, room - 4.0 * kFreeSpaceSkin);
+  constexpr double kLeast = 0.9;  // share; a start with less clearance is blocked
+  const double clearance = distance_to_blocked(map.obstacles, start, radius + 1.0);
+  return clearance > radius ? radius : std::max(kLeast * radius, clearance - 4.0 * kFreeSpaceSkin);
 }
 
-// Adds to `sum` what the clock says that a stage took.
+// Adds the duration of a stage to `sum`.
 class Stopwatch {
  public:
   Stopwatch(const std::function<double()>& clock, double& sum)
@@ -81,7 +82,7 @@ Plan Planner::plan(const PreparedMap& map,
                    const PlannerHooks& hooks) {
   Plan plan;
   plan.goal = goal;
-  // What could not even be measured on the map; written so that NaN fails.
+  // Input that cannot be located on the map; this form also rejects NaN.
   if (!(settings.radius >= 0.0 && std::isfinite(settings.radius))) {
     plan.path_status = PathStatus::InvalidInput;
     return plan;
@@ -90,7 +91,7 @@ Plan Planner::plan(const PreparedMap& map,
     plan.path_status = is_finite(start) ? PathStatus::GoalOutsideMap : PathStatus::StartOutsideMap;
     return plan;
   }
-  // In the workspace the paper keeps Delta_s between path and walls; that already is the room
+  // In the workspace the paper keeps Delta_s between path and walls, which already is the clearance
   // needed.
   const bool in_workspace = settings.corridor.space == CorridorSpace::Workspace;
   const double body =

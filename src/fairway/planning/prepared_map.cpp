@@ -6,7 +6,7 @@
 namespace fairway {
 
 void PreparedMap::update(const BitGrid& bits, const CellWindow& changed) {
-  // Beyond this share of the cells a window is no cheaper than all of it.
+  // Above this share of the cells, updating a window costs as much as updating the whole map.
   constexpr double kLargeShare = 0.25;
   const GridFrame& frame = bits.frame();
   const CellWindow inside{

@@ -13,23 +13,23 @@ struct PreparedMap {
   BitGrid obstacles;
   DistanceField distances;
 
-  PreparedMap() = default;  ///< everything blocked
+  PreparedMap() = default;  ///< makes a map in which everything is blocked
   explicit PreparedMap(BitGrid bits) : obstacles(std::move(bits)), distances(obstacles) {}
   explicit PreparedMap(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied)
       : PreparedMap(BitGrid(grid, unknown)) {}
 
-  /// Becomes the map of `bits`, which differ from its own obstacles only inside `changed`, or lie
-  /// elsewhere: then all of it is prepared again. Reuses its memory.
+  /// Updates the map to `bits`, and reuses its memory. If `bits` has the same frame, it must differ
+  /// from the obstacles only inside `changed`; otherwise the whole map is prepared again.
   void update(const BitGrid& bits, const CellWindow& changed);
 };
 
-/// The smallest window that holds both; an empty one holds nothing.
+/// Returns the smallest window that contains both; an empty window contains nothing.
 [[nodiscard]] CellWindow united(const CellWindow& a, const CellWindow& b) noexcept;
 
-/// The window without cells.
+/// The empty window.
 inline constexpr CellWindow kNoCells{.first = {.x = 0, .y = 0}, .last = {.x = -1, .y = -1}};
 
-/// The window of all cells of a grid.
+/// Returns the window of all cells of a grid.
 [[nodiscard]] inline CellWindow all_cells(const GridFrame& frame) noexcept {
   return {.first = {.x = 0, .y = 0}, .last = {.x = frame.width - 1, .y = frame.height - 1}};
 }

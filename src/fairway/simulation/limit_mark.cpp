@@ -64,8 +64,8 @@ LimitMark limit_mark(const Navigator& navigator, const NavigationStep& step) noe
   mark.row = step.plan->limiting;
   const auto k = static_cast<std::size_t>(std::clamp(mark.row.step, 0, step.plan->horizon));
   const Eigen::Vector2d& at = step.plan->poses[k].position;
-  if (mark.row.kind == RowKind::Corridor) mark_side(navigator, step.rectangle, at, mark);
-  if (mark.row.kind == RowKind::Barrier) mark_disc(navigator.problem(), k, at, mark);
+  if (mark.row.kind == ConstraintKind::Corridor) mark_side(navigator, step.rectangle, at, mark);
+  if (mark.row.kind == ConstraintKind::Barrier) mark_disc(navigator.problem(), k, at, mark);
   return mark;
 }
 

@@ -16,7 +16,7 @@ struct LimitMark {
   };
 
   Shape shape = Shape::None;
-  RowName row;  ///< None without a plan
+  ConstraintName row;  ///< None without a plan
   Eigen::Vector2d a = Eigen::Vector2d::Zero();
   Eigen::Vector2d b = Eigen::Vector2d::Zero();
   double radius = 0.0;  ///< [m]

@@ -10,22 +10,22 @@
 
 namespace fairway {
 
-/// The answers of one cycle, the best one first.
+/// The solutions of one cycle, the best one first.
 struct Candidates {
   static constexpr std::size_t kMost = 2;
   std::size_t count = 0;
   std::array<MpcSolution, kMost> answers;
 };
 
-/// Solves the problem of a cycle from each initial guess: the last plan, shifted, and a pursuit of
-/// the targets. Every step is bound to the rectangle that the guess is in at that step.
+/// Solves the problem of a cycle from two initial guesses: the last plan, shifted, and a pursuit of
+/// the targets. Each step is constrained to the rectangle that contains the guess at that step.
 ///
-/// An answer that is usable comes before one that is not; of two usable ones that with the lower
-/// cost, violations included, comes first.
+/// A usable solution comes before an unusable one; of two usable ones, the one with the lower cost,
+/// penalty included, comes first.
 ///
 /// @param problem  With targets, limits and obstacles; its regions are set here.
-/// @param bands    Free bands along a detour that leaves the corridor; null: the corridor counts.
-/// @param last     The last solution; horizon 0 for none.
+/// @param bands    Free bands along a detour that leaves the corridor; null to use the corridor.
+/// @param last     The last solution; horizon 0 if there is none.
 /// @param shift    Time since the last solution [s].
 void solve_candidates(ControlSolver& solver,
                       const TrackingSettings& settings,
@@ -36,11 +36,12 @@ void solve_candidates(ControlSolver& solver,
                       ControlProblem& problem,
                       Candidates& candidates) noexcept;
 
-/// The commands of `solution` at the end of each control period, as many as its horizon has.
+/// Samples the commands of `solution` at the end of each control period, as many as its horizon has
+/// steps.
 ///
-/// The base ramps linearly from each command to the next, so a period that is not the step length
-/// samples these ramps. With equal lengths these are the solution's own commands.
-/// @param before  The command that is executed now.
+/// The base ramps linearly from each command to the next. If the control period differs from the
+/// step length, the result samples these ramps; otherwise it is the solution's own commands.
+/// @param before  The command being executed.
 void sample_commands(const MpcSolution& solution,
                      const Twist2& before,
                      double step_length,

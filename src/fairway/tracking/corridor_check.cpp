@@ -19,7 +19,7 @@ bool corridor_is_free(const BitGrid& obstacles,
       workspace ? 0.0 : std::max(0.0, std::min(built.robot_radius, radius) - tolerance);
   for (std::size_t i = corridor.current(); i < corridor.size(); ++i) {
     if (path.count > 0) {
-      const std::size_t entry = i - corridor.current();  // the path's point where it enters
+      const std::size_t entry = i - corridor.current();  // point of the path where it enters
       const auto last = static_cast<std::size_t>(path.count) - 1;
       if (path.arc[std::min(entry, last)] > length) break;
     }

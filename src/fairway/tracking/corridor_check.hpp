@@ -8,12 +8,13 @@
 
 namespace fairway {
 
-/// Whether the rectangles that the robot enters within `length` [m] of its reference path are free
-/// for it.
+/// Returns whether the rectangles that the reference path enters within `length` [m] are free for
+/// the robot.
 ///
-/// @param radius     Of the robot's disc [m]; a corridor built for less is tested for that.
-/// @param tolerance  By which the disc may be smaller: a cell that flickers at a side is no reason
-///                   for another plan [m].
+/// @param radius     Radius of the robot's disc [m]; a corridor built for a smaller disc is tested
+///       for that.
+/// @param tolerance  Amount by which the disc may be smaller [m], so that a cell that flickers at a
+///       side does not cause a new plan.
 [[nodiscard]] bool corridor_is_free(
     const BitGrid& obstacles,
     const CorridorFollower& corridor,

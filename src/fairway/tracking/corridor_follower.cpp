@@ -15,11 +15,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kFirstSweeps = 40;                                   // from the centroids
-constexpr int kSweeps = 4;                                         // from the last cycle's string
+constexpr int kFirstSweeps = 40;  // from the centroids
+constexpr int kSweeps = 4;        // from the path of the last cycle
 constexpr std::size_t kLookAhead = ReferencePath::kMaxPoints - 2;  // patches between start and end
 
-// The overlap without a rim of `margin`, or with as much of the rim gone as leaves something.
+// Returns the overlap without a rim of `margin`. If that is empty, the rim is reduced.
 OverlapPatch inner_patch(const OrientedRectangle& a, const OrientedRectangle& b, double margin) {
   for (const double share : {1.0, 0.5, 0.25, 0.1}) {
     const OverlapPatch patch = overlap(a.shrunk(share * margin), b.shrunk(share * margin));
@@ -69,7 +69,7 @@ std::optional<std::size_t> CorridorFollower::locate(const Vector2d& position,
   double least = slack;
   for (std::size_t i = 0; i < size(); ++i) {
     const double distance = (admissible_[i].nearest(position) - position).norm();
-    // Of several that hold it, the last: nothing is gained by going back.
+    // Of several rectangles that contain it, take the last: going back gains nothing.
     if (distance <= least) {
       least = distance;
       nearest = i;
@@ -83,21 +83,21 @@ bool CorridorFollower::update(const Vector2d& position, double slack) noexcept {
   const std::optional<std::size_t> found = locate(position, slack);
   if (!found) return false;
   current_ = *found;
-  pull(position);
+  update_path(position);
   return true;
 }
 
 double CorridorFollower::remaining() const noexcept {
   double sum = path_.length();
   if (path_.ends_at_goal) return sum;
-  // The string ends at the touch after those it holds; from there through the rest to the goal.
+  // The path ends at the touch point after those it contains; add the rest up to the goal.
   std::size_t i = current_ + static_cast<std::size_t>(path_.count) - 2;
   for (; i + 1 < touches_.size(); ++i)
     sum += (touches_[i + 1] - touches_[i]).norm();
   return sum + (goal_ - touches_.back()).norm();
 }
 
-void CorridorFollower::pull(const Vector2d& position) noexcept {
+void CorridorFollower::update_path(const Vector2d& position) noexcept {
   const std::size_t ahead = std::min(kLookAhead, patches_.size() - current_);
   const bool to_goal = current_ + ahead == patches_.size();
   const Vector2d end = to_goal ? goal_ : touches_[current_ + ahead];

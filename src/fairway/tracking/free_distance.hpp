@@ -7,18 +7,21 @@
 
 namespace fairway {
 
-/// How far along the string a disc of `radius` stays free, at most `limit` [m].
+/// Returns the length along the reference path for which a disc of `radius` [m] is free, at most
+/// `limit` [m].
 ///
-/// In steps of 0.1 m, so it may be up to that much less than the truth, never more. A disc that is
-/// not free at the start is taken as large as it fits there: the robot stands there, after all.
+/// The test advances in steps of 0.1 m, so the result may be too short by that much, and is never
+/// too long. If the disc is not free at the start, it is reduced to what fits there, because the
+/// robot already is there.
 [[nodiscard]] double free_length(const BitGrid& obstacles,
                                  const ReferencePath& path,
                                  double radius,
                                  double limit) noexcept;
 
-/// How far along the string the robot must be able to stand [m]: the length that is free for it, or
-/// infinite when that is all of the string, or further than matters at its greatest speed.
-/// @param horizon  How far ahead the controller plans [s].
+/// Returns the distance along the reference path within which the robot must be able to stop [m]:
+/// the length that is free for it. The result is infinite if the whole path is free, or free beyond
+/// what matters at the robot's greatest speed.
+/// @param horizon  Time that the controller plans ahead [s].
 [[nodiscard]] double distance_to_stop_in(const BitGrid& obstacles,
                                          const ReferencePath& path,
                                          const RobotSettings& robot,

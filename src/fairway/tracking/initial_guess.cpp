@@ -24,8 +24,8 @@ Twist2 limited(const Twist2& from, const Twist2& wanted, const ControlProblem& p
                              problem.command_min.angular, problem.command_max.angular)};
 }
 
-// The command of a plan at step `k`, between two of them where that is no whole number; the last
-// one beyond the plan.
+// Returns the command of a plan at step `k`, interpolated between steps, and its last command
+// beyond its end.
 Twist2 command_at(const MpcSolution& plan, double k) noexcept {
   const auto last = static_cast<std::size_t>(plan.horizon - 1);
   const auto at = static_cast<std::size_t>(k);
@@ -58,11 +58,11 @@ GuessedMotion shifted_guess(const ControlProblem& problem,
 }
 
 GuessedMotion pursuit_guess(const ControlProblem& problem) noexcept {
-  constexpr int kLead = 4;  // steps that the aim is ahead, so that pursuit does not swing
-  constexpr double kTurningSteps = 3.0;  // steps in which a heading error is to be gone
-  constexpr double kArrived = 0.05;      // [m]; nearer than this the direction to the aim is noise
-  // Straight behind an obstacle with as much room on both sides, a start without any turn would
-  // lead to neither.
+  constexpr int kLead = 4;  // steps that the aim is ahead, so that the pursuit does not oscillate
+  constexpr double kTurningSteps = 3.0;  // steps in which a heading error is corrected
+  constexpr double kArrived = 0.05;      // [m]; closer than this the direction to the aim is noise
+  // Straight behind an obstacle with equal clearance on both sides, a start without a turn would
+  // lead to neither side.
   constexpr double kLean = 0.01;  // [rad/s]
   GuessedMotion start;
   start.guess.count = problem.horizon;
@@ -73,9 +73,9 @@ GuessedMotion pursuit_guess(const ControlProblem& problem) noexcept {
     const Pose2& pose = start.poses[at];
     const StepTarget& aim =
         problem.targets[static_cast<std::size_t>(std::min(k + 1 + kLead, problem.horizon))];
-    const Vector2d way = aim.position - pose.position;
-    const bool arrived = way.norm() < kArrived;
-    const double bearing = arrived ? aim.heading : std::atan2(way.y(), way.x());
+    const Vector2d to_aim = aim.position - pose.position;
+    const bool arrived = to_aim.norm() < kArrived;
+    const double bearing = arrived ? aim.heading : std::atan2(to_aim.y(), to_aim.x());
     const double error = shortest_turn(pose.heading, bearing);
     const double reach = (problem.targets[at + 1].position - pose.position).norm() / problem.dt;
     const Twist2 wanted{.linear = arrived ? 0.0 : reach * std::max(0.0, std::cos(error)),

@@ -6,19 +6,19 @@
 
 namespace fairway {
 
-/// Commands to start a solve from, and the motion that they give.
+/// Initial commands for a solve, and the resulting motion.
 struct GuessedMotion {
   InitialGuess guess;
   std::array<Pose2, kMaxHorizon + 1> poses;
 };
 
-/// The last plan, `shift` [s] later: what is left of it, then its last command again.
+/// Shifts the last plan by `shift` [s]: the remaining commands, and then its last command repeated.
 [[nodiscard]] GuessedMotion shifted_guess(const ControlProblem& problem,
                                           const MpcSolution& last,
                                           double shift) noexcept;
 
-/// Drives towards the problem's targets by pursuit, within all limits. It does not depend on what
-/// was planned before, so it finds a way out where the shifted plan is locked into a bad one.
+/// Drives towards the problem's targets by pursuit, within all limits. It does not depend on
+/// earlier plans, so it can leave a poor local optimum to which the shifted plan leads.
 [[nodiscard]] GuessedMotion pursuit_guess(const ControlProblem& problem) noexcept;
 
 }  // namespace fairway

@@ -9,8 +9,8 @@ namespace fairway {
 
 namespace {
 
-// The indices of the nearest, counted in time until the bodies could touch; the fleet's come after
-// the obstacles'.
+// Collects the indices of the nearest, measured by the time until the bodies could touch. Indices
+// of the fleet follow those of the obstacles.
 class NearestMoving {
  public:
   NearestMoving(const MovingAround& around, const Eigen::Vector2d& position) noexcept {
@@ -45,9 +45,9 @@ class NearestMoving {
   std::size_t count_ = 0;
 };
 
-// The distance to keep at the samples so that `distance` is kept between them too, at relative
-// speeds up to `speed`. On a straight piece of length L the foot of the perpendicular is within L/2
-// of one end, so with D at both ends nothing on it is nearer than sqrt(D^2 - L^2/4).
+// Returns the distance to keep at the samples so that `distance` is kept between them too. The
+// relative speed is at most `speed`. On a straight piece of length L the foot of the perpendicular
+// is within L/2 of one end, so with D at both ends no point on it is closer than sqrt(D^2 - L^2/4).
 double between_samples(double distance, double speed, double dt) noexcept {
   return std::hypot(distance, 0.5 * speed * dt);
 }
@@ -61,7 +61,7 @@ void set_predictions(const PredictionSettings& settings,
                      ControlProblem& problem) noexcept {
   const NearestMoving nearest(around, position);
   const double fastest = std::max(robot.linear_max, -robot.linear_min);
-  const double room = robot.radius + settings.obstacle_margin;
+  const double body_distance = robot.radius + settings.obstacle_margin;
   problem.num_obstacles = static_cast<int>(nearest.count());
   for (std::size_t j = 0; j < nearest.count(); ++j) {
     PredictedObstacle& predicted = problem.obstacles[j];
@@ -73,14 +73,14 @@ void set_predictions(const PredictionSettings& settings,
       if (is_robot) {
         const FleetMember& member = around.fleet[nearest[j] - around.obstacles.size()];
         predicted.position[at] = member.motion->plan.at(around.time + ahead);
-        predicted.keep_out[at] = between_samples(room + member.motion->radius,
+        predicted.keep_out[at] = between_samples(body_distance + member.motion->radius,
                                                  fastest + member.motion->speed_max, problem.dt);
       } else {
         const MovingObstacle& obstacle = around.obstacles[nearest[j]];
         predicted.position[at] = settings.predict_motion
                                      ? predicted_position(obstacle, around.age + ahead)
                                      : obstacle.position;
-        predicted.keep_out[at] = between_samples(room + obstacle.radius + grown,
+        predicted.keep_out[at] = between_samples(body_distance + obstacle.radius + grown,
                                                  fastest + obstacle.velocity.norm(), problem.dt);
       }
     }
@@ -88,7 +88,7 @@ void set_predictions(const PredictionSettings& settings,
 }
 
 double turning_speed(double turn, const RobotSettings& robot, double period) noexcept {
-  // Half of the limit, so that the delay of one cycle does not make it swing.
+  // Half of the limit, so that the delay of one cycle does not cause oscillation.
   const double stoppable = std::sqrt(robot.angular_acceleration_max * std::abs(turn));
   return std::copysign(std::min({robot.angular_max, stoppable, std::abs(turn) / (2.0 * period)}),
                        turn);

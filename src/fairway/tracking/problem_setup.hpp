@@ -8,28 +8,28 @@
 
 namespace fairway {
 
-/// What moves around a robot, and how it is known.
+/// The moving obstacles and robots around a robot.
 struct MovingAround {
   MovingObstacles obstacles;
-  double age = 0.0;   ///< how long before the start of the problem they were seen [s]
+  double age = 0.0;   ///< time from their measurement to the start of the problem [s]
   Fleet fleet{};      ///< other robots
-  double time = 0.0;  ///< of the start of the problem, on the fleet's clock [s]
+  double time = 0.0;  ///< time of the start of the problem, on the fleet's clock [s]
 };
 
-/// The nearest kMaxObstacles of what moves, over the horizon: obstacles at constant velocity, other
-/// robots as they told that they intend.
+/// Sets predictions over the horizon for the nearest kMaxObstacles moving obstacles and robots.
+/// Obstacles move at constant velocity, and other robots along their published plans.
 ///
-/// The distance to keep is that of the bodies and `obstacle_margin`, grown for obstacles by
-/// `obstacle_growth` per second ahead, and by what straight motion between two steps can come
-/// nearer than at the steps.
+/// The distance to keep is that of the bodies plus `obstacle_margin`. For obstacles it grows by
+/// `obstacle_growth` per second ahead. It also includes what straight motion between two steps can
+/// come closer than at the steps.
 void set_predictions(const PredictionSettings& settings,
                      const RobotSettings& robot,
                      const MovingAround& around,
                      const Eigen::Vector2d& position,
                      ControlProblem& problem) noexcept;
 
-/// Angular speed for the rest of a turn on the spot: fast at first, and able to stop at its end
-/// [rad/s].
+/// Returns the angular speed for the rest of a turn on the spot [rad/s]: fast at first, and able to
+/// stop at its end.
 [[nodiscard]] double turning_speed(double turn, const RobotSettings& robot, double period) noexcept;
 
 }  // namespace fairway

@@ -17,7 +17,8 @@ double cross(const Vector2d& a, const Vector2d& b) noexcept {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// The part of the segment a -> b inside the convex patch, as parameters; first > second when none.
+// The part of the segment a -> b inside the convex patch, as parameters; first > second if it is
+// empty.
 struct Crossing {
   double first = 0.0;
   double second = 1.0;
@@ -42,8 +43,8 @@ Crossing cross_patch(const OverlapPatch& patch, const Vector2d& a, const Vector2
   return t;
 }
 
-// The point of the segment p -> q with the least way from a and on to b. Both on one side or not,
-// the mirror image of b on a's side makes the least way a straight line.
+// Returns the point of the segment p -> q with the shortest path from a over it to b. If a and b
+// are on the same side, mirroring b makes that path a straight line.
 Vector2d shortest_touch_on_edge(const Vector2d& p,
                                 const Vector2d& q,
                                 const Vector2d& a,
@@ -72,9 +73,9 @@ Vector2d shortest_touch(const OverlapPatch& patch, const Vector2d& a, const Vect
     const Vector2d candidate = shortest_touch_on_edge(
         patch.corners[static_cast<std::size_t>(i)],
         patch.corners[static_cast<std::size_t>((i + 1) % patch.count)], a, b);
-    const double way = (candidate - a).norm() + (b - candidate).norm();
-    if (way < best) {
-      best = way;
+    const double sum = (candidate - a).norm() + (b - candidate).norm();
+    if (sum < best) {
+      best = sum;
       touch = candidate;
     }
   }

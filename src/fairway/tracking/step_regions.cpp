@@ -7,7 +7,8 @@ namespace fairway {
 
 namespace {
 
-// Each step to the rectangle that the guess is in, from rectangle `index` of `size` on.
+// Constrains each step to the rectangle that contains the guess, from rectangle `index` of `size`
+// on.
 template <typename RectangleAt>
 void bind_each(RectangleAt&& rectangle,
                std::size_t index,

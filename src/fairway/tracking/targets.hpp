@@ -6,16 +6,16 @@
 
 namespace fairway {
 
-/// What the targets of a cycle depend on.
+/// Input from which the targets of a cycle are computed.
 struct TargetInput {
   const CorridorFollower& corridor;
-  const ReferencePath& path;  ///< the corridor's, or a detour
+  const ReferencePath& path;  ///< the corridor's reference path, or a detour
   const Goal& goal;
-  const Pose2& pose;  ///< of the robot
+  const Pose2& pose;  ///< pose of the robot
   TargetStart start;
 };
 
-/// Sets the targets of all steps as `tracking.target_mode` says.
+/// Sets the targets of all steps by the method that `tracking.target_mode` selects.
 void set_targets(const TargetInput& input,
                  const TrackingSettings& tracking,
                  const MpcSettings& mpc,

@@ -13,20 +13,21 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSlowest = 0.1;       // [m/s]; the sharpest corner is still passed
-constexpr double kBrakingShare = 0.8;  // of the acceleration limit, so that the robot can follow
-constexpr double kShortPiece = 0.02;   // [m]; directions of shorter pieces are noise
+constexpr double kSlowest = 0.1;  // [m/s]; the least speed, even at the sharpest corner
+// Share of the acceleration limit, so that the robot can follow.
+constexpr double kBrakingShare = 0.8;
+constexpr double kShortPiece = 0.02;  // [m]; directions of shorter pieces are noise
 
 double heading_of(const Vector2d& v) noexcept { return std::atan2(v.y(), v.x()); }
 
-// The speed at which a turn by `angle` can be rounded within the allowed deviation.
+// Returns the speed at which a turn by `angle` can be driven within the allowed deviation.
 double corner_speed(double angle, double deviation, const RobotSettings& robot) noexcept {
   const double c = std::cos(0.5 * std::min(std::abs(angle), std::numbers::pi - 1e-3));
   const double radius = deviation * c / std::max(1e-9, 1.0 - c);
   return std::clamp(radius * robot.angular_max, kSlowest, robot.linear_max);
 }
 
-// Greatest speed at each point of the string: corners and goal.
+// The greatest speed at each point of the path, given by its corners and the goal.
 struct SpeedLimits {
   std::array<double, ReferencePath::kMaxPoints> at_point;
 
@@ -46,7 +47,8 @@ struct SpeedLimits {
     if (path.ends_at_goal) at_point[n - 1] = 0.0;
   }
 
-  // Greatest speed at arc length s from which every later point can still be met.
+  // Returns the greatest speed at arc length s from which the limit at every later point can be
+  // met.
   [[nodiscard]] double at(const ReferencePath& path, double s, double braking) const noexcept {
     double v = at_point[0];
     for (std::size_t i = 1; i < static_cast<std::size_t>(path.count); ++i) {
@@ -76,12 +78,12 @@ void set_timed_targets(const ReferencePath& path,
   const double first_turn = first_chord.norm() < kShortPiece
                                 ? 0.0
                                 : shortest_turn(start.heading, heading_of(first_chord));
-  // Up to this turn the robot can drive a curve; beyond it turns on the spot before the targets
-  // move.
+  // Up to this angle the robot can drive a curve; beyond it, it turns on the spot before the
+  // targets move.
   constexpr double kCurveTurn = 0.5 * std::numbers::pi;
   double waiting = std::max(0.0, std::abs(first_turn) - kCurveTurn) / robot.angular_max;
 
-  // The problem starts where the robot will be, not where it is.
+  // The problem starts at the robot's predicted position, not at its present one.
   double s = std::max(0.0, start.speed) * start.lead;
   double v = std::max(0.0, start.speed);
   double along = start.heading;
@@ -98,7 +100,7 @@ void set_timed_targets(const ReferencePath& path,
     if (at_end && start.goal_heading) {
       along += shortest_turn(along, *start.goal_heading);
     } else {
-      // Near the end the chord is taken backwards from it, so that it keeps its length.
+      // Near the end the chord is taken backwards from the end, so that it keeps its length.
       const double from = std::max(0.0, std::min(s, length - chord));
       const Vector2d ahead = path.at(from + chord) - path.at(from);
       if (ahead.norm() >= kShortPiece) along += shortest_turn(along, heading_of(ahead));

@@ -12,26 +12,28 @@
 
 namespace fairway {
 
-/// The motion from which targets start.
+/// The motion from which the targets start.
 struct TargetStart {
-  double speed = 0.0;                    ///< along the reference path, now [m/s]
+  double speed = 0.0;                    ///< along the reference path, at present [m/s]
   double lead = 0.0;                     ///< time from the pose to the start of the problem [s]
   double heading = 0.0;                  ///< of the robot [rad]
-  std::optional<double> goal_heading{};  ///< at the end of the path [rad]
-  /// Arc length up to which the path is known to be free [m]: the robot can stop before it.
+  std::optional<double> goal_heading{};  ///< heading at the end of the path [rad]
+  /// Arc length up to which the path is known to be free [m]; the robot can stop before it.
   double free_length = std::numeric_limits<double>::infinity();
 };
 
-/// Sets one target per step, moving along the reference path as fast as the robot may and can: our
-/// default.
+/// Sets one target per step, moving along the reference path as fast as limits and clearance allow;
+/// the default method.
 ///
-/// Speed: from `start.speed` up with the acceleration limit to linear_max, down in time for the
-/// path's turns and for the goal. At a turn by angle a, a circle that leaves the corner by at most
-/// `corner_deviation` has radius deviation / (1 / cos(a/2) - 1), and the angular speed limit bounds
-/// the speed on it. A robot with another heading turns first: the targets wait. Heading: the chord
-/// from the target to the point `chord_length` further on, which does not jump where the path
-/// does; at the goal the goal's heading, if it has one. Not wrapped: within pi of `heading` and of
-/// the step before.
+/// Speed: it increases from `start.speed` to linear_max within the acceleration limit, and
+/// decreases in time for the turns of the path and for the goal. At a turn by angle a, a circle
+/// that deviates from the corner by at most `corner_deviation` has the radius deviation / (1 /
+/// cos(a/2) - 1); the angular speed limit bounds the speed on it. If the robot's heading differs
+/// too much, the targets wait while it turns.
+///
+/// Heading: that of the chord from the target to the point `chord_length` further along, which does
+/// not jump at corners. At the goal it is the goal's heading, if given. Headings are not wrapped:
+/// each is within pi of `heading` and of the one before.
 void set_timed_targets(const ReferencePath& path,
                        const TargetStart& start,
                        const TrackingSettings& tracking,

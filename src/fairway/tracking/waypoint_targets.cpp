@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Heading of the way from a to b, unwrapped to be within pi of `reference`; `reference` if they
+// Returns the heading from a to b, unwrapped to within pi of `reference`; `reference` if they
 // coincide.
 double unwrapped_heading(const Vector2d& a, const Vector2d& b, double reference) noexcept {
   const Vector2d d = b - a;

@@ -10,16 +10,17 @@
 
 namespace fairway {
 
-/// The paper's two targets, Eq. (15): the seeds of the next two rectangles, the goal past the last.
-/// They amount to one target at their weighted mean, which can leave the robot stuck:
-/// docs/paper_notes.md.
+/// Sets the two targets of the paper, Eq. (15): the seeds of the next two rectangles, or the goal
+/// after the last. They equal one target at their weighted mean, which can leave the robot stuck
+/// (docs/paper_notes.md).
 void set_dual_targets(const CorridorFollower& corridor,
                       const Goal& goal,
                       const Pose2& pose,
                       const MpcSettings& settings,
                       ControlProblem& problem) noexcept;
 
-/// SMPC's single target [17]: the centroid of the next overlap, the goal in the last rectangle.
+/// Sets the single target of SMPC [17]: the centroid of the next overlap, or the goal in the last
+/// rectangle.
 void set_centroid_target(const CorridorFollower& corridor,
                          const Goal& goal,
                          const Pose2& pose,

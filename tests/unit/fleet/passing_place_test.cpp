@@ -64,9 +64,9 @@ TEST(PassingPlace, OnlyRobotsThatEnterTheSamePathTogetherMerge) {
 TEST(PassingPlace, AGoalInANarrowPassageBlocksIt) {
   const BitGrid grid = two_rooms();
   const NarrowPlaces narrow(straight_path({2, 2}, {8, 2}), kRadius, grid);
-  EXPECT_TRUE(narrow.hold_goal_of(coming({8, 2}, {5, 2}), kRadius));
-  EXPECT_FALSE(narrow.hold_goal_of(coming({8, 2}, {1, 2}), kRadius));
-  EXPECT_FALSE(narrow.hold_goal_of(SharedMotion{}, kRadius)) << "no goal";
+  EXPECT_TRUE(narrow.contain_goal_of(coming({8, 2}, {5, 2}), kRadius));
+  EXPECT_FALSE(narrow.contain_goal_of(coming({8, 2}, {1, 2}), kRadius));
+  EXPECT_FALSE(narrow.contain_goal_of(SharedMotion{}, kRadius)) << "no goal";
 }
 
 TEST(PassingPlace, IsTheNearestThatLetsTheOthersPass) {

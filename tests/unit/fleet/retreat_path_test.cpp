@@ -49,7 +49,7 @@ TEST_F(RetreatPathTest, LeadsOutOfThePassageToAPassingPlace) {
   const RetreatPath way = find_retreat_path({8, 3}, around());
   ASSERT_TRUE(way.exists());
   EXPECT_TRUE(lets_pass(way.place(), coming_, kRobotRadius));
-  EXPECT_TRUE(leads_aside(way, {8, 3}, around()));
+  EXPECT_TRUE(is_still_valid(way, {8, 3}, around()));
   EXPECT_GT(way.length({8, 3}), 4.0);
   EXPECT_LT(way.length({8, 3}), 6.0);
   Vector2d from(8, 3);
@@ -103,7 +103,7 @@ TEST_F(RetreatPathTest, NoLongerLeadsAsideWhenItIsBlocked) {
   const RetreatPath way = find_retreat_path({8, 3}, around());
   for (int y = 26; y < 34; ++y)
     grid_.set({60, y}, true);
-  EXPECT_FALSE(leads_aside(way, {8, 3}, around()));
+  EXPECT_FALSE(is_still_valid(way, {8, 3}, around()));
 }
 
 }  // namespace

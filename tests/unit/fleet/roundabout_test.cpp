@@ -25,7 +25,7 @@ ReferencePath straight(const Vector2d& from, const Vector2d& to) {
 
 TEST(Roundabout, IsPassedWithItsCentreOnTheLeft) {
   ReferencePath bent;
-  ASSERT_TRUE(lead_round(straight({-4, 0}, {4, 0}), {.center = {0, 0}, .radius = 1.0}, bent));
+  ASSERT_TRUE(bend_around(straight({-4, 0}, {4, 0}), {.center = {0, 0}, .radius = 1.0}, bent));
   EXPECT_EQ(bent.points[0], Vector2d(-4, 0));
   EXPECT_EQ(bent.points[static_cast<std::size_t>(bent.count - 1)], Vector2d(4, 0));
   EXPECT_TRUE(bent.ends_at_goal);
@@ -35,9 +35,9 @@ TEST(Roundabout, IsPassedWithItsCentreOnTheLeft) {
 TEST(Roundabout, APathOnTheCorrectSideIsUnchanged) {
   ReferencePath bent;
   EXPECT_FALSE(
-      lead_round(straight({-4, -1.1}, {4, -1.1}), {.center = {0, 0}, .radius = 1.0}, bent));
-  EXPECT_FALSE(lead_round(straight({-4, 1.1}, {4, 1.1}), {.center = {0, 0}, .radius = 1.0}, bent));
-  EXPECT_FALSE(lead_round(straight({2, 0}, {4, 0}), {.center = {0, 0}, .radius = 1.0}, bent));
+      bend_around(straight({-4, -1.1}, {4, -1.1}), {.center = {0, 0}, .radius = 1.0}, bent));
+  EXPECT_FALSE(bend_around(straight({-4, 1.1}, {4, 1.1}), {.center = {0, 0}, .radius = 1.0}, bent));
+  EXPECT_FALSE(bend_around(straight({2, 0}, {4, 0}), {.center = {0, 0}, .radius = 1.0}, bent));
 }
 
 TEST(Roundabout, TheDetourStaysOutsideAndNeverTurnsBack) {
@@ -51,7 +51,7 @@ TEST(Roundabout, TheDetourStaysOutsideAndNeverTurnsBack) {
     const Vector2d to = roundabout.center + random.uniform(1.001, 3.0) * roundabout.radius *
                                                 direction(random.uniform(-3, 3));
     ReferencePath bent;
-    if (!lead_round(straight(from, to), roundabout, bent)) continue;
+    if (!bend_around(straight(from, to), roundabout, bent)) continue;
     ++led;
     for (int i = 0; i <= 50; ++i) {
       const Vector2d point = bent.at(bent.length() * i / 50.0);
@@ -70,7 +70,7 @@ TEST(Roundabout, TheDetourStaysOutsideAndNeverTurnsBack) {
 TEST(Roundabout, FromInsideItSpiralsOut) {
   ReferencePath bent;
   const Roundabout roundabout{.center = {0, 0}, .radius = 2.0};
-  ASSERT_TRUE(lead_round(straight({-0.5, 0}, {5, 0}), roundabout, bent));
+  ASSERT_TRUE(bend_around(straight({-0.5, 0}, {5, 0}), roundabout, bent));
   double last = 0.0;
   for (int i = 0; i <= 20; ++i) {
     const double distance = bent.at(bent.length() * i / 20.0).norm();

@@ -134,7 +134,7 @@ TEST(Derivatives, OfSoftConstraintsAgreeWithDifferences) {
     std::array<Pose2, kMaxHorizon + 1> poses;
     for (Pose2& pose : poses)
       pose.position = problem.start.position + test::random_point(random, 2.0);
-    visit_soft_constraints(problem, [&](const RowName& name) {
+    visit_soft_constraints(problem, [&](const ConstraintName& name) {
       // By (p_{step-1}, p_step): value, then gradient.
       VectorXd z(4);
       z << poses[at(name.step - 1)].position, poses[at(name.step)].position;

@@ -125,7 +125,7 @@ TEST(Evaluation, CorridorConstraintsAreDistancesToTheSides) {
                          Pose2{.position = problem.regions[1].rectangles[1].to_world({0.5, 4.5})}};
   const std::array expected{1.5, 2.5, 6.5, -0.5};
   for (int side = 0; side < 4; ++side) {
-    const RowName name{.kind = RowKind::Corridor, .step = 1, .index = 4 + side};
+    const ConstraintName name{.kind = ConstraintKind::Corridor, .step = 1, .index = 4 + side};
     EXPECT_NEAR(soft_constraint(problem, poses, name).margin,
                 expected[static_cast<std::size_t>(side)], 1e-12);
   }
@@ -142,7 +142,7 @@ TEST(Evaluation, BarrierConstraintIsEquation14) {
   const double now = 4.0 - 0.64;
   const double next = 1.4 * 1.4 - 0.81;
   EXPECT_NEAR(barrier(problem.obstacles[0], 0, poses[0].position), now, 1e-12);
-  const RowName name{.kind = RowKind::Barrier, .step = 1, .index = 0};
+  const ConstraintName name{.kind = ConstraintKind::Barrier, .step = 1, .index = 0};
   // Delta h >= -dt gamma h
   EXPECT_NEAR(soft_constraint(problem, poses, name).margin, (next - now) + 0.1 * 5.0 * now, 1e-12);
 }
@@ -158,7 +158,8 @@ TEST(Evaluation, ABarrierKeptAtEveryStepNeverTurnsNegative) {
     for (int j = 0; j < problem.num_obstacles; ++j) {
       bool holds = true;
       for (int k = 1; k <= problem.horizon && holds; ++k) {
-        holds = soft_constraint(problem, poses, {.kind = RowKind::Barrier, .step = k, .index = j})
+        holds = soft_constraint(problem, poses,
+                                {.kind = ConstraintKind::Barrier, .step = k, .index = j})
                     .margin >= 0.0;
         if (!holds) continue;
         const auto& obstacle = problem.obstacles[static_cast<std::size_t>(j)];
@@ -181,7 +182,7 @@ TEST(Evaluation, ViolationIsTheSumOverConstraintsAndNamesTheWorst) {
   const Violation violation = soft_violation(problem, poses);
   EXPECT_DOUBLE_EQ(violation.max, 2.0);
   EXPECT_DOUBLE_EQ(violation.sum, 2.75);
-  EXPECT_EQ(violation.worst.kind, RowKind::Corridor);
+  EXPECT_EQ(violation.worst.kind, ConstraintKind::Corridor);
   EXPECT_EQ(violation.worst.step, 2);
   EXPECT_EQ(violation.worst.index, 3);
 }

@@ -90,7 +90,7 @@ TEST(RecoveryBehaviour, AChangeOfPathLengthIsNeitherProgressNorItsLack) {
     for (int i = 0; i < 100; ++i) {
       if (i % 10 == 9) {  // the path length changes back and forth
         const double longer = i % 20 == 9 ? 5.0 : -5.0;
-        recovery.change_way(longer);
+        recovery.path_changed(longer);
         remaining += longer;
       }
       remaining -= step;

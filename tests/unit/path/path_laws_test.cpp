@@ -115,7 +115,7 @@ TEST(PathLaws, CostsLittleMoreThanTheCheapestPathOverAllCells) {
     if (!search.find(grid, {&from, 1}, {&to, 1})) continue;
     const double best = search.cost() * frame.resolution / (GridSearch::kStep * grid.unit());
     // The ends differ by less than a cell each.
-    const double ends = 2.0 * frame.resolution * static_cast<double>(costs.dearest());
+    const double ends = 2.0 * frame.resolution * static_cast<double>(costs.greatest_cost());
     const double ratio = (result.cost - ends) / best;
     worst = std::max(worst, ratio);
     sum += ratio;

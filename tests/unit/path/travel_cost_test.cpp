@@ -55,7 +55,7 @@ TEST(TravelCost, AMetreCostsMoreNearObstacles) {
   EXPECT_NEAR(costs.at_distance(0.3F), 3.0, 1e-4);
   EXPECT_NEAR(costs.at_distance(0.55F), 2.0, 1e-4);
   EXPECT_EQ(costs.at_distance(0.9F), 1.0F);
-  EXPECT_EQ(costs.at_distance(0.0F), costs.dearest()) << "never more than 1 + comfort_weight";
+  EXPECT_EQ(costs.at_distance(0.0F), costs.greatest_cost()) << "never more than 1 + comfort_weight";
 }
 
 TEST(TravelCost, WithoutComfortEveryMetreCostsOne) {

@@ -25,7 +25,10 @@ Plan straight_plan() {
   return plan;
 }
 
-NavigationStep step_limited_by(MpcSolution& solution, RowKind kind, int index, const Pose2& at) {
+NavigationStep step_limited_by(MpcSolution& solution,
+                               ConstraintKind kind,
+                               int index,
+                               const Pose2& at) {
   solution.horizon = 3;
   solution.limiting = {.kind = kind, .step = 2, .index = index};
   solution.poses[2] = at;
@@ -38,14 +41,15 @@ TEST(LimitMark, IsTheNearestSideOfThatNumber) {
   Navigator navigator{Settings{}};
   navigator.follow(straight_plan());
   MpcSolution solution;
-  const auto near_first = step_limited_by(solution, RowKind::Corridor, 3, {.position = {2.0, 0.9}});
+  const auto near_first =
+      step_limited_by(solution, ConstraintKind::Corridor, 3, {.position = {2.0, 0.9}});
   LimitMark mark = limit_mark(navigator, near_first);
   EXPECT_EQ(mark.shape, LimitMark::Shape::Side);
   EXPECT_NEAR(mark.a.y(), 1.0, 1e-12);
   EXPECT_NEAR(mark.b.y(), 1.0, 1e-12);
   EXPECT_NEAR(std::abs(mark.a.x() - mark.b.x()), 6.0, 1e-12);
   const auto near_second =
-      step_limited_by(solution, RowKind::Corridor, 4, {.position = {8.0, -1.9}});
+      step_limited_by(solution, ConstraintKind::Corridor, 4, {.position = {8.0, -1.9}});
   mark = limit_mark(navigator, near_second);
   EXPECT_NEAR(mark.a.y(), -2.0, 1e-12);
   EXPECT_NEAR(mark.b.y(), -2.0, 1e-12);
@@ -56,10 +60,10 @@ TEST(LimitMark, HasNoShapeWithoutAPlanOrForASpeed) {
   navigator.follow(straight_plan());
   EXPECT_EQ(limit_mark(navigator, NavigationStep{}).shape, LimitMark::Shape::None);
   MpcSolution solution;
-  const auto step = step_limited_by(solution, RowKind::LinearSpeed, 0, {});
+  const auto step = step_limited_by(solution, ConstraintKind::LinearSpeed, 0, {});
   const LimitMark mark = limit_mark(navigator, step);
   EXPECT_EQ(mark.shape, LimitMark::Shape::None);
-  EXPECT_EQ(mark.row.kind, RowKind::LinearSpeed);
+  EXPECT_EQ(mark.row.kind, ConstraintKind::LinearSpeed);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace fairway {
 
-/// An axis-parallel box in some turned frame, as a closed set.
+/// An axis-parallel box in a turned frame, as a closed set.
 struct Box {
   Eigen::Vector2d min = Eigen::Vector2d::Zero();
   Eigen::Vector2d max = Eigen::Vector2d::Zero();

@@ -10,9 +10,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kHair = 1e-3;         // [cells]
-constexpr double kRound = 1.0;         // a radius whose arcs are more than a corner [cells]
-constexpr double kWorthKnowing = 0.2;  // how deep a further point has to be [cells]
+constexpr double kGap = 1e-3;  // [cells]
+// Radius from which on an arc gets more than one point [cells].
+constexpr double kLargeRadius = 1.0;
+constexpr double kLeastDepth = 0.2;  // least depth of an additional point [cells]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::array<Vector2d, 4> turned_corners(const TurnedFrame& frame, CellIndex cell) noexcept {
@@ -21,7 +22,7 @@ std::array<Vector2d, 4> turned_corners(const TurnedFrame& frame, CellIndex cell)
           frame.turned(low + Vector2d(0, 1))};
 }
 
-// A way to shrink a box: one side moved to a new place.
+// The best to_core found so far to shrink a box by moving one side.
 struct Pull {
   double area = -1.0;
   Box box;
@@ -41,10 +42,10 @@ struct DeepPoint {
   Vector2d center;
 };
 
-// The point of a disc that is furthest from the nearest side of the box, turned; negative depth
-// outside. What avoids it has to give way most, whichever side does.
+// Finds the point of a disc that is deepest inside the box, in turned coordinates. The depth is the
+// distance to the nearest side, negative outside. To avoid this point, a side has to move furthest.
 DeepPoint deepest_of_disc(const Vector2d& center, double radius, const Box& box) noexcept {
-  // From the nearer of both sides inwards.
+  // Distances from the nearer of both sides, inwards.
   const Vector2d from_low = center - box.min;
   const Vector2d from_high = box.max - center;
   const double x = std::min(from_low.x(), from_high.x());
@@ -55,7 +56,7 @@ DeepPoint deepest_of_disc(const Vector2d& center, double radius, const Box& box)
   } else if (y + radius <= x) {
     step.y() = radius;
   } else {
-    // As far from both sides.
+    // At equal depth from both sides.
     const double half = 0.5 * (x - y);
     const double depth = 0.5 * (x + y) + std::sqrt(0.5 * radius * radius - half * half);
     step = {depth - x, depth - y};
@@ -66,10 +67,10 @@ DeepPoint deepest_of_disc(const Vector2d& center, double radius, const Box& box)
       .depth = std::min(x + step.x(), y + step.y()), .point = center + inwards, .center = center};
 }
 
-// One corner of a box with the inward directions of the two sides that meet there.
+// One corner of a box, with the inward directions of the two sides that meet there.
 struct Corner {
   Vector2d at;    // turned
-  Vector2d sign;  // +1: the corner is at the box's minimum in this coordinate
+  Vector2d sign;  // +1 if the corner is at the box's minimum in this coordinate
 };
 
 std::array<Corner, 4> corners_of(const Box& box) noexcept {
@@ -78,7 +79,7 @@ std::array<Corner, 4> corners_of(const Box& box) noexcept {
           Corner{{box.min.x(), box.max.y()}, {1, -1}}};
 }
 
-// The inside of the map as seen by a disc: normal . (point in grid coordinates) >= least.
+// The inside of the map for a disc: normal . (point in grid coordinates) >= least.
 struct HalfPlane {
   Vector2d normal;
   double least;
@@ -98,26 +99,26 @@ PointsInside BoxRepair::points_inside(CellIndex cell, const Box& box) const noex
     const DeepPoint candidate = deepest_of_disc(corner, radius, box);
     if (candidate.depth > deepest.depth) deepest = candidate;
   }
-  const bool has_corner = deepest.depth > kHair;
+  const bool has_corner = deepest.depth > kGap;
   PointsInside result;
   result.add(has_corner ? frame.offset(deepest.point) : point_of_side(corners, box));
-  if (!has_corner || radius < kRound) return result;
-  // On the arc, half-way to where each side would meet it.
+  if (!has_corner || radius < kLargeRadius) return result;
+  // Points on the arc, half-to_core to where it would be deepest below each side.
   const Vector2d inwards = (deepest.point - deepest.center) / radius;
   for (int axis = 0; axis < 2; ++axis) {
     Vector2d between = inwards;
     between[axis] += std::copysign(1.0, inwards[axis]);
     const Vector2d point = deepest.center + radius * between.normalized();
     const double depth = std::min((point - box.min).minCoeff(), (box.max - point).minCoeff());
-    if (depth > kWorthKnowing) result.add(frame.offset(point));
+    if (depth > kLeastDepth) result.add(frame.offset(point));
   }
   return result;
 }
 
-// A point of the cell that lies in the box, which has none of the cell's corners inside.
+// Returns a point of the cell's obstacle in a box that contains none of the cell's corners.
 Vector2d BoxRepair::point_of_side(const std::array<Vector2d, 4>& corners,
                                   const Box& box) const noexcept {
-  // The box has a corner of its own in a side of the cell. From there the way to the core stays in
+  // The box has a corner of its own in a side of the cell. The line from there to the core stays in
   // the box.
   const Vector2d low = frame.offset(corners[0]);
   Vector2d in_box = box.nearest(0.5 * (corners[0] + corners[2]));
@@ -127,18 +128,19 @@ Vector2d BoxRepair::point_of_side(const std::array<Vector2d, 4>& corners,
     in_box = box.nearest(in_cell);
   }
   const Vector2d apart = in_box - in_cell;
-  if (apart.norm() > kHair) return frame.offset(in_cell + apart * (radius / apart.norm()));
-  // Out of the cell on that way, and on by the radius.
+  if (apart.norm() > kGap) return frame.offset(in_cell + apart * (radius / apart.norm()));
+  // Leave the cell along that line, and continue by the radius.
   const Vector2d from = frame.offset(in_cell);
-  const Vector2d way = frame.offset(core.nearest(in_cell)) - from;
+  const Vector2d to_core = frame.offset(core.nearest(in_cell)) - from;
   double share = 1.0;
   for (int axis = 0; axis < 2; ++axis) {
-    const double side = low[axis] + (way[axis] > 0.0 ? 1.0 : 0.0);
-    if (way[axis] != 0.0) share = std::min(share, std::max(0.0, (side - from[axis]) / way[axis]));
+    const double side = low[axis] + (to_core[axis] > 0.0 ? 1.0 : 0.0);
+    if (to_core[axis] != 0.0)
+      share = std::min(share, std::max(0.0, (side - from[axis]) / to_core[axis]));
   }
-  const double length = way.norm();
+  const double length = to_core.norm();
   if (length > 0.0) share = std::min(1.0, share + radius / length);
-  return from + share * way;
+  return from + share * to_core;
 }
 
 void BoxRepair::add_outside_points(const Box& box, ObstaclePoints& points) const noexcept {
@@ -149,7 +151,8 @@ void BoxRepair::add_outside_points(const Box& box, ObstaclePoints& points) const
     for (const Corner& corner : corners_of(box)) {
       const double depth = least - normal.dot(corner.at);
       if (depth <= 0.0) continue;
-      // Along both sides of the box to where they enter the map; points on the chord between.
+      // Follow both sides of the box to where they enter the map, and take points on the chord
+      // between.
       const Vector2d climb = normal.cwiseProduct(corner.sign);
       const auto step = [&](int axis) {
         return climb[axis] > 0.0 ? std::min(size[axis], depth / climb[axis]) : size[axis];
@@ -163,7 +166,7 @@ void BoxRepair::add_outside_points(const Box& box, ObstaclePoints& points) const
 }
 
 bool BoxRepair::pull_from(CellIndex cell, Box& box) const noexcept {
-  // Discs about the cell's corners, large enough to cover the outline of the grown cell.
+  // Discs about the cell's corners that are large enough to cover the outline of the grown cell.
   const double square = radius * radius + 0.25;
   Vector2d low = Vector2d::Constant(kInfinity);
   Vector2d high = -low;
@@ -180,10 +183,10 @@ bool BoxRepair::pull_from(CellIndex cell, Box& box) const noexcept {
   Pull best;
   for (int axis = 0; axis < 2; ++axis) {
     Box below = box;
-    below.max[axis] = std::min(box.max[axis], low[axis] - kHair);
+    below.max[axis] = std::min(box.max[axis], low[axis] - kGap);
     best.consider(below, core);
     Box above = box;
-    above.min[axis] = std::max(box.min[axis], high[axis] + kHair);
+    above.min[axis] = std::max(box.min[axis], high[axis] + kGap);
     best.consider(above, core);
   }
   if (best.area < 0.0) return false;
@@ -197,7 +200,7 @@ bool BoxRepair::pull_into_map(Box& box) const noexcept {
     const double least = side.least - side.normal.dot(frame.origin);
     for (std::size_t i = 0; i < 4; ++i) {
       const Corner corner = corners_of(box)[i];
-      const double depth = least - normal.dot(corner.at) + kHair;
+      const double depth = least - normal.dot(corner.at) + kGap;
       if (depth <= 0.0) continue;
       Pull best;
       for (int axis = 0; axis < 2; ++axis) {

@@ -10,7 +10,7 @@
 
 namespace fairway {
 
-/// Some points of an obstacle, as offsets.
+/// Points of an obstacle, as offsets.
 struct PointsInside {
   std::array<Eigen::Vector2d, 3> offsets{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
                                          Eigen::Vector2d::Zero()};
@@ -21,27 +21,28 @@ struct PointsInside {
   [[nodiscard]] const Eigen::Vector2d* end() const noexcept { return offsets.data() + count; }
 };
 
-/// What to do with a box that turned out to hit obstacles: learn from them, or give way to them.
+/// Handles a box that meets obstacles: learns points from them, or shrinks the box.
 struct BoxRepair {
   const GridFrame& grid;
   const TurnedFrame& frame;
-  const Box& core;  ///< what every box must hold
-  double radius;    ///< of the disc that obstacles are grown by [cells]
+  const Box& core;  ///< what every box must contain
+  double radius;    ///< radius of the disc by which obstacles are grown [cells]
 
-  /// Points of the cell's configuration-space obstacle that lie in `box` if they meet: the one
-  /// furthest from the box's sides, as far as that is easily found, and of a round corner others
+  /// Returns points of the cell's configuration-space obstacle that lie in `box`. The first is the
+  /// one furthest from the box's sides, as far as it is easily found; a round corner gives others
   /// beside it.
   [[nodiscard]] PointsInside points_inside(CellIndex cell, const Box& box) const noexcept;
 
-  /// Adds points of the outside of the map that lie in `box`.
+  /// Adds points outside the map that lie in `box`.
   void add_outside_points(const Box& box, ObstaclePoints& points) const noexcept;
 
-  /// Moves one side of `box` inwards, the one that costs least area, so that it clears the cell by
-  /// a hair. Exact up to an eighth of a cell. @return false when no side can, as the core is in the
-  /// way; the box is then unchanged.
+  /// Moves the side of `box` inwards that costs the least area, so that the box just clears the
+  /// cell. The obstacle's outline is approximated within an eighth of a cell. @return false, and no
+  /// change, if the core prevents it.
   [[nodiscard]] bool pull_from(CellIndex cell, Box& box) const noexcept;
 
-  /// The same for the outside of the map.
+  /// Moves sides of `box` inwards until it lies inside the map. @return false if the core prevents
+  /// it.
   [[nodiscard]] bool pull_into_map(Box& box) const noexcept;
 
  private:

@@ -13,26 +13,26 @@ namespace fairway {
 
 namespace {
 
-// Turns are counted from the start: in round n = 1, 2, ... the side that is the j-th of the four
-// has turn 4 n + j.
-constexpr float kNever = 4e6F;  // more than all sides make
+// Turns are counted from the start: in round n = 1, 2, ... the j-th of the four sides has turn 4 n
+// + j.
+constexpr float kNever = 4e6F;  // more turns than all sides make
 
-// Rounds up to whole rounds (multiples of 4), but for 1e-4 of one, by adding a number so large that
-// its last bit is worth 4.
+// Rounds up to whole rounds (multiples of 4), with a tolerance of 1e-4 of a round. It adds a number
+// so large that its last bit is worth 4.
 Pack4f rounded_up(Pack4f turns) noexcept {
   constexpr float kLastBitIs4 = 50331648.0F;  // 2^25 + 2^24
   constexpr float kRoundUp = 4.0F * 0.4999F;
   return ((turns + kRoundUp) + kLastBitIs4) - kLastBitIs4;
 }
 
-// The points seen along one axis, and the turn at which each comes to lie behind the side that
-// moves towards it.
+// The points' coordinates along one axis, and the turn at which the side that moves towards each
+// point would pass it.
 struct Axis {
   alignas(16) std::array<float, ObstaclePoints::kCapacity> at;  // NOLINT(*-member-init): filled as
                                                                 // far as needed
   alignas(16) std::array<float, ObstaclePoints::kCapacity> turn;  // NOLINT(*-member-init)
 
-  // All sides set out: the upper one on the turns `upper` of each round, the lower one on `lower`.
+  // Starts all sides: the upper one moves on turn `upper` of each round, the lower one on `lower`.
   void start(std::size_t count, const GreedySteps& steps, float upper, float lower) noexcept {
     const auto place = static_cast<float>(steps.start);
     const auto rate = static_cast<float>(4.0 / steps.step);
@@ -43,8 +43,8 @@ struct Axis {
     }
   }
 
-  // The side on the side of `sign` stands at `place` after turn `now`, and goes on from there at
-  // `rate` turns per cell; 0: not at all.
+  // Continues the side in direction `sign` from `place` after turn `now`, at `rate` turns per cell;
+  // 0 stops it.
   void go_on(std::size_t count, float sign, float place, float rate, float now) noexcept {
     for (std::size_t i = 0; i < count; i += 4) {
       const Pack4f outwards = sign * load4(&at[i]);
@@ -59,10 +59,10 @@ struct Side {
   std::size_t axis;
   float sign;
   double place = 0.0;  // distance from the origin [cells]
-  double step = 0.0;   // 0: stopped
-  double round = 0.0;  // since when it makes such steps
+  double step = 0.0;   // step per round [cells]; 0 once stopped
+  double round = 0.0;  // round from which on it advances by `step`
 
-  // The turn, less the side's order, at which it would pass the limit.
+  // Returns the turn, less the side's order, at which the side would pass the limit.
   [[nodiscard]] float limit_turn(double limit) const noexcept {
     if (step <= 0.0) return kNever;
     const double rounds = std::floor((limit - place) / step * (1.0 + 1e-12));
@@ -92,17 +92,17 @@ class Growth {
     }
   }
 
-  // The first turn at which a point would come to lie behind all sides.
+  // Returns the first turn at which a point would lie inside all sides.
   [[nodiscard]] float first_met() const noexcept {
     Pack4f first = four(2.0F * kNever);
     for (std::size_t i = 0; i < count_; i += 4) {
-      // What is not there is NaN, and not less than anything.
+      // Missing points are NaN, and compare false.
       first = min(max(load4(&axes_[0].turn[i]), load4(&axes_[1].turn[i])), first);
     }
     return std::min(std::min(first[0], first[1]), std::min(first[2], first[3]));
   }
 
-  // The first turn at which a side would pass the limit.
+  // Returns the first turn at which a side would pass the limit.
   [[nodiscard]] float first_limited(double limit) const noexcept {
     float first = kNever;
     for (std::size_t j = 0; j < 4; ++j)
@@ -110,7 +110,7 @@ class Growth {
     return first;
   }
 
-  // Makes all turns before `turn`, at which its side finds no room.
+  // Performs all turns before `turn`, at which the side to move is blocked.
   void advance_to(float turn) noexcept {
     const auto number = static_cast<unsigned>(turn);
     Side& side = sides_[number % 4U];
@@ -129,7 +129,7 @@ class Growth {
  private:
   std::size_t count_;
   std::array<Axis, 2> axes_;
-  // In the order in which Algorithm 1 advances them: top, left, bottom, right.
+  // The sides in the order in which Algorithm 1 advances them: top, left, bottom, right.
   std::array<Side, 4> sides_{Side{1, 1.0F}, Side{0, -1.0F}, Side{1, -1.0F}, Side{0, 1.0F}};
 };
 

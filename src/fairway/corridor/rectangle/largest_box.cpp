@@ -20,15 +20,15 @@ constexpr float kFar = 1e9F;  // beyond every point and every side [cells]
 constexpr std::size_t kBits = 32;
 
 // Quadrants of the turned frame, counter-clockwise from the upper right one. In each, `ahead` is
-// measured along the axis that it begins with (+x, +y, -x, -y) and `aside` along that of the next
-// one, both from the core's side. The four are worked on at once, one in each lane.
+// measured along the axis that it begins with (+x, +y, -x, -y) and `aside` along the axis of the
+// next one, both from the core's side. All four are processed at once, one per lane.
 using Quadrants = std::array<float, 4>;
 
 Pack4f of_next(Pack4f a) noexcept { return Pack4f{a[1], a[2], a[3], a[0]}; }
 Pack4f of_opposite(Pack4f a) noexcept { return Pack4f{a[2], a[3], a[0], a[1]}; }
 
-// How far a corner of the box can reach: at each step either so far ahead or so far aside. From the
-// ahead axis to the aside axis, `ahead` falls and `aside` rises; none is negative.
+// How far a corner of the box can reach: each step is a limit on `ahead` up to a value of `aside`.
+// From the ahead axis to the aside axis, `ahead` falls and `aside` rises; none is negative.
 struct Staircase {
   std::array<float, 2 * kCapacity + 1> ahead;  // NOLINT(*-member-init): filled as far as it is read
   std::array<float, 2 * kCapacity + 1> aside;  // NOLINT(*-member-init)
@@ -41,7 +41,8 @@ struct Range {
   std::size_t most;
 };
 
-// The turned axes cut each of the points' quadrants in two: at which of its steps, least and most.
+// The turned axes cut each of the points' quadrants in two: the least and the greatest step of the
+// cut.
 Range where_cut(const ObstaclePoints& points, float c, float s) noexcept {
   Range cut{.least = points.steps(), .most = 0};
   for (std::size_t q = 0; q < 4; ++q) {
@@ -49,7 +50,7 @@ Range where_cut(const ObstaclePoints& points, float c, float s) noexcept {
     for (std::size_t size = points.steps(); size > 0;) {
       const std::size_t half = size / 2;
       const std::size_t at = 4 * (first + half) + q;
-      // Before the axis; not what is not there, as it comes last and is NaN.
+      // Before the axis. Missing points come last, are NaN and compare false.
       const bool before = c * points.aside()[at] < s * points.ahead()[at];
       first = before ? first + half + 1 : first;
       size = before ? size - half - 1 : half;
@@ -59,10 +60,10 @@ Range where_cut(const ObstaclePoints& points, float c, float s) noexcept {
   return cut;
 }
 
-// A corner in some direction must be short, in `ahead`, of all points before that direction, and in
-// `aside` of all behind it. So the running minimum of one from the one side and of the other from
-// the other side are all that is needed. A point straight beside the core has a negative `aside`:
-// no corner can be short of it but ahead. Of a point in the core none can be short at all.
+// A corner must stay below the `ahead` of all points before its direction, and below the `aside` of
+// all points behind it. The running minimum of `ahead` from one side and of `aside` from the other
+// are therefore sufficient. A point straight beside the core has a negative `aside`; only `ahead`
+// can avoid it. No corner can avoid a point in the core.
 class Staircases {
  public:
   Staircases(const ObstaclePoints& points,
@@ -75,15 +76,15 @@ class Staircases {
     const Pack4f cap = static_cast<float>(longest_side) - reach - of_opposite(reach);
     Pack4f least_ahead = cap;
     const auto take = [&](Pack4f ahead, Pack4f aside, Mask4 mine) {
-      // Others never count; nor does what is not there: all comparisons with NaN fail.
+      // Other points do not count. Missing points do not either: comparisons with NaN fail.
       const Pack4f least = with_sign_of(mine, four(kFar));
       store4(least_ahead, &before_[4 * count_]);
       least_ahead = min(least_ahead, max(ahead - reach, least));
       store4(max(aside - reach_aside, least), &aside_[4 * count_]);
       ++count_;
     };
-    // A quadrant of the turned frame holds the end of one of the points' own quadrants, and then
-    // the beginning of the next.
+    // A quadrant of the turned frame contains the end of one of the points' quadrants, and then the
+    // beginning of the next.
     const auto c = static_cast<float>(along.x());
     const auto s = static_cast<float>(along.y());
     const Range cut = where_cut(points, c, s);
@@ -128,7 +129,7 @@ class Staircases {
           const std::size_t i = w * kBits + static_cast<std::size_t>(std::countr_zero(left));
           staircase.ahead[count] = ahead;
           staircase.aside[count] = aside_[4 * i + q];
-          // The next step reaches less far ahead; if not, it takes the place of this one.
+          // The next step reaches less far ahead; if it does not, it replaces this one.
           const float next = before_[4 * (i + 1) + q];
           count += next < ahead ? 1 : 0;
           ahead = next;
@@ -148,15 +149,15 @@ class Staircases {
  private:
   using Steps = std::array<float, 4 * (2 * kCapacity + 1)>;
 
-  Quadrants reach_;  // NOLINT(*-member-init): of the core
-  Quadrants cap_;    // NOLINT(*-member-init): how far a corner may be ahead
+  Quadrants reach_;  // extent of the core
+  Quadrants cap_;    // limit on how far ahead a corner may be
   std::size_t count_ = 0;
-  Steps before_;  // NOLINT(*-member-init): the least `ahead` of the steps before
+  Steps before_;  // least `ahead` of the preceding steps
   Steps aside_;   // NOLINT(*-member-init)
 };
 
-// The heights at which the top (or bottom) side can stop, outwards, and how far the box may then
-// reach to both sides as far as the points on this half are concerned. All counted outwards.
+// The heights at which the top (or bottom) side can stop, measured outwards. For each, the extent
+// of the box to both sides, considering only the points on this half.
 struct Levels {
   static constexpr std::size_t kMost = 2 * (2 * kCapacity + 1);
   alignas(16) std::array<float, kMost + 4> height;   // NOLINT(*-member-init): filled by merge
@@ -164,8 +165,8 @@ struct Levels {
   alignas(16) std::array<float, kMost + 4> falling;  // NOLINT(*-member-init)
   std::size_t count = 0;
 
-  // From the staircase of a quadrant, whose heights are its `aside`, and that of the next one,
-  // whose heights are its `ahead`. Padded to whole lanes with levels that have no area.
+  // Merges the staircase of a quadrant, whose heights are its `aside`, with that of the next one,
+  // whose heights are its `ahead`. The result is padded to whole lanes with levels of no area.
   void merge(const Staircase& rising_side, const Staircase& falling_side) noexcept {
     std::size_t i = rising_side.begin;
     std::size_t j = falling_side.end;
@@ -193,13 +194,13 @@ struct Pair {
   float area = 0.0F;
 };
 
-// The pair of a top and a bottom level with the greatest area. Without a branch in the inner loop:
-// there are few levels, and what is not looked at costs more than it saves.
+// Returns the pair of a top and a bottom level with the greatest area. The inner loop has no
+// branch: there are few levels, and skipping some costs more than it saves.
 Pair best_pair(const Levels& tops, const Levels& bottoms, const Box& core, float limit) noexcept {
   const auto core_width = static_cast<float>(core.max.x() - core.min.x());
   const auto core_height = static_cast<float>(core.max.y() - core.min.y());
   const auto area = [&](std::size_t top, std::size_t bottom) {
-    // A top's rising side is the right one, a bottom's the left one.
+    // The rising side of a top level is the right one, that of a bottom level the left one.
     const Pack4f width = min(four(tops.rising[top]), load4(&bottoms.falling[bottom])) +
                          min(four(tops.falling[top]), load4(&bottoms.rising[bottom]));
     const Pack4f height = tops.height[top] + load4(&bottoms.height[bottom]);
@@ -224,8 +225,7 @@ Pair best_pair(const Levels& tops, const Levels& bottoms, const Box& core, float
   return best;
 }
 
-// The part of [low, high] that is at most `limit` long, holds [core_low, core_high] and is as
-// central about it as it can be.
+// Trims [low, high] to at most `limit`, as centrally about [core_low, core_high] as possible.
 void trim(double& low, double& high, double core_low, double core_high, double limit) noexcept {
   const double excess = high - low - limit;
   if (excess <= 0.0) return;

@@ -17,11 +17,13 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
-constexpr double kInset = 1e-3;  // room to the obstacle points that stopped a side [cells]
-constexpr double kDone = -std::numeric_limits<double>::infinity();  // nothing left to gain
-constexpr int kTestsPerAngle = 8;  // an angle that still fails then is left at its best so far
+constexpr double kInset = 1e-3;  // distance from the obstacle points that stopped a side [cells]
+// Marks an angle with nothing left to gain.
+constexpr double kDone = -std::numeric_limits<double>::infinity();
+// After this many failed tests an angle keeps its best result so far.
+constexpr int kTestsPerAngle = 8;
 constexpr int kTestsInAll = 64;
-constexpr std::size_t kMaxFound = 8;  // blocked cells looked at per test
+constexpr std::size_t kMaxFound = 8;  // blocked cells examined per test
 
 Box inset(const Box& box, const Box& core) noexcept {
   const Vector2d by = Vector2d::Constant(kInset);
@@ -38,7 +40,7 @@ void RectangleSearch::evaluate(Candidate& candidate) noexcept {
   candidate.known = points_.size();
 }
 
-// Whether the bound still stands: none of the points added since lies in the box.
+// Returns whether the bound is still valid: none of the points added since lies in the box.
 bool RectangleSearch::is_up_to_date(Candidate& candidate) const noexcept {
   const TurnedFrame frame{.along = candidate.along};
   for (; candidate.known < points_.size(); ++candidate.known) {
@@ -83,7 +85,7 @@ bool RectangleSearch::accept_if_free(const BitGrid& obstacles,
 void RectangleSearch::learn(const BoxRepair& repair,
                             const Box& box,
                             std::span<const CellIndex> cells) noexcept {
-  // Neighbouring cells say much the same: take those that are well apart.
+  // Neighbouring cells give nearly the same points: use only cells that are well apart.
   constexpr int kApart = 3;  // [cells]
   std::array<CellIndex, kMaxFound> taken;
   std::size_t count = 0;
@@ -117,7 +119,7 @@ void RectangleSearch::test(const BitGrid& obstacles, Candidate& candidate) noexc
   const std::span<const CellIndex> cells(found.data(), blocked.count);
   learn(repair, candidate.box, cells);
   if (blocked.outside_map) repair.add_outside_points(candidate.box, points_);
-  // A box that gives way to all of them may be free, and good enough.
+  // A box shrunk to avoid all of them may be free and large enough.
   Box pulled = candidate.box;
   bool possible = !blocked.outside_map || repair.pull_into_map(pulled);
   for (std::size_t i = 0; i < cells.size() && possible; ++i)
@@ -167,7 +169,7 @@ std::optional<RectangleSearch::Found> RectangleSearch::find(const BitGrid& obsta
     try_angle(k * spacing);
   if (hint) try_angle(*hint);
   exhaust(obstacles);
-  // A maze may use up the tests before an orientation is found that holds all anchors.
+  // A maze may exhaust the tests before an orientation is found that contains all anchors.
   for (std::size_t i = num_candidates_; i-- > 0 && best_area_ < 0.0;)
     accept_if_free(obstacles, candidates_[i], candidates_[i].core);
   for (int i = 0; i < settings.refinements && best_area_ >= 0.0; ++i) {

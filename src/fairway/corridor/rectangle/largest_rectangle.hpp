@@ -9,31 +9,31 @@
 
 namespace fairway {
 
-/// A point that a rectangle must hold, at least `margin` inside every side. In the world [m] or in
-/// grid coordinates [cells], as said where it is used.
+/// A point that a rectangle must contain, at least `margin` inside every side. Coordinates are in
+/// the world [m] or in the grid [cells], as stated where it is used.
 struct Anchor {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
   double margin = 0.0;
 };
 
-/// How thoroughly orientations are searched.
+/// Effort of the search over orientations.
 struct RectangleSearchSettings {
-  double longest_side = 16.0;  ///< no side gets longer [m]
-  int num_orientations = 12;   ///< turns tried at first, evenly over a quarter turn; at most 64
-  int refinements = 4;         ///< times the spacing is halved around the best turn
-  double tolerance = 0.01;     ///< share of area at which a possible gain is not pursued
+  double longest_side = 16.0;  ///< greatest length of a side [m]
+  /// Orientations tried at first, evenly over a quarter turn; at most 64.
+  int num_orientations = 12;
+  int refinements = 4;  ///< number of times that the spacing is halved around the best orientation
+  double tolerance = 0.01;  ///< relative gain in area below which the search stops
 };
 
-/// Finds the largest free rectangle that holds given points, over all orientations.
+/// Finds the largest free rectangle that contains given points, over all orientations.
 ///
-/// Best first: what is known about the obstacles, a growing set of points, gives for each
-/// orientation an upper bound on the area (largest_box). Only the orientation with the greatest
-/// bound is tested on the map, exactly; the obstacles that it meets are added to the known points,
-/// and the next best is tried. What remains at the end is, at every orientation tried, the optimum
-/// up to `tolerance` (and to a budget of tests, which only mazes exhaust). The result is free by
-/// is_free whatever happened before.
+/// The search is best first. A growing set of known obstacle points gives an upper bound on the
+/// area for each orientation (largest_box). Only the orientation with the greatest bound is tested
+/// on the map, exactly; the obstacles that it meets are added to the points, and the next best is
+/// tried. The result is optimal over the orientations tried, up to `tolerance` and to a budget of
+/// tests that only mazes exhaust. The result is always free by is_free.
 ///
-/// Keeps only scratch memory between calls: equal arguments give equal bits.
+/// Only scratch memory persists between calls: equal arguments give equal bits.
 class RectangleSearch {
  public:
   /// A free rectangle in grid coordinates: `box` in `frame`, whose origin is the first anchor.
@@ -42,27 +42,28 @@ class RectangleSearch {
     Box box;
   };
 
-  /// The largest free rectangle that holds every anchor; none when no orientation tried has one.
+  /// Finds the largest free rectangle that contains every anchor; none if no orientation tried has
+  /// one.
   /// @param clearance  0 in workspace, the robot's radius in configuration space [m].
   /// @param anchors  In grid coordinates [cells]. @pre not empty.
-  /// @param hint  An orientation against the grid to try as well [rad].
+  /// @param hint  An additional orientation to try, relative to the grid [rad].
   [[nodiscard]] std::optional<Found> find(const BitGrid& obstacles,
                                           double clearance,
                                           std::span<const Anchor> anchors,
                                           const RectangleSearchSettings& settings,
                                           std::optional<double> hint = std::nullopt) noexcept;
 
-  /// How many rectangles the last search tested on the map.
+  /// Number of rectangles that the last search tested on the map.
   [[nodiscard]] int tests() const noexcept { return tests_; }
 
  private:
   struct Candidate {
-    double angle = 0.0;  // of the frame against the grid [rad]
+    double angle = 0.0;  // of the frame relative to the grid [rad]
     Eigen::Vector2d along = Eigen::Vector2d::UnitX();
     Box core;
     Box box;
-    double bound = 0.0;     // no free box at this angle is larger, or worth it [cells^2]
-    std::size_t known = 0;  // obstacle points, of which none lies in `box`
+    double bound = 0.0;     // upper bound on the area of a free box at this angle [cells^2]
+    std::size_t known = 0;  // number of obstacle points checked; none of them lies in `box`
     int tests = 0;
   };
 
@@ -87,7 +88,7 @@ class RectangleSearch {
   ObstaclePoints points_;
   std::array<Candidate, kMaxCandidates> candidates_;
   std::size_t num_candidates_ = 0;
-  // An area that is worth to go on for [cells^2].
+  // Area from which on a candidate is worth testing [cells^2].
   [[nodiscard]] double worthwhile() const noexcept { return best_area_ * (1.0 + tolerance_); }
 
   double best_area_ = 0.0;
@@ -96,9 +97,9 @@ class RectangleSearch {
   int tests_ = 0;
 };
 
-/// The largest free rectangle that holds `seed` and `others`, all in the world [m]: `is_free` with
-/// `clearance` holds for it. None when the seed is not free, or not finite, or no rectangle has
-/// room for all of them. Its seed is `seed`.
+/// Finds the largest free rectangle that contains `seed` and `others`, all in the world [m].
+/// `is_free` with `clearance` holds for it, and its seed is `seed`. The result is none if the seed
+/// is not free or not finite, or if no rectangle can contain all points.
 [[nodiscard]] std::optional<OrientedRectangle> largest_rectangle(
     const BitGrid& obstacles,
     double clearance,

@@ -15,12 +15,12 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kRays = 48;
-// Rays are followed from tile to tile: 8 x 8 cells, of which a band of rows tells at once whether
-// any is blocked. So a ray sees what is up to a tile beside it: what stands in the way of every
-// rectangle along it that is not very narrow.
+// Rays are followed from tile to tile: 8 x 8 cells, for which a band of rows shows at once whether
+// any is blocked. A ray therefore detects obstacles up to a tile beside it: those that limit every
+// rectangle along it unless it is very narrow.
 constexpr int kTile = BitGrid::kBandRows;
-// A ray ends at an obstacle so near to it [cells], or at the third beside it.
-constexpr double kInTheWay = 2.5;
+// A ray ends at an obstacle closer to it than this [cells], or at the third beside it.
+constexpr double kCloseToRay = 2.5;
 constexpr int kMostBeside = 3;
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -38,10 +38,11 @@ struct Rays {
 
 struct Sight {
   CellIndex cell;
-  double beside = 0.0;  // how far the cell's centre is from the ray, along the shorter way [cells]
+  // Distance of the cell's centre from the ray, along the shorter axis [cells].
+  double beside = 0.0;
 };
 
-// One tile, as a ray from `origin` sees it.
+// One tile, as seen along a ray from `origin`.
 class Tile {
  public:
   Tile(const BitGrid& obstacles, int x, int y) noexcept
@@ -53,7 +54,7 @@ class Tile {
 
   [[nodiscard]] bool empty() const noexcept { return columns_ == 0; }
 
-  // The first blocked row or column, as the ray runs, and in it the cell nearest to the ray.
+  // Returns the first blocked row or column along the ray, and in it the cell nearest to the ray.
   [[nodiscard]] Sight first(const Vector2d& origin, const Vector2d& ray) const noexcept {
     return std::abs(ray.x()) > std::abs(ray.y()) ? first_column(origin, ray)
                                                  : first_row(origin, ray);
@@ -101,7 +102,7 @@ class Tile {
   int left_;
   int bottom_;
   int rows_;
-  unsigned columns_;  // bit i: column left_ + i is blocked in some row
+  unsigned columns_;  // bit i is set if column left_ + i is blocked in some row
 };
 
 }  // namespace
@@ -117,7 +118,7 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
   const Vector2d high = Vector2d(frame.width, frame.height) - Vector2d::Constant(radius) - origin;
   CellIndex last{.x = -1, .y = -1};
   for (const Vector2d& ray : rays.directions) {
-    // Where the disc's centre has to turn back before the outside of the map.
+    // The distance at which the disc would leave the map.
     const double end_x = (ray.x() > 0.0 ? high : low).x() / ray.x();
     const double end_y = (ray.y() > 0.0 ? high : low).y() / ray.y();
     const double end = std::min(end_x, end_y);
@@ -128,7 +129,7 @@ void ObstaclePoints::look_around(const BitGrid& obstacles,
       const Tile tile(obstacles, static_cast<int>(at.x()), static_cast<int>(at.y()));
       if (tile.empty()) continue;
       const Sight sight = tile.first(origin, ray);
-      left = sight.beside <= kInTheWay ? 0 : left - 1;
+      left = sight.beside <= kCloseToRay ? 0 : left - 1;
       if (sight.cell == last) continue;
       last = sight.cell;
       const Vector2d corner = Vector2d(last.x, last.y) - origin;
@@ -175,7 +176,7 @@ void ObstaclePoints::add(const Vector2d& point) noexcept {
     ahead = -x;
     aside = -y;
   }
-  // Behind those of the same direction; mostly at the end, as rays come in order.
+  // Insert behind the points of the same direction; this is mostly the end, as rays come in order.
   std::size_t i = count_[q]++;
   for (; i > 0 && aside_[4 * (i - 1) + q] * ahead > aside * ahead_[4 * (i - 1) + q]; --i) {
     ahead_[4 * i + q] = ahead_[4 * (i - 1) + q];

@@ -9,13 +9,13 @@
 
 namespace fairway {
 
-/// Some points that a free rectangle around an origin must not hold: the partial knowledge that the
-/// search for a large rectangle starts from and adds to.
+/// Points that a free rectangle around an origin must not contain: the partial knowledge about
+/// obstacles that the search for a large rectangle starts from.
 ///
-/// Each point lies in the configuration-space obstacle of a blocked cell, the cell grown by a disc.
-/// A rectangle that avoids these points may still hit an obstacle; but none that is free can be
-/// larger than the largest that avoids them. Coordinates are relative to the origin [cells]. When
-/// full, further points are ignored.
+/// Each point lies in the configuration-space obstacle of a blocked cell (the cell grown by a
+/// disc). A rectangle that avoids these points may still meet an obstacle, but no free rectangle is
+/// larger than the largest one that avoids them. Coordinates are relative to the origin [cells]. If
+/// the set is full, further points are ignored.
 class ObstaclePoints {
  public:
   static constexpr std::size_t kCapacity = 512;
@@ -23,31 +23,31 @@ class ObstaclePoints {
 
   void clear() noexcept;
 
-  /// Forgets everything; then looks for obstacles along rays from `origin` [grid coordinates].
+  /// Clears the set, and then collects obstacles along rays from `origin` [grid coordinates].
   ///
-  /// A ray sees some of what stands up to a tile of 8 cells beside it, and ends at the first
-  /// obstacle close to it. What is between two rays may be missed: this is a first guess. `radius`
-  /// is that of the disc, `reach` the length of the rays [cells].
+  /// A ray detects some obstacles up to a tile of 8 cells beside it, and ends at the first obstacle
+  /// close to it. Obstacles between two rays may be missed; the set is a first guess. `radius` is
+  /// the radius of the disc and `reach` the length of the rays [cells].
   /// @pre no blocked cell is at most `radius` from the origin.
   void look_around(const BitGrid& obstacles,
                    const Eigen::Vector2d& origin,
                    double radius,
                    double reach) noexcept;
 
-  /// Adds a point. @pre it lies in the obstacle of some cell, and is not the origin.
+  /// Adds a point. @pre it lies in the obstacle of a cell, and is not the origin.
   void add(const Eigen::Vector2d& point) noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
-  /// Coordinates of all points in the order in which they were added; then NaN up to a multiple of
-  /// four.
+  /// Coordinates of all points in the order in which they were added, padded with NaN to a multiple
+  /// of four.
   [[nodiscard]] const float* x() const noexcept { return x_.data(); }
   [[nodiscard]] const float* y() const noexcept { return y_.data(); }
 
-  /// The same points by quadrants, counter-clockwise from the upper right one, each in order of
-  /// direction: entry 4 i + q is the i-th of quadrant q, `ahead` along the axis that the quadrant
-  /// begins with and `aside` along that of the next one. All have `steps()` entries; where a
-  /// quadrant has fewer points both are NaN.
+  /// The same points by quadrants, counter-clockwise from the upper right one, each sorted by
+  /// direction. Entry 4 i + q is the i-th of quadrant q: `ahead` along the axis that the quadrant
+  /// begins with, and `aside` along that of the next one. All quadrants have `steps()` entries,
+  /// padded with NaN.
   using Steps = std::array<float, 4 * kCapacity>;
   [[nodiscard]] std::size_t steps() const noexcept { return steps_; }
   [[nodiscard]] const float* ahead() const noexcept { return ahead_.data(); }

@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 enum class Side : std::uint8_t { Top, Left, Bottom, Right };
 constexpr std::array<Side, 4> kSides = {Side::Top, Side::Left, Side::Bottom, Side::Right};
 
-// Where a side is, counted from the seed outwards, as a reference into the box.
+// A side's distance from the seed, measured outwards, as a reference into the box.
 struct SideOf {
   int axis;
   bool upper;
@@ -40,7 +40,8 @@ constexpr SideOf side_of(Side side) noexcept {
   return {.axis = 0, .upper = true};
 }
 
-// One run of Algorithm 1's inner loop as it is written, in one orientation. Lengths in cells.
+// One run of the inner loop of Algorithm 1 as it is written, in one orientation. Lengths are in
+// cells.
 class StepwiseGrowth {
  public:
   StepwiseGrowth(const BitGrid& obstacles, const TurnedFrame& frame, double radius) noexcept
@@ -48,7 +49,7 @@ class StepwiseGrowth {
         frame_(frame),
         radius_(radius) {}
 
-  // @return false when the start rectangle is not free.
+  // @return false if the initial rectangle is not free.
   [[nodiscard]] bool run(const GreedySteps& lengths) noexcept {
     box_ = {.min = Vector2d::Constant(-lengths.start), .max = Vector2d::Constant(lengths.start)};
     if (!is_free(obstacles_, frame_.region(box_), radius_)) return false;
@@ -88,8 +89,8 @@ class StepwiseGrowth {
   Box box_;
 };
 
-// The same, quicker: grows on what is known of the obstacles and tests the result on the map; what
-// it meets there is learnt, for the orientations to come too, and it is grown anew.
+// The same growth, faster: grows on the known obstacles and tests the result on the map. Obstacles
+// that it meets there are learnt, also for the next orientations, and the growth is repeated.
 class Growth {
  public:
   Growth(const BitGrid& obstacles,
@@ -103,7 +104,7 @@ class Growth {
     points_.look_around(obstacles, origin, radius, std::numbers::sqrt2 * steps.limit);
   }
 
-  // The free box that growing with its x-axis `along` comes to; none when the start is not free.
+  // Returns the free box grown with its x-axis along `along`; none if the start is not free.
   [[nodiscard]] std::optional<Box> run(const Vector2d& along) noexcept {
     constexpr int kMostTests = 12;  // mazes need more; they are grown step by step
     const TurnedFrame frame{.origin = origin_, .along = along};

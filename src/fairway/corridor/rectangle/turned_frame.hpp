@@ -8,8 +8,9 @@
 
 namespace fairway {
 
-/// A frame in which a rectangle is an axis-parallel box: origin in grid coordinates, x-axis along a
-/// unit vector. Lengths in cells; "offset" means relative to the origin, not turned.
+/// A frame in which a rectangle is an axis-parallel box: its origin is in grid coordinates and its
+/// x-axis is a unit vector. Lengths are in cells; an "offset" is relative to the origin, but not
+/// turned.
 struct TurnedFrame {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   Eigen::Vector2d along = Eigen::Vector2d::UnitX();
@@ -29,16 +30,17 @@ struct TurnedFrame {
   }
 };
 
-/// Room that searches keep beyond what is_free asks [cells], so that rounding on the way to world
-/// coordinates (below 1e-9 cells) cannot turn a region that they found free into a blocked one.
+/// Clearance that searches add to that of is_free [cells]. Rounding on the way to world coordinates
+/// (below 1e-9 cells) then cannot turn a region found free into a blocked one.
 inline constexpr double kSearchSkin = 1e-6;
 
-/// The radius for tests in grid coordinates [cells] that makes a region free for `clearance` [m].
+/// Returns the radius for tests in grid coordinates [cells] that makes a region free for
+/// `clearance` [m].
 [[nodiscard]] inline double search_radius(const GridFrame& frame, double clearance) noexcept {
   return (clearance + kFreeSpaceSkin) / frame.resolution + kSearchSkin;
 }
 
-/// The box as a rectangle in the world, seed at the frame's origin.
+/// Converts the box to a rectangle in the world, with its seed at the frame's origin.
 [[nodiscard]] inline OrientedRectangle to_world(const GridFrame& grid,
                                                 const TurnedFrame& frame,
                                                 const Box& box) noexcept {

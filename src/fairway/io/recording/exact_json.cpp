@@ -195,7 +195,7 @@ MpcSolution to_solution(const Json& json) {
   solution.iterations = json.at("iterations").get<int>();
   solution.cost = to_number(json.at("cost"));
   solution.max_violation = to_number(json.at("max_violation"));
-  solution.limiting = {.kind = to_enumerated(json.at("limiting"), RowKind::Barrier),
+  solution.limiting = {.kind = to_enumerated(json.at("limiting"), ConstraintKind::Barrier),
                        .step = json.at("limiting_step").get<int>(),
                        .index = json.at("limiting_index").get<int>()};
   for (std::size_t k = 0; k < commands.size(); ++k)

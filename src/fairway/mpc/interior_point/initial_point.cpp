@@ -6,7 +6,8 @@
 namespace fairway::interior_point {
 namespace {
 
-// How far a guess is drawn to the middle of the bounds, and the drive that replaces one.
+// Shares by which a guess, and the drive that replaces a missing guess, move to the middle of the
+// bounds.
 constexpr double kInwards = 0.005;
 constexpr double kDriveInwards = 0.1;
 

@@ -6,9 +6,10 @@
 
 namespace fairway::interior_point {
 
-/// Commands to start from, strictly inside every bound: the guess, with its last command
-/// repeated, or without one a drive to the targets; drawn a little towards the middle of what can
-/// be reached.
+/// Computes initial commands strictly inside every bound.
+///
+/// They are the guess with its last command repeated, or without a guess a drive to the targets,
+/// moved slightly towards the middle of the reachable intervals.
 void load_guess(const SimdKernels& kernels,
                 const InitialGuess& guess,
                 const Workspace& w,

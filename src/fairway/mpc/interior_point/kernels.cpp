@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// GCC notes that lanes of 256 bits would be passed otherwise with AVX; inlined, they are not
-// passed.
+// GCC warns that the calling convention for lanes of 256 bits changes with AVX. They are inlined
+// and never passed.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 #include "fairway/mpc/interior_point/kernels.hpp"

@@ -7,38 +7,38 @@
 
 namespace fairway::interior_point {
 
-/// What one iteration consists of, compiled for one kind of registers. All kinds do the same, to
+/// The parts of one iteration, compiled for one register type. All types give the same results, to
 /// the bit.
 struct SimdKernels {
-  /// Fills the commands of `point` with a start where there is no guess: a drive to the targets
-  /// that goes round what is in the way. They keep the ranges of commands, not all changes.
+  /// Fills the commands of `point` if there is no guess: a drive to the targets that avoids
+  /// obstacles. The commands keep their ranges, but not all change bounds.
   void (*drive_to_targets)(const Workspace& w, Point& point) noexcept;
 
-  /// Brings all that belongs to the commands of `point` up to date, save slacks.
+  /// Computes everything that the commands of `point` determine, except slacks.
   void (*evaluate)(const Workspace& w, Point& point) noexcept;
 
-  /// Slacks and duals to start from at `mu`, given that `w.now` is evaluated.
+  /// Initialises slacks and duals at `mu`. @pre `w.now` is evaluated.
   void (*start)(Workspace& w, double mu) noexcept;
 
-  /// Takes the duals of the soft constraints along their step and keeps all duals near the central
-  /// path of `mu`; then finds the quadratic model of the problem around `w.now`, and its optimality
+  /// Moves the duals of the soft constraints along their step and keeps all duals near the central
+  /// path of `mu`. Then computes the quadratic model of the problem at `w.now` and its optimality
   /// error.
   OptimalityError (*linearise)(Workspace& w, double mu) noexcept;
 
-  /// Solves the Newton system at `mu`: fills `w.step`. @return Whether there is a solution.
+  /// Solves the Newton system at `mu` and fills `w.step`. @return Whether there is a solution.
   bool (*solve_newton_system)(Workspace& w, double mu) noexcept;
 
-  /// Goes along the step as far as the filter of this barrier problem allows, using up at most the
-  /// part `boundary` of any room or slack; the taken point becomes `w.now`. Where no length will
-  /// do, the residuals of the constraints are absorbed by their violation slacks instead,
-  /// docs/solver.md section 5. @return False when there is nothing to absorb.
+  /// Moves along the step as far as the filter of this barrier problem allows. The step uses at
+  /// most the share `fraction_to_boundary` of any slack; the accepted point becomes `w.now`. If no
+  /// length is acceptable, the violation slacks absorb the residuals of the constraints instead
+  /// (docs/solver.md section 5). @return False if there is nothing to absorb.
   bool (*take_step)(Workspace& w, double mu, double fraction_to_boundary, Filter& filter) noexcept;
 };
 
-/// For registers that every processor has.
+/// Returns the kernels for registers that every processor has.
 [[nodiscard]] const SimdKernels& kernels_128() noexcept;
 
-/// For registers of 256 bits; null where this processor, or this build, has none.
+/// Returns the kernels for registers of 256 bits; null if this processor or this build has none.
 [[nodiscard]] const SimdKernels* kernels_256() noexcept;
 
 }  // namespace fairway::interior_point

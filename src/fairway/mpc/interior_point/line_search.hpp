@@ -14,25 +14,25 @@
 
 namespace fairway::interior_point {
 
-inline constexpr double kNoResidual = 1e-9;  ///< below this, residuals count as closed
+inline constexpr double kNoResidual = 1e-9;  ///< residuals below this count as 0
 
-/// Brings all that belongs to the commands of `point` up to date, save slacks.
+/// Computes everything that the commands of `point` determine, except slacks.
 template <typename Lanes>
 FAIRWAY_LANES void evaluate(const Workspace& w, Point& point) noexcept {
   roll_out<Lanes>(w, point);
   evaluate_soft_constraints<Lanes>(w, point);
 }
 
-/// Sums of `point` over all constraints, for the line search.
+/// Sums `point` over all constraints, for the line search.
 template <typename Lanes>
 FAIRWAY_LANES void sum_constraints(const Workspace& w, Point& point) noexcept {
   LogSum<Lanes> logs;
-  add_room_logs(w, point, logs);
+  add_bound_logs(w, point, logs);
   sum_soft_constraints(w, point, logs);
   point.log_sum = logs.value();
 }
 
-/// Slacks and duals to start from at `mu`, given that `w.now` is evaluated.
+/// Initialises slacks and duals at `mu`. @pre `w.now` is evaluated.
 template <typename Lanes>
 FAIRWAY_LANES void start(Workspace& w, double mu) noexcept {
   start_bounds<Lanes>(w, mu);
@@ -40,31 +40,31 @@ FAIRWAY_LANES void start(Workspace& w, double mu) noexcept {
   sum_constraints<Lanes>(w, *w.now);
 }
 
-/// `w.trial` at `length` along the step.
+/// Computes `w.trial` at `length` along the step.
 template <typename Lanes>
 FAIRWAY_LANES void move_to_trial(Workspace& w, double length) noexcept {
   move_commands<Lanes>(w, length);
   roll_out<Lanes>(w, *w.trial);
   LogSum<Lanes> logs;
-  add_room_logs(w, *w.trial, logs);
+  add_bound_logs(w, *w.trial, logs);
   move_soft_constraints(w, length, logs);
   w.trial->log_sum = logs.value();
 }
 
-/// Eq. (S15).
+/// Computes the pair of Eq. (S15).
 inline Progress progress(const Workspace& w, double mu, const Point& p) noexcept {
   return {.barrier = p.cost + w.problem->violation_weight * p.violation_sum - mu * p.log_sum,
           .residual = p.residual_sum};
 }
 
-/// Finds the steps of all constraints for the Newton step in `w.step`, and goes along it.
+/// Computes the steps of all constraints for the Newton step in `w.step`, and searches along it.
 /// @return Whether a trial point was accepted and became `w.now`.
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES bool search_line(Workspace& w,
                                              double mu,
                                              double fraction_to_boundary,
                                              Filter& filter) noexcept {
-  constexpr double kSufficient = 1e-4;  // part of the promised decrease that is asked for
+  constexpr double kSufficient = 1e-4;  // share of the predicted decrease that is required
   constexpr double kRounding = 1e-12;   // of the barrier function, relative
   constexpr int kMaxHalvings = 15;
 
@@ -81,8 +81,8 @@ template <typename Lanes>
     Progress after = progress(w, mu, *w.trial);
     after.barrier -= rounding;
     if (!std::isfinite(after.barrier + after.residual) || !filter.accepts(after)) continue;
-    // Where the barrier function falls fast compared with the residual, it has to fall as promised;
-    // elsewhere one of the two has to improve, and the filter remembers the pair.
+    // If the barrier function decreases fast compared with the residual, it must decrease as
+    // predicted. Otherwise one of the two must improve, and the filter stores the pair.
     const bool falls =
         slope < 0.0 && (before.residual <= kNoResidual || length * slope * slope > before.residual);
     const bool accepted = falls ? after.barrier <= before.barrier + kSufficient * length * slope
@@ -101,7 +101,7 @@ template <typename Lanes>
                                            double mu,
                                            double fraction_to_boundary,
                                            Filter& filter) noexcept {
-  bool changed = false;  // whether the function that has to fall is another one now
+  bool changed = false;  // whether the merit function is another one now
   if (search_line<Lanes>(w, mu, fraction_to_boundary, filter)) {
     changed = admit_near_constraints<Lanes>(w, mu);
   } else {

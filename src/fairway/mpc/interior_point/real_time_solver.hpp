@@ -10,8 +10,9 @@
 
 namespace fairway {
 
-/// The interior-point solver as the control loop uses it: warm where there is a guess, with the
-/// iteration budget of the settings. Allocates when it is constructed, and never again.
+/// The interior-point solver in the form that the control loop uses. It starts warm if there is a
+/// guess, and takes its iteration budget from the settings. It allocates only when it is
+/// constructed.
 class RealTimeSolver final : public ControlSolver {
  public:
   explicit RealTimeSolver(const MpcSettings& settings);

@@ -7,17 +7,19 @@
 namespace fairway::interior_point {
 namespace {
 
-// Multipliers below this hold nothing back; inactive constraints have about tolerance / room.
+// Multipliers below this do not limit the solution; inactive constraints have about tolerance /
+// slack.
 constexpr double kActive = 1e-3;
 
-constexpr std::array<RowKind, 4> kBoundKinds = {RowKind::LinearSpeed, RowKind::AngularSpeed,
-                                                RowKind::LinearChange, RowKind::AngularChange};
+constexpr std::array<ConstraintKind, 4> kBoundKinds = {
+    ConstraintKind::LinearSpeed, ConstraintKind::AngularSpeed, ConstraintKind::LinearChange,
+    ConstraintKind::AngularChange};
 
-RowName limiting_constraint(const Workspace& w) noexcept {
-  RowName name;
+ConstraintName limiting_constraint(const Workspace& w) noexcept {
+  ConstraintName name;
   double most = kActive;
-  // The duals of four constraints, the first of which is called `first`.
-  const auto take = [&](const Lanes128& dual, const RowName& first) {
+  // Considers the duals of four constraints, the first of which is `first`.
+  const auto take = [&](const Lanes128& dual, const ConstraintName& first) {
     if (!(greatest_of(dual) > most)) return;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (dual[lane] <= most) continue;
@@ -61,7 +63,8 @@ Violations violations_of(const Workspace& w, const Point& point) noexcept {
   return {.sum = sum_of(sum), .greatest = greatest_of(worst)};
 }
 
-// Numbers that are not finite differ from themselves. What is added to them later is far smaller.
+// The difference of a non-finite number from itself is NaN. The start position is added later and
+// is far smaller.
 bool all_finite(const Workspace& w, const Point& p) noexcept {
   Lanes128 difference = 0.0;
   for (const PoseArray* array :

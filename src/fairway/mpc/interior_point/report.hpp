@@ -5,21 +5,22 @@
 
 namespace fairway::interior_point {
 
-/// Cost plus price of all violations of the commands of `point`, whatever its slacks. Eq. (S2).
+/// Returns the cost plus the penalty of all violations at `point`, Eq. (S2); the slacks do not
+/// matter.
 [[nodiscard]] double penalised_cost(const Workspace& w, const Point& point) noexcept;
 
-/// The greatest violation of one soft constraint, whatever its slacks.
+/// Returns the greatest violation of one soft constraint; the slacks do not matter.
 [[nodiscard]] double greatest_violation(const Workspace& w, const Point& point) noexcept;
 
-/// Moves the commands of `point` onto the bounds exactly, which they satisfy up to rounding.
+/// Moves the commands of `point` onto the bounds exactly; before, they satisfy them up to rounding.
 void clip_commands(const Workspace& w, Point& point) noexcept;
 
-/// Fills in the commands of `w.now` and what they lead to, once they are evaluated. Leaves `status`
-/// and `iterations` alone.
+/// Fills in the commands of `w.now` and the results of their evaluation. Does not change `status`
+/// and `iterations`. @pre `w.now` is evaluated.
 /// @return Whether every number is finite.
 [[nodiscard]] bool report(const Workspace& w, MpcSolution& solution) noexcept;
 
-/// The answer to a problem that is none: zero commands, standing still.
+/// Fills in the answer to an invalid problem: zero commands at the start pose.
 void report_invalid(const ControlProblem& problem, MpcSolution& solution) noexcept;
 
 }  // namespace fairway::interior_point

@@ -7,35 +7,36 @@
 #include "fairway/base/simd_math.hpp"
 #include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
-// What to start from without a guess: a drive towards the targets that goes round what is in the
-// way. Lanes are four manoeuvres here, not four steps.
+// Initial commands for a solve without a guess: a drive towards the targets that avoids obstacles.
+// Lanes are four manoeuvres here, not four steps.
 
 namespace fairway::interior_point {
 
-inline constexpr std::size_t kHeldSteps = 3;               ///< a manoeuvre is held so long ...
-inline constexpr std::size_t kSeenSteps = 2 * kHeldSteps;  ///< ... and judged by so many
+inline constexpr std::size_t kHeldSteps = 3;  ///< number of steps for which a manoeuvre is held
+/// Number of steps by which a manoeuvre is judged.
+inline constexpr std::size_t kSeenSteps = 2 * kHeldSteps;
 
-/// Where the drive has come to.
+/// Pose reached by the drive.
 struct DrivePose {
   double x = 0.0, y = 0.0;
   double heading = 0.0, cosine = 1.0, sine = 0.0;
 };
 
-/// Four manoeuvres: commands that are held.
+/// Four manoeuvres: constant commands.
 template <typename Lanes>
 struct Manoeuvres {
   Lanes linear, angular;
 };
 
-/// What becomes of four manoeuvres.
+/// Predicted result of four manoeuvres.
 template <typename Lanes>
 struct Outlook {
-  Lanes merit = 0.0;                  ///< the less, the better
-  Lanes violation = 0.0;              ///< what constraints would be violated by
-  Lanes x, y, heading, cosine, sine;  ///< where they lead while they are held
+  Lanes merit = 0.0;                  ///< cost; less is better
+  Lanes violation = 0.0;              ///< sum of constraint violations
+  Lanes x, y, heading, cosine, sine;  ///< pose at the end of the held steps
 };
 
-/// Sum of the violations of the constraints of step k, Eq. (S3), at four places.
+/// Sums the violations of the constraints of step k, Eq. (S3), at four positions.
 template <typename Lanes>
 FAIRWAY_LANES Lanes violation_at(const Workspace& w,
                                  std::size_t k,
@@ -72,9 +73,9 @@ FAIRWAY_LANES void look_ahead(const Workspace& w,
                               std::size_t first,
                               const Manoeuvres<Lanes>& manoeuvres,
                               Outlook<Lanes>& outlook) noexcept {
-  // Violations cost only a part of their price: here a way is looked for, not an optimum.
-  constexpr double kPartOfPrice = 0.5;
-  const double price = kPartOfPrice * w.problem->violation_weight;
+  // Violations cost only a part of their penalty: the search looks for a route, not for an optimum.
+  constexpr double kPartOfPenalty = 0.5;
+  const double penalty_weight = kPartOfPenalty * w.problem->violation_weight;
   const double dt = w.problem->dt;
   const std::size_t end = std::min(w.horizon, first + kSeenSteps);
   const Direction<Lanes> half_turn = direction_of(w.half_turn * manoeuvres.angular);
@@ -102,7 +103,7 @@ FAIRWAY_LANES void look_ahead(const Workspace& w,
       outlook.cosine = cosine * half_turn.cosine + sine * half_turn.sine;
       outlook.sine = sine * half_turn.cosine - cosine * half_turn.sine;
     }
-    // A sample of the steps is enough to tell good from bad.
+    // A sample of the steps suffices to compare manoeuvres.
     if (steps % kHeldSteps != 0 && k + 1 < end) continue;
     const Lanes dx = x - w.target_x[k];
     const Lanes dy = y - w.target_y[k];
@@ -110,18 +111,18 @@ FAIRWAY_LANES void look_ahead(const Workspace& w,
     const Lanes violation = violation_at(w, k, x, y, before_x, before_y);
     outlook.violation += violation;
     outlook.merit += (w.weight_x[k] * dx * dx + w.weight_y[k] * dy * dy) +
-                     (w.weight_heading[k] * deviation * deviation + price * violation);
+                     (w.weight_heading[k] * deviation * deviation + penalty_weight * violation);
   }
 }
 
-/// The commands that can be chosen at one step.
+/// The range of commands at one step.
 struct CommandRange {
   double low, high;
 
   [[nodiscard]] double at(double share) const noexcept { return low + share * (high - low); }
 };
 
-/// The command that leads to the target at the end of what is seen from step `first`.
+/// The command that leads to the target at the last step considered.
 struct Pursuit {
   double linear, angular;
 };
@@ -132,7 +133,7 @@ inline Pursuit pursue(const Workspace& w,
                       const CommandRange& angular) noexcept {
   constexpr double kStepsToArrive = 5.5;
   constexpr double kStepsToTurn = 2.0;
-  constexpr double kArrived = 0.1;  // nearer than this, only the heading matters [m]
+  constexpr double kArrived = 0.1;  // closer than this, only the heading matters [m]
   const std::size_t k = std::min(w.horizon, first + kSeenSteps) - 1;
   const double dx = w.target_x[k] - from.x;
   const double dy = w.target_y[k] - from.y;
@@ -146,7 +147,7 @@ inline Pursuit pursue(const Workspace& w,
           .angular = std::clamp(turn / (kStepsToTurn * dt), angular.low, angular.high)};
 }
 
-/// The lane with the least merit.
+/// Returns the lane with the least cost.
 template <typename Lanes>
 FAIRWAY_LANES std::size_t best_of(const Lanes& merit) noexcept {
   std::size_t best = 0;
@@ -156,11 +157,11 @@ FAIRWAY_LANES std::size_t best_of(const Lanes& merit) noexcept {
   return best;
 }
 
-/// Fills the commands of `point` with the drive. They keep the ranges, not all changes.
+/// Fills the commands of `point` with the drive. They keep their ranges, but not all change bounds.
 template <typename Lanes>
 FAIRWAY_LANES void drive_to_targets(const Workspace& w, Point& point) noexcept {
-  constexpr double kHard = 0.1;   // of the range, left of the bound in a sharp turn
-  constexpr double kSlow = 0.15;  // of the range
+  constexpr double kHard = 0.1;   // share of the range left to the bound in a sharp turn
+  constexpr double kSlow = 0.15;  // share of the range
   constexpr double kSlower = 0.75;
   DrivePose pose{.heading = point.heading[0],
                  .cosine = std::cos(point.heading[0]),

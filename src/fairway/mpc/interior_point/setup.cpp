@@ -9,10 +9,10 @@
 namespace fairway::interior_point {
 namespace {
 
-// Bounds of constraints that are not needed: far enough to weigh nothing.
+// Bounds of constraints that are not needed: so far away that they have no weight.
 constexpr double kFar = 1e8;
 
-// Zeros from entry `first` on, as far as the blocks of lanes look.
+// Sets the entries from `first` on to zero, as far as the blocks of lanes read.
 template <std::size_t n>
 void clear_beyond(std::size_t first, const Workspace& w, std::array<double, n>& array) noexcept {
   for (std::size_t k = first; k < std::min(n, kLanes * w.num_blocks + 2); ++k)

@@ -5,8 +5,8 @@
 
 namespace fairway::interior_point {
 
-/// Copies the problem into arrays, with positions relative to the start, and lists the constraints
-/// that some admissible command could violate; the others cannot matter. @pre the problem is valid.
+/// Copies the problem into arrays, with positions relative to the start. Only soft constraints that
+/// some admissible command could violate are listed. @pre the problem is valid.
 void load_problem(const ControlProblem& problem, Workspace& w) noexcept;
 
 }  // namespace fairway::interior_point

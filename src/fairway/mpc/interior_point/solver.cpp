@@ -16,22 +16,22 @@ namespace fairway {
 namespace interior_point {
 namespace {
 
-// Barrier parameter: when it is lowered, and how far, Eq. (S17).
-constexpr double kSolvedEnough = 30.0;  // error of a barrier problem over mu
+// mu is reduced when the error of its barrier problem is below this times mu, Eq. (S17).
+constexpr double kSolvedEnough = 30.0;
 constexpr double kLinearDecrease = 0.2;
 constexpr double kLastBarrier = 0.1;     // of the tolerance
-constexpr double kLeastBarrier = 1e-12;  // below it, the products of slacks and duals are rounding
-constexpr double kMostViolated = 0.1;    // of the price [m or m^2]: more does not raise the first
-// Part of the room that a step may use, at least; more as far as mu falls.
+constexpr double kLeastBarrier = 1e-12;  // products of slacks and duals below it are rounding
+constexpr double kMostViolated = 0.1;  // greatest violation considered for the first mu [m or m^2]
+// Least share of a slack that a step may use; the share increases as mu decreases.
 constexpr double kFractionToBoundary = 0.99;
 constexpr double kFractionByDecrease = 0.5;
-// Constraints must close far below what counts as a violation.
+// Residuals must be far below what counts as a violation.
 constexpr double kResidualTolerance = 1e-8;
-// A step of the commands that is only rounding.
+// A step of the commands below this is only rounding.
 constexpr double kRoundingStep = 1e-14;
 
-// The barrier parameter to begin with: greater where the start violates constraints, because then
-// the duals have to go far, some up to the price itself.
+// Returns the first barrier parameter. It is greater if the start violates constraints, because the
+// duals then change much, some up to the penalty weight.
 double first_barrier(const Workspace& w, const InteriorPointSettings& settings) noexcept {
   const double violated = settings.barrier_by_violation * greatest_violation(w, *w.now);
   return std::max(settings.initial_barrier,
@@ -76,21 +76,21 @@ SolveStatus iterate(const SimdKernels& kernels,
     mu = next;
     if (!kernels.solve_newton_system(w, mu)) return SolveStatus::Stalled;
     if (!lowered && is_rounding(w.step, w.horizon)) return SolveStatus::Stalled;
-    // A slack that is left far less than mu over its dual would drive its dual up afterwards.
+    // A slack left far below mu over its dual would increase its dual afterwards.
     const double fraction_to_boundary =
         std::max(kFractionToBoundary, 1.0 - kFractionByDecrease * mu / error.greatest_product);
     if (!kernels.take_step(w, mu, fraction_to_boundary, filter)) return SolveStatus::Stalled;
   }
 }
 
-// Goes on from an answer that is stationary but no minimum: the Hessian was not positive definite
-// on the last step to it. So it is straight behind an obstacle with as much room to the left as to
-// the right. The answer stays what it was unless a better one is found to the left.
+// Continues from a stationary point that is not a minimum: the Hessian was not positive definite on
+// the last step. This happens straight behind an obstacle with equal clearance on both sides. The
+// solution is replaced only if a better one is found to the left.
 void leave_saddle(const SimdKernels& kernels,
                   const InteriorPointSettings& settings,
                   Workspace& w,
                   int& iterations) noexcept {
-  constexpr double kNudge = 0.2;  // of the room that commands have
+  constexpr double kNudge = 0.2;  // share of the distance to the bound of the angular speed
   const std::array<PoseArray, 2> saddle = w.now->commands;
   const double merit = penalised_cost(w, *w.now);
   InitialGuess beside{.count = static_cast<int>(w.horizon), .commands = {}};
@@ -111,11 +111,11 @@ void leave_saddle(const SimdKernels& kernels,
   kernels.evaluate(w, *w.now);
 }
 
-bool is_better(const MpcSolution& a, const MpcSolution& b, double price) noexcept {
+bool is_better(const MpcSolution& a, const MpcSolution& b, double penalty_weight) noexcept {
   const bool a_solved = a.status == SolveStatus::Solved;
   const bool b_solved = b.status == SolveStatus::Solved;
   if (a_solved != b_solved) return a_solved;
-  return a.cost + price * a.sum_violation < b.cost + price * b.sum_violation;
+  return a.cost + penalty_weight * a.sum_violation < b.cost + penalty_weight * b.sum_violation;
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
   if (solution_.status == SolveStatus::Solved && !w.step.convex)
     interior_point::leave_saddle(kernels, settings, w, solution_.iterations);
 
-  // An unfinished answer must not be worse than the guess was.
+  // The result of an unfinished solve must not be worse than the guess.
   interior_point::clip_commands(w, *w.now);
   kernels.evaluate(w, *w.now);
   if (solution_.status != SolveStatus::Solved) {

@@ -38,11 +38,11 @@ void IpoptProblem::visit_jacobian(Sink&& sink) const {
     ++change;
   }
   for (std::size_t i = 0; i < soft_constraints_.size(); ++i) {
-    const RowName& name = soft_constraints_[i];
+    const ConstraintName& name = soft_constraints_[i];
     const SoftConstraint constraint = soft_constraint(problem, poses_, name);
     for (int axis = 0; axis < 2; ++axis) {
       sink(soft_constraint_index(i), pose_index(name.step) + axis, constraint.gradient[axis]);
-      if (name.kind == RowKind::Barrier && name.step > 1)
+      if (name.kind == ConstraintKind::Barrier && name.step > 1)
         sink(soft_constraint_index(i), pose_index(name.step - 1) + axis,
              constraint.gradient_before[axis]);
     }
@@ -50,7 +50,7 @@ void IpoptProblem::visit_jacobian(Sink&& sink) const {
   }
 }
 
-// The part of -lambda . next pose, lower triangle; pose 0 is not a variable.
+// Visits the part of -lambda . next pose, lower triangle; pose 0 is not a variable.
 template <typename Sink>
 void IpoptProblem::visit_step_hessian(int k, const Number* lambda, Sink&& sink) const {
   const Eigen::Vector3d multiplier(lambda[3 * k], lambda[3 * k + 1], lambda[3 * k + 2]);
@@ -67,7 +67,7 @@ void IpoptProblem::visit_step_hessian(int k, const Number* lambda, Sink&& sink) 
   sink(angular, heading, hessian(0, 2));
 }
 
-// Lower triangle of obj_factor * cost + lambda . constraints; equal places are added up by IPOPT.
+// Visits the lower triangle of obj_factor * cost + lambda . constraints; IPOPT sums equal entries.
 template <typename Sink>
 void IpoptProblem::visit_hessian(Number obj_factor, const Number* lambda, Sink&& sink) const {
   const ControlProblem& problem = *problem_;
@@ -86,8 +86,8 @@ void IpoptProblem::visit_hessian(Number obj_factor, const Number* lambda, Sink&&
     visit_step_hessian(k, lambda, sink);
   }
   for (std::size_t i = 0; i < soft_constraints_.size(); ++i) {
-    const RowName& name = soft_constraints_[i];
-    if (name.kind != RowKind::Barrier) continue;  // corridor constraints are linear
+    const ConstraintName& name = soft_constraints_[i];
+    if (name.kind != ConstraintKind::Barrier) continue;  // corridor constraints are linear
     const SoftConstraint constraint = soft_constraint(problem, poses_, name);
     const Number multiplier = lambda[soft_constraint_index(i)];
     for (int axis = 0; axis < 2; ++axis) {

@@ -13,8 +13,8 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
-constexpr Number kUnbounded = 2e19;         // IPOPT: beyond 1e19 there is no bound
-constexpr double kActiveMultiplier = 1e-5;  // below, a constraint holds nothing back
+constexpr Number kUnbounded = 2e19;         // IPOPT treats values beyond 1e19 as no bound
+constexpr double kActiveMultiplier = 1e-5;  // smaller multipliers do not limit the solution
 
 double component(const Twist2& twist, int axis) noexcept {
   return axis == 0 ? twist.linear : twist.angular;
@@ -29,7 +29,8 @@ void IpoptProblem::set(const ControlProblem& problem,
   rollout(problem, commands_, poses_);
   limiting_ = {};
   soft_constraints_.clear();
-  visit_soft_constraints(problem, [&](const RowName& name) { soft_constraints_.push_back(name); });
+  visit_soft_constraints(problem,
+                         [&](const ConstraintName& name) { soft_constraints_.push_back(name); });
   change_bounds_.clear();
   for (int k = 1; k < problem.horizon; ++k) {
     for (int axis = 0; axis < 2; ++axis) {
@@ -87,7 +88,7 @@ bool IpoptProblem::get_bounds_info(
       if (k > 0) continue;
       const double before = component(problem.previous_command, axis);
       const double change = component(problem.max_change, axis);
-      // Where rounding makes range and change disagree, the range wins (see validate).
+      // Where rounding makes range and change disagree, the range takes precedence (see validate).
       x_l[i] = std::min(std::max(x_l[i], before - change), x_u[i]);
       x_u[i] = std::max(std::min(x_u[i], before + change), x_l[i]);
     }
@@ -127,7 +128,7 @@ bool IpoptProblem::get_starting_point(Index n,
     pose[2] = next.heading;
   }
   for (Index i = slack_index(0); i < n; ++i) {
-    const RowName& name = soft_constraints_[step_index(i - slack_index(0))];
+    const ConstraintName& name = soft_constraints_[step_index(i - slack_index(0))];
     x[i] = std::max(0.0, -soft_constraint(*problem_, poses_, name).margin);
   }
   return true;
@@ -145,7 +146,7 @@ bool IpoptProblem::eval_g(Index /*n*/, const Number* x, bool /*new_x*/, Index /*
   read(x);
   const ControlProblem& problem = *problem_;
   for (int k = 0; k < problem.horizon; ++k) {
-    // Eq. (15b): pose k + 1 is where command k leads from pose k.
+    // Eq. (15b): command k leads from pose k to pose k + 1.
     const Pose2 next =
         step(poses_[step_index(k)], commands_[step_index(k)], problem.dt, problem.integration);
     const Pose2& pose = poses_[step_index(k + 1)];
@@ -178,7 +179,7 @@ void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
                                      Ipopt::IpoptCalculatedQuantities* /*ip_cq*/) {
   read(x);
   double greatest = kActiveMultiplier;
-  const auto offer = [&](const RowName& name, double multiplier) {
+  const auto offer = [&](const ConstraintName& name, double multiplier) {
     if (!(std::abs(multiplier) > greatest)) return;
     greatest = std::abs(multiplier);
     limiting_ = name;
@@ -191,14 +192,16 @@ void IpoptProblem::finalize_solution(Ipopt::SolverReturn /*status*/,
       const bool by_change =
           k == 0 && component(problem_->command_min, axis) < value - kFeasibilityTolerance &&
           component(problem_->command_max, axis) > value + kFeasibilityTolerance;
-      const RowKind speed = axis == 0 ? RowKind::LinearSpeed : RowKind::AngularSpeed;
-      const RowKind change = axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
+      const ConstraintKind speed =
+          axis == 0 ? ConstraintKind::LinearSpeed : ConstraintKind::AngularSpeed;
+      const ConstraintKind change =
+          axis == 0 ? ConstraintKind::LinearChange : ConstraintKind::AngularChange;
       offer({by_change ? change : speed, k, axis}, multiplier);
     }
   }
   for (std::size_t i = 0; i < change_bounds_.size(); ++i) {
-    const RowKind kind =
-        change_bounds_[i].axis == 0 ? RowKind::LinearChange : RowKind::AngularChange;
+    const ConstraintKind kind =
+        change_bounds_[i].axis == 0 ? ConstraintKind::LinearChange : ConstraintKind::AngularChange;
     offer({kind, change_bounds_[i].step, change_bounds_[i].axis},
           lambda[3 * problem_->horizon + static_cast<Index>(i)]);
   }

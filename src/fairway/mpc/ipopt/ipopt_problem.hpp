@@ -12,24 +12,24 @@
 
 namespace fairway {
 
-/// A ControlProblem as IPOPT asks for it (private to IpoptSolver and its tests).
+/// A ControlProblem in the form that IPOPT requires (private to IpoptSolver and its tests).
 ///
-/// Variables: command 0, pose 1, command 1, ..., pose N, then one slack per soft constraint (none
-/// in IpoptConstraints::Hard). Constraints: the N steps of the model (3 equations each), the finite
-/// change bounds between commands, the soft constraints (margin + slack >= 0). The range of the
-/// commands and the first change are bounds on variables.
+/// The variables are command 0, pose 1, command 1, ..., pose N, and one slack per soft constraint
+/// (none in IpoptConstraints::Hard). The constraints are the N steps of the model (3 equations
+/// each), the finite change bounds between commands, and the soft constraints (margin + slack >=
+/// 0). The command range and the first change are bounds on variables.
 class IpoptProblem final : public Ipopt::TNLP {
  public:
   explicit IpoptProblem(IpoptConstraints mode) : mode_(mode) {}
 
-  /// Selects the problem and the commands to start from. Both must outlive the solve.
+  /// Sets the problem and the initial commands. Both must outlive the solve.
   void set(const ControlProblem& problem, const std::array<Twist2, kMaxHorizon>& start);
 
-  /// What IPOPT ended with: commands, and the constraint with the greatest multiplier.
+  /// The result of IPOPT: commands, and the constraint with the greatest multiplier.
   [[nodiscard]] const std::array<Twist2, kMaxHorizon>& commands() const { return commands_; }
-  [[nodiscard]] const RowName& limiting() const { return limiting_; }
+  [[nodiscard]] const ConstraintName& limiting() const { return limiting_; }
 
-  // What IPOPT calls; see its documentation of TNLP.
+  // Callbacks of IPOPT; see its documentation of TNLP.
   using Index = Ipopt::Index;
   using Number = Ipopt::Number;
   bool get_nlp_info(
@@ -80,7 +80,7 @@ class IpoptProblem final : public Ipopt::TNLP {
                          Ipopt::IpoptCalculatedQuantities* ip_cq) override;
 
  private:
-  // Where things are in IPOPT's vectors.
+  // Indices in IPOPT's vectors.
   [[nodiscard]] static Index command_index(int k) { return 5 * k; }
   [[nodiscard]] static Index pose_index(int k) { return 5 * k - 3; }  // k >= 1
   [[nodiscard]] Index slack_index(std::size_t constraint) const;
@@ -92,7 +92,7 @@ class IpoptProblem final : public Ipopt::TNLP {
 
   void read(const Number* x);
 
-  // Call sink(row, column, value) for every structural nonzero at the point read last.
+  // Calls sink(row, column, value) for every structural nonzero at the point read last.
   template <typename Sink>
   void visit_jacobian(Sink&& sink) const;
   template <typename Sink>
@@ -108,10 +108,11 @@ class IpoptProblem final : public Ipopt::TNLP {
   IpoptConstraints mode_;
   const ControlProblem* problem_ = nullptr;
   std::vector<ChangeBound> change_bounds_;
-  std::vector<RowName> soft_constraints_;
-  std::array<Twist2, kMaxHorizon> commands_;    // at the point read last
-  std::array<Pose2, kMaxHorizon + 1> poses_{};  // likewise; variables, not the rollout
-  RowName limiting_;
+  std::vector<ConstraintName> soft_constraints_;
+  std::array<Twist2, kMaxHorizon> commands_;  // at the point read last
+  std::array<Pose2, kMaxHorizon + 1>
+      poses_{};  // at the point read last; variables, not the rollout
+  ConstraintName limiting_;
 };
 
 }  // namespace fairway

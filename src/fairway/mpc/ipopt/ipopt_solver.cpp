@@ -16,7 +16,7 @@ namespace fairway {
 namespace {
 
 SolveStatus solve_status(Ipopt::ApplicationReturnStatus status, double max_violation) {
-  // A switch without every one of IPOPT's thirty names: all others mean that it could not go on.
+  // No switch over IPOPT's thirty statuses: all others mean that it could not continue.
   if (status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level ||
       status == Ipopt::Infeasible_Problem_Detected) {
     if (max_violation > kFeasibilityTolerance) return SolveStatus::LeastViolation;
@@ -46,14 +46,14 @@ struct IpoptSolver::Session {
     options.SetStringValue("linear_solver", "mumps");
     options.SetIntegerValue("max_iter", settings.max_iterations);
     options.SetNumericValue("tol", settings.tolerance);
-    // Bounds hold exactly instead of to 1e-8.
+    // Bounds hold exactly instead of within 1e-8.
     options.SetNumericValue("bound_relax_factor", 0.0);
-    // An empty name: without it a file ipopt.opt in the working directory would be read.
+    // The empty name prevents reading a file ipopt.opt in the working directory.
     if (application->Initialize("") != Ipopt::Solve_Succeeded)
       throw std::runtime_error("IPOPT could not be initialised with MUMPS");
   }
 
-  // How far from its bounds IPOPT pushes the start, and the barrier parameter it begins with.
+  // Sets how far IPOPT moves the start from its bounds, and the initial barrier parameter.
   void trust(bool guess) {
     Ipopt::OptionsList& options = *application->Options();
     options.SetNumericValue("mu_init", guess ? guess_barrier : 0.1);
@@ -89,7 +89,7 @@ const MpcSolution& IpoptSolver::solve(const ControlProblem& problem,
   try {
     session_->run(problem, guess);
   } catch (const std::exception&) {
-    // Out of memory, or something that IPOPT does not catch itself: the start is still usable.
+    // Out of memory, or an error that IPOPT does not catch itself: the start is still usable.
     solution.commands = session_->start;
     assess(problem, solution);
     solution.status = SolveStatus::Stalled;

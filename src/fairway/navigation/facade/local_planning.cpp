@@ -16,7 +16,7 @@ namespace fairway {
 using Eigen::Vector2d;
 
 LocalPlanning::LocalPlanning(const Settings& settings, const BitGrid& seen) : settings_(settings) {
-  constexpr double kMore = 4.0;  // [cells]; distances beyond do not change a plan
+  constexpr double kMore = 4.0;  // [cells]; greater distances do not change a plan
   const double cell = settings_.perception.resolution;
   const double matters = settings_.robot.radius + settings_.path.margin +
                          std::max(settings_.path.comfort_distance, cell) + kMore * cell;
@@ -26,7 +26,7 @@ LocalPlanning::LocalPlanning(const Settings& settings, const BitGrid& seen) : se
 }
 
 double LocalPlanning::corridor_length(const Settings& settings) noexcept {
-  constexpr double kLookFurther = 2.5;  // [m], of corridor beyond what a horizon can reach
+  constexpr double kLookFurther = 2.5;  // [m] of corridor beyond what the horizon can reach
   return settings.mpc.horizon * settings.mpc.step_length * settings.robot.linear_max + kLookFurther;
 }
 
@@ -64,7 +64,7 @@ void LocalPlanning::make() {
                                planner_settings(settings_));
     } else {
       made_->goal = reachable_goal(request_.position, request_.goal);
-      made_->plan = find_way(request_.position, made_->goal, request_.margin);
+      made_->plan = find_path(request_.position, made_->goal, request_.margin);
     }
   } catch (const std::exception&) {  // out of memory: no plan, and another attempt later
     made_->plan = Plan{};
@@ -79,28 +79,29 @@ std::optional<LocalPlan> LocalPlanning::take() {
   return std::exchange(made_, std::nullopt);
 }
 
-// The goal itself where the robot can stand there as far as is known; else (nearly) the place
-// nearest to it that is, inside the window.
+// Returns the goal if, as far as is known, the robot fits there. Otherwise returns approximately
+// the free place in the window that is nearest to it.
 Goal LocalPlanning::reachable_goal(const Vector2d& position, const Goal& goal) const noexcept {
   const GridFrame& frame = map_.obstacles.frame();
-  const double room = settings_.robot.radius + settings_.path.margin + frame.resolution;
+  const double required = settings_.robot.radius + settings_.path.margin + frame.resolution;
   const CellIndex wanted = frame.cell_at(goal.position);
-  if (map_.distances.at(wanted) > room) return goal;
-  if (distance_to_blocked(map_.obstacles, goal.position, room) > settings_.robot.radius) {
+  if (map_.distances.at(wanted) > required) return goal;
+  if (distance_to_blocked(map_.obstacles, goal.position, required) > settings_.robot.radius) {
     return goal;
   }
   Goal nearest{.position = position, .heading = {}};
   double least = std::numeric_limits<double>::infinity();
   const auto look_at = [&](int x, int y) {
-    if (map_.distances.at({.x = x, .y = y}) <= room) return;
+    if (map_.distances.at({.x = x, .y = y}) <= required) return;
     const Vector2d center = frame.center({.x = x, .y = y});
     const double away = (center - goal.position).squaredNorm();
     if (away >= least) return;
     least = away;
     nearest.position = center;
   };
-  // Rings around the cell of the window that is nearest to the goal. After the first ring that has
-  // a place, one further out may still be nearer: those at the corners of a ring are the furthest.
+  // Search rings around the cell of the window that is nearest to the goal. After the first ring
+  // with a place, one further out may still be nearer, because the corners of a ring are its
+  // furthest points.
   const int x = std::clamp(wanted.x, 0, frame.width - 1);
   const int y = std::clamp(wanted.y, 0, frame.height - 1);
   int last = std::max(frame.width, frame.height);
@@ -117,20 +118,21 @@ Goal LocalPlanning::reachable_goal(const Vector2d& position, const Goal& goal) c
   return nearest;
 }
 
-// A way that keeps `margin`, or less where there is no more. A corridor that breaks off, but not
-// before kEnough of the path, is taken as far as it leads: from nearby the narrow place will look
-// different.
-Plan LocalPlanning::find_way(const Vector2d& position, const Goal& goal, double margin) {
+// Finds a path that keeps `margin`, or less where it must. A corridor that covers only the
+// beginning of the path, but at least kEnough of it, is used as far as it leads: from nearby the
+// narrow place may appear different.
+Plan LocalPlanning::find_path(const Vector2d& position, const Goal& goal, double margin) {
   constexpr double kEnough = 2.0;                   // [m]
   constexpr double kLeastOverlap = 5e-4;            // [m^2]
-  constexpr double kFits = 0.9 * std::numbers::pi;  // of the largest disc that has room
+  constexpr double kFits = 0.9 * std::numbers::pi;  // share of the largest disc that fits
   PlannerSettings settings = planner_settings(settings_);
   settings.path.margin = margin;
-  std::optional<double> breaks_off;  // there [m]
-  std::optional<Vector2d> failed;    // radius and overlap of the last try
+  std::optional<double> breaks_off;  // end of an incomplete corridor [m]
+  std::optional<Vector2d> failed;    // radius and overlap of the last attempt
   const auto build = [&](const BitGrid& obstacles, const Path& path, double radius,
                          CorridorSettings corridor) {
-    // Patches that fit between the path and the obstacles need no search for a place beside it.
+    // Overlaps that fit between the path and the obstacles need no search for a place beside the
+    // path.
     const double play = std::max(0.0, radius - settings_.robot.radius);
     corridor.min_overlap_area =
         std::min(corridor.min_overlap_area, std::max(kLeastOverlap, kFits * play * play));

@@ -11,13 +11,13 @@
 
 namespace fairway {
 
-/// What a plan on a local map is made for.
+/// Request for a plan on a local map.
 struct LocalRequest {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   Goal goal;
-  std::optional<GivenPath> along{};  ///< a path to follow; then the goal is its end
-  double margin = 0.0;               ///< clearance beyond the robot's radius, or less [m]
-  bool narrow = false;               ///< whether only a shorter way through less clearance counts
+  std::optional<GivenPath> along{};  ///< a path to follow; the goal is then its end
+  double margin = 0.0;               ///< desired clearance beyond the robot's radius [m]
+  bool narrow = false;  ///< whether only a shorter path with less clearance is of interest
 };
 
 /// A plan, and the place that it leads to: the goal, or the free place nearest to it.
@@ -27,40 +27,39 @@ struct LocalPlan {
   LocalRequest request;
 };
 
-/// Makes plans on the map that a robot without a map has seen, in the cycle or in a thread.
+/// Plans on the local map of a robot without a map, in the control cycle or in a thread.
 ///
-/// The corridor covers the beginning of the path, a little more than a horizon can reach.
+/// The corridor covers the beginning of the path, slightly more than a horizon can reach.
 class LocalPlanning {
  public:
-  /// @param settings  With the margins of a local map.
-  /// @param seen      What is known to be occupied.
+  /// @param settings  Settings with the margins of a local map.
+  /// @param seen      Cells known to be occupied.
   LocalPlanning(const Settings& settings, const BitGrid& seen);
 
-  /// Notes that what is seen has changed inside a window since the last plan.
+  /// Records that the local map has changed inside a window since the last plan.
   void note_change(const CellWindow& changed) noexcept { changed_ = united(changed_, changed); }
 
-  /// Brings the map up to date where all of it has changed; without a thread that is a cycle's
-  /// work.
+  /// Updates the map after all of it has changed. Without a thread this takes the time of a cycle.
   void refresh(const BitGrid& seen);
 
   [[nodiscard]] bool busy() const noexcept { return !worker_.idle(); }
 
-  /// Makes a plan, or has it made. @pre not busy.
+  /// Makes a plan, or starts the thread that makes it. @pre not busy.
   void start(const BitGrid& seen, const LocalRequest& request);
 
-  /// The plan, once it is made.
+  /// Returns the plan once it is made.
   [[nodiscard]] std::optional<LocalPlan> take();
 
   void wait() const noexcept { worker_.wait(); }
 
-  /// How much of a path a corridor covers [m].
+  /// Length of the part of a path that a corridor covers [m].
   [[nodiscard]] static double corridor_length(const Settings& settings) noexcept;
 
  private:
   void make();
   [[nodiscard]] Goal reachable_goal(const Eigen::Vector2d& position,
                                     const Goal& goal) const noexcept;
-  [[nodiscard]] Plan find_way(const Eigen::Vector2d& position, const Goal& goal, double margin);
+  [[nodiscard]] Plan find_path(const Eigen::Vector2d& position, const Goal& goal, double margin);
 
   Settings settings_;
   PreparedMap map_;
@@ -69,7 +68,7 @@ class LocalPlanning {
   CellWindow changed_ = kNoCells;
   LocalRequest request_;
   std::optional<LocalPlan> made_;
-  BackgroundWorker worker_;  // last: its end is waited for before the others go
+  BackgroundWorker worker_;  // last member: its job ends before the others are destroyed
 };
 
 }  // namespace fairway

@@ -14,7 +14,7 @@ namespace fairway {
 
 namespace {
 
-// The cells of `map` under the window of another grid.
+// Returns the cells of `map` under the window of another grid.
 CellWindow window_under(const GridFrame& window, const GridFrame& map) noexcept {
   CellWindow cells = kNoCells;
   for (const double x : {0.0, static_cast<double>(window.width)}) {
@@ -100,18 +100,19 @@ bool MapNavigator::State::pose_is_known(const Measurements& m) const noexcept {
          std::abs(m.time - m.pose_time.value_or(m.time)) <= settings.safety.pose_timeout;
 }
 
-// Whether the plan is still free, after the map or the scans have changed.
-void MapNavigator::State::look_at_changes() {
+// Checks whether the plan is still free after the map or the scans have changed.
+void MapNavigator::State::check_plan() {
   if (!map_changed_ && !scans_changed_) return;
   const CorridorFollower& corridor = navigator->corridor();
   const double radius = settings.robot.radius;
   const BitGrid* fixed = shared_map_ != nullptr ? &shared_map_->obstacles : &*map;
   if (navigator->plan().usable()) {
-    // A window that moved does not hold all of the corridor, which says nothing about it.
+    // After the map's window moved, it does not contain the whole corridor and cannot be used to
+    // check it.
     if (map_changed_ && !map_moved_) {
       blocked_by_map_ = !corridor_is_free(*fixed, corridor, radius, 4.0 * kFreeSpaceSkin);
     }
-    // A cell of a scan that flickers at the side is no reason for another plan.
+    // A cell of a scan that flickers at a side must not cause a new plan.
     const double flicker = perception ? 0.5 * settings.perception.resolution : 0.0;
     blocked_ = blocked_by_map_ ||
                (perception && !corridor_is_free(*obstacles(), corridor, radius, flicker));
@@ -122,12 +123,12 @@ void MapNavigator::State::look_at_changes() {
   scans_changed_ = false;
 }
 
-// The policy: at once for a new goal or a map that blocks the plan; everything else not more often
-// than `retry_period`.
+// The policy: plan at once for a new goal or if the map blocks the plan; in all other cases at most
+// once per `retry_period`.
 bool MapNavigator::State::needs_plan(double time, bool at_once) {
   if (!task.can_be_done() || planning->busy() || obstacles() == nullptr) return false;
   if (task_is_new_) return true;
-  look_at_changes();
+  check_plan();
   if (blocked_by_map_ && navigator->plan().usable()) return true;
   const bool just_tried = time - plan_time_ < settings.planning.retry_period && time >= plan_time_;
   if (just_tried && !at_once) return false;
@@ -144,11 +145,11 @@ void MapNavigator::State::start_plan(const Measurements& m) {
       {.start = m.pose.position, .goal = task.task()->goal, .along = task.task()->along});
 }
 
-// A plan that is not clearly shorter is not worth a change.
+// Another plan is adopted only if it is clearly shorter.
 bool MapNavigator::State::is_clearly_shorter(const Path& path) const noexcept {
-  constexpr double kShorter = 0.25;                                     // [m]
-  constexpr double kShorterShare = 0.05;                                // of what remains
-  if (navigator->corridor().reference_path().count == 0) return false;  // not driven on yet
+  constexpr double kShorter = 0.25;       // [m]
+  constexpr double kShorterShare = 0.05;  // share of the remaining length
+  if (navigator->corridor().reference_path().count == 0) return false;  // not followed yet
   const double remaining = navigator->corridor().remaining();
   return path.length() < remaining - std::max(kShorter, kShorterShare * remaining);
 }
@@ -161,8 +162,8 @@ void MapNavigator::State::take_plan() {
   may_be_better_ = false;
   if (only_better && !(plan->usable() && is_clearly_shorter(plan->path))) return;
   asked_ = false;
-  // An old plan is better than none while only scans say that it is blocked: they may be wrong
-  // about a narrow place, and every command is checked before it is sent.
+  // While only scans block it, the old plan is better than none: scans may be wrong about a narrow
+  // place, and every command is checked before it is sent.
   if (!plan->usable() && has_old && !blocked_by_map_) return;
   follow(*std::move(plan));
 }
@@ -185,7 +186,7 @@ void MapNavigator::State::set_input(const Measurements& m) {
   input.obstacles_due = true;
 }
 
-// The navigator's answer, seen from the task.
+// Interprets the navigator's result with respect to the task.
 NavigationStep MapNavigator::State::judged(const NavigationStep& step) {
   const CorridorFollower& corridor = navigator->corridor();
   const bool driven_on = plan_is_current && corridor.reference_path().count > 0;
@@ -193,10 +194,10 @@ NavigationStep MapNavigator::State::judged(const NavigationStep& step) {
       task.judge(step, {.time = input.time,
                         .plan_is_current = plan_is_current,
                         .leads_to_goal = navigator->plan().whole,
-                        .new_way = follows_new_plan,
+                        .new_path = follows_new_plan,
                         .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
                         .patience = settings.navigation.patience});
-  // An unusable plan stays: it tells why there is none.
+  // An unusable plan is kept, because it explains why there is none.
   if (answer.status == NavigationStatus::GaveUp && navigator->plan().usable()) navigator->cancel();
   return answer;
 }

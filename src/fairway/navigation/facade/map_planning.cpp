@@ -32,7 +32,7 @@ void MapPlanning::start(const BitGrid& obstacles, PlanRequest request) {
     if (clock_) seconds_ = clock_() - before;
     return;
   }
-  // The cells are copied here, in the thread that owns them; distances are the worker's work.
+  // The cells are copied here, in the thread that owns them; the worker computes the distances.
   worker_.start([this, changed, cells = obstacles] {
     own_map_->update(cells, changed);
     make();

@@ -17,8 +17,8 @@ using Eigen::Vector2d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A cell of the map may turn out occupied although what is in it lies at its far side: wherever
-// there is room, keep so much more that the robot still has its own room then.
+// A cell of the map may become occupied although the obstacle lies at its far side. The margins are
+// larger by that amount, so that the robot then still has its required clearance.
 Settings with_margins(const Settings& settings) {
   Settings wider = settings;
   wider.path.margin += settings.perception.resolution;
@@ -26,7 +26,7 @@ Settings with_margins(const Settings& settings) {
   return wider;
 }
 
-// How far the robot can get within a horizon [m].
+// Returns the distance that the robot can cover within a horizon [m].
 double reach_of_horizon(const Settings& settings) noexcept {
   return settings.mpc.horizon * settings.mpc.step_length * settings.robot.linear_max;
 }
@@ -48,8 +48,8 @@ void MaplessNavigator::State::set_task(NavigationTask given) {
   ++task_number_;
   plan_is_current = false;
   asked_for_plan_ = true;
-  look_for_narrow_ = false;
-  way_length_ = kInfinity;
+  search_narrow_ = false;
+  path_length_ = kInfinity;
   plan_time_ = -kInfinity;
   if (!task.can_be_done()) navigator.cancel();
 }
@@ -60,20 +60,21 @@ void MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& pos
   planning->note_change(perception.grid().changed());
 }
 
-// At once where the robot is about to drive into something new; else not more often than that pays.
+// Returns whether to plan now. If the robot is about to meet a new obstacle, it plans at once; in
+// other cases at most once per kRetryAfter.
 bool MaplessNavigator::State::needs_plan(double time) const noexcept {
-  constexpr double kRetryAfter = 0.25;  // [s]; without a way, or when a longer corridor is wanted
-  constexpr double kSoon = 1.0;         // [m], beyond the braking distance
+  constexpr double kRetryAfter = 0.25;  // [s]; without a path, or to extend the corridor
+  constexpr double kSoon = 1.0;         // [m] beyond the braking distance
   if (!task.can_be_done() || planning->busy()) return false;
   const CorridorFollower& corridor = navigator.corridor();
   const bool driven_on = navigator.plan().usable() && corridor.reference_path().count > 0;
-  // A cell that flickers in and out at the side is no reason for another plan.
+  // A cell that flickers at a side must not cause a new plan.
   const double flicker = 0.5 * wider.perception.resolution;
   const auto is_free_for = [&](double length) {
     return corridor_is_free(perception.grid().occupied(), corridor, wider.robot.radius, flicker,
                             length);
   };
-  if (look_for_narrow_ || (driven_on && !is_free_for(braking_distance(wider.robot) + kSoon)))
+  if (search_narrow_ || (driven_on && !is_free_for(braking_distance(wider.robot) + kSoon)))
     return true;
   if (time - plan_time_ < kRetryAfter) return false;
   if (!driven_on || asked_for_plan_) return true;
@@ -81,7 +82,7 @@ bool MaplessNavigator::State::needs_plan(double time) const noexcept {
   return !is_free_for(kInfinity) || !path_is_free();
 }
 
-// Whether the path is still free beyond the corridor, so that a dead end is noticed from afar.
+// Returns whether the path beyond the corridor is still free, so that a dead end is detected early.
 bool MaplessNavigator::State::path_is_free() const noexcept {
   const Plan& now = navigator.plan();
   if (now.whole) return true;
@@ -97,32 +98,32 @@ bool MaplessNavigator::State::path_is_free() const noexcept {
 }
 
 void MaplessNavigator::State::start_plan(double time, const Pose2& pose) {
-  constexpr double kNarrow = 0.05;  // share of the margin that is kept in the narrowest places
+  constexpr double kNarrow = 0.05;  // share of the margin kept in the narrowest places
   planned = true;
   plan_time_ = time;
   asked_number_ = task_number_;
-  const double wished = wider.path.margin;
-  const bool narrow = std::exchange(look_for_narrow_, false);
+  const double desired = wider.path.margin;
+  const bool narrow = std::exchange(search_narrow_, false);
   planning->start(perception.grid().occupied(),
                   {.position = pose.position,
                    .goal = task.task()->goal,
                    .along = task.task()->along,
-                   .margin = narrow ? kNarrow * wished : std::min(wished, 2.0 * last_margin_),
+                   .margin = narrow ? kNarrow * desired : std::min(desired, 2.0 * last_margin_),
                    .narrow = narrow});
 }
 
 void MaplessNavigator::State::take_plan() {
-  constexpr double kDetour = 1.0;       // [m]; a way that is so much longer than the last one was
-  constexpr double kWorthNarrow = 0.7;  // of the wide way's length
+  constexpr double kDetour = 1.0;  // [m]; a path that much longer than the last one is a detour
+  constexpr double kWorthNarrow = 0.7;  // of the length of the wide path
   std::optional<LocalPlan> made = planning->take();
   if (!made || !task.task() || asked_number_ != task_number_) return;
   Plan& found = made->plan;
   if (made->request.narrow) {
-    if (!found.usable() || found.path.length() >= kWorthNarrow * way_length_) return;
+    if (!found.usable() || found.path.length() >= kWorthNarrow * path_length_) return;
   } else {
-    // Before a long way round: is there none through a narrower place? That is the next cycle's
-    // work; by then the robot will not have gone far.
-    look_for_narrow_ = found.usable() && found.path.length() > way_length_ + kDetour;
+    // Before a long detour, search for a path through a narrower place in the next cycle; until
+    // then the robot does not move far.
+    search_narrow_ = found.usable() && found.path.length() > path_length_ + kDetour;
   }
   last_margin_ = found.usable() ? found.margin : wider.path.margin;
   // An old plan to the same goal is better than none while the map may be wrong about a narrow
@@ -130,13 +131,13 @@ void MaplessNavigator::State::take_plan() {
   const bool has_old = plan_is_current && navigator.plan().usable();
   plan_is_current = true;
   if (!found.usable() && has_old) return;
-  way_length_ = found.path.length();
+  path_length_ = found.path.length();
   leads_to_goal_ = found.whole && made->goal.position == task.task()->goal.position;
   follows_new_plan = true;
   navigator.follow(std::move(found));
 }
 
-// The navigator's answer, seen from the task.
+// Interprets the navigator's result with respect to the task.
 NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
   const CorridorFollower& corridor = navigator.corridor();
   const bool driven_on = plan_is_current && corridor.reference_path().count > 0;
@@ -144,10 +145,10 @@ NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
       task.judge(step, {.time = input.time,
                         .plan_is_current = plan_is_current,
                         .leads_to_goal = leads_to_goal_,
-                        .new_way = follows_new_plan,
+                        .new_path = follows_new_plan,
                         .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
                         .patience = settings.navigation.patience});
-  // An unusable plan stays: it tells why there is none.
+  // An unusable plan is kept, because it explains why there is none.
   if (answer.status == NavigationStatus::GaveUp && navigator.plan().usable()) navigator.cancel();
   return answer;
 }
@@ -158,7 +159,7 @@ NavigationStep MaplessNavigator::State::update(const Measurements& m) {
   take_plan();
   const bool pose_known = is_finite(m.pose) && std::isfinite(m.time);
   if (rolled_) {
-    // All of the map is new, which without a thread is enough work for one cycle.
+    // The whole map has changed, which without a thread is enough work for one cycle.
     planning->refresh(perception.grid().occupied());
     rolled_ = false;
   } else if (pose_known && std::isfinite(perception.time()) && needs_plan(m.time)) {

@@ -12,7 +12,8 @@
 
 namespace fairway {
 
-/// The inside of a MaplessNavigator: what was seen, the task, and the policy of when to plan.
+/// State of a MaplessNavigator: the local map, the task, and the policy that determines when to
+/// plan.
 struct MaplessNavigator::State {
   State(const Settings& given, ControlSolver* solver, const Eigen::Vector2d& position);
 
@@ -22,15 +23,15 @@ struct MaplessNavigator::State {
   [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
 
   Settings settings;
-  ControlSolver* solver;  // null: its own
-  Settings wider;         // with the margins of a local map
+  ControlSolver* solver;  // null: the navigator's own solver
+  Settings wider;         // settings with the margins of a local map
   Perception perception;
   Navigator navigator;
   std::unique_ptr<LocalPlanning> planning;
   TaskStatus task;
   NavigationInput input;
-  bool planned = false;           // in the last cycle
-  bool follows_new_plan = false;  // since the last cycle
+  bool planned = false;           // whether the last cycle made a plan
+  bool follows_new_plan = false;  // whether the last cycle took over a plan
   bool plan_is_current = false;
   Twist2 sent;
 
@@ -44,14 +45,15 @@ struct MaplessNavigator::State {
 
   std::vector<MovingObstacle> moving_;
   int task_number_ = 0;
-  int asked_number_ = 0;  // the task of the plan that was asked for last
-  bool rolled_ = true;    // the window has moved since the map was refreshed
+  int asked_number_ = 0;  // task for which the last plan was requested
+  bool rolled_ = true;    // whether the window has moved since the map was refreshed
   bool asked_for_plan_ = true;
-  bool leads_to_goal_ = false;    // the present corridor
-  bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
+  bool leads_to_goal_ = false;  // whether the present corridor does
+  bool search_narrow_ = false;  // for the next plan: the present one is a long detour
   double plan_time_ = 0.0;
-  double last_margin_ = std::numeric_limits<double>::infinity();  // of the last usable plan [m]
-  double way_length_ = std::numeric_limits<double>::infinity();   // of its path [m]
+  // Margin of the last usable plan [m].
+  double last_margin_ = std::numeric_limits<double>::infinity();
+  double path_length_ = std::numeric_limits<double>::infinity();  // length of its path [m]
 };
 
 }  // namespace fairway

@@ -11,14 +11,14 @@
 
 namespace fairway {
 
-/// What a navigator is to do: reach a goal, or follow a path to its end.
+/// The task of a navigator: reach a goal, or follow a path to its end.
 struct NavigationTask {
   Goal goal;
-  std::optional<GivenPath> along{};  ///< a path to follow; then the goal is its end
-  bool valid = true;                 ///< finite, with a heading in radians
+  std::optional<GivenPath> along{};  ///< a path to follow; the goal is then its end
+  bool valid = true;                 ///< whether it is finite, with a heading in radians
 };
 
-/// Headings beyond two turns are taken for degrees.
+/// Returns whether the goal is finite. A heading beyond 2 pi is rejected as given in degrees.
 [[nodiscard]] inline bool is_valid(const Goal& goal) noexcept {
   constexpr double kMostHeading = 2.0 * std::numbers::pi;
   return is_finite(goal.position) && !(goal.heading && !(std::abs(*goal.heading) <= kMostHeading));
@@ -28,7 +28,7 @@ struct NavigationTask {
   return {.goal = goal, .along = {}, .valid = is_valid(goal)};
 }
 
-/// @pre the path has a waypoint.
+/// Makes the task to follow `path`. @pre the path has a waypoint.
 [[nodiscard]] inline NavigationTask task_of(Path path, const std::optional<double>& goal_heading) {
   const Goal end{.position = path.waypoints.back(), .heading = goal_heading};
   bool valid = is_valid(end);

@@ -8,14 +8,15 @@
 
 namespace fairway {
 
-/// The time of a measurement that there was not [s].
+/// The time that stands for a missing measurement [s].
 inline constexpr double kNeverMeasured = -1e9;
 
-/// The input of a cycle from its measurements; without a map.
+/// Makes the input of a cycle from its measurements, without a map.
 [[nodiscard]] NavigationInput input_of(const Measurements& measurements) noexcept;
 
-/// Adds the obstacles that the own lidar tracks to those of others, all brought to the older of
-/// their times. @param merged  Holds them until the next call; keeps its memory.
+/// Adds the obstacles that the robot's own lidar tracks to those of other trackers. All positions
+/// are predicted to the older of the two times. @param merged  Storage for the result until the
+/// next call; keeps its memory.
 void merge_tracked(const Perception& perception,
                    std::vector<MovingObstacle>& merged,
                    NavigationInput& input);

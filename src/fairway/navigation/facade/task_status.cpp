@@ -28,12 +28,12 @@ NavigationStep TaskStatus::judge(NavigationStep step, const TaskView& view) {
   }
   if (step.status == NavigationStatus::GoalReached) {
     if (view.plan_is_current && view.leads_to_goal) return step;
-    // At the end of a plan that leads no further, or at the goal before this one.
+    // The robot is at the end of a plan that leads no further, or at the goal before this one.
     step.status = view.plan_is_current ? NavigationStatus::Blocked : NavigationStatus::Planning;
     step.limit = LimitingFactor::NoPath;
     step.wants_plan = true;
   }
-  const double stalled = progress_.update(view.time, view.remaining, view.new_way);
+  const double stalled = progress_.update(view.time, view.remaining, view.new_path);
   if (view.patience > 0.0 && stalled >= view.patience) {
     task_.reset();
     gave_up_ = true;

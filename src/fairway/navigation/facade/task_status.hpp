@@ -9,18 +9,17 @@
 
 namespace fairway {
 
-/// How a navigator stands to its task after a cycle.
+/// The state of a navigator with respect to its task after a cycle.
 struct TaskView {
-  double time = 0.0;                  ///< of the cycle [s]
-  bool plan_is_current = false;       ///< the plan was made for the present task
-  bool leads_to_goal = false;         ///< the plan ends at the task's goal
-  bool new_way = false;               ///< the cycle has begun to follow another plan
-  std::optional<double> remaining{};  ///< length of the way to the goal, where it is known [m]
-  double patience = 0.0;              ///< without progress until the task is dropped [s]; 0: never
+  double time = 0.0;                  ///< time of the cycle [s]
+  bool plan_is_current = false;       ///< whether the plan was made for the present task
+  bool leads_to_goal = false;         ///< whether the plan ends at the task's goal
+  bool new_path = false;              ///< whether the cycle started to follow another plan
+  std::optional<double> remaining{};  ///< length of the path to the goal, if known [m]
+  double patience = 0.0;  ///< time without progress until the task is dropped [s]; 0: never
 };
 
-/// A task and what its navigator makes of it: turns the status of a cycle, which is about the plan
-/// that is followed, into one about the task.
+/// Holds a task, and converts the status of the plan being followed into the status of the task.
 class TaskStatus {
  public:
   void begin(NavigationTask task);
@@ -28,11 +27,11 @@ class TaskStatus {
 
   [[nodiscard]] const std::optional<NavigationTask>& task() const noexcept { return task_; }
 
-  /// Whether there is a task that can be carried out.
+  /// Returns whether there is a valid task.
   [[nodiscard]] bool can_be_done() const noexcept { return task_ && task_->valid; }
 
-  /// The step as the task sees it. After the patience the task is dropped (GaveUp): then the caller
-  /// makes the robot brake.
+  /// Converts a step. If there is no progress for `patience`, the task is dropped (GaveUp); the
+  /// caller then makes the robot brake.
   [[nodiscard]] NavigationStep judge(NavigationStep step, const TaskView& view);
 
  private:

@@ -85,7 +85,7 @@ void SyntheticRun::play(EpisodeObserver& observer) const {
   MpcSolution solution;
   solution.horizon = all.settings.mpc.horizon;
   solution.iterations = 5;
-  solution.limiting = {.kind = RowKind::Corridor, .step = 3, .index = 1};
+  solution.limiting = {.kind = ConstraintKind::Corridor, .step = 3, .index = 1};
   const auto phase = [&](std::size_t i) { return kTurn * static_cast<double>(i) / robots; };
   for (int cycle = 0; cycle * 0.1 <= seconds; ++cycle) {
     const double time = cycle * 0.1;

@@ -170,7 +170,7 @@ TEST(SettingsFile, AnErrorInABodyOfDiscsIsOneLine) {
   EXPECT_EQ(complaint("robot:\n  discs: 0.3\n"),
             "s.yaml:2: robot.discs: expected lists of 3 numbers, found '0.3'");
   EXPECT_EQ(complaint("robot:\n  length: 1\n  width: 1\n  discs: [[0, 0, 1]]\n"),
-            "s.yaml:4: robot.discs: expected no robot.length and robot.width beside them");
+            "s.yaml:4: robot.discs: expected no robot.length and robot.width together with discs");
   EXPECT_EQ(complaint_about("robot.discs=[[0, 0]]"),
             "robot.discs: expected " + range + ", found '[[0, 0]]'");
 }

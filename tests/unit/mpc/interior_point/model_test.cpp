@@ -118,7 +118,7 @@ TEST(InteriorPointModel, PosesCostAndConstraintsAreThoseOfTheEvaluation) {
     evaluate_soft_constraints<Lanes>(w, *w.now);
     // Every constraint is either listed with its value, or omitted because it is far from being
     // violated.
-    visit_soft_constraints(problem, [&](const RowName& name) {
+    visit_soft_constraints(problem, [&](const ConstraintName& name) {
       const double margin = soft_constraint(problem, poses, name).margin;
       bool found = false;
       for (std::size_t i = 0; i < w.num_soft_constraints; ++i) {

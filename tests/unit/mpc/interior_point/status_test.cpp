@@ -48,7 +48,7 @@ TEST_F(InteriorPointStatus, SolvedWhenAllConstraintsHold) {
   EXPECT_EQ(solution.max_violation, 0.0);
   EXPECT_NEAR(solution.commands[0].linear, 1.0, 1e-5);
   EXPECT_NEAR(solution.commands[0].angular, 0.0, 1e-5);
-  EXPECT_EQ(solution.limiting.kind, RowKind::LinearSpeed);
+  EXPECT_EQ(solution.limiting.kind, ConstraintKind::LinearSpeed);
 }
 
 TEST_F(InteriorPointStatus, LeastViolationWhenTheStartIsOutsideItsRectangle) {
@@ -56,8 +56,8 @@ TEST_F(InteriorPointStatus, LeastViolationWhenTheStartIsOutsideItsRectangle) {
   problem.start.position = {-2.0, 0.0};  // 1 m behind, reached after the horizon
   const MpcSolution& solution = solve(problem);
   EXPECT_EQ(solution.status, SolveStatus::LeastViolation);
-  EXPECT_EQ(solution.limiting.kind, RowKind::Corridor);
-  EXPECT_NEAR(solution.poses[10].position.x(), -1.0, 1e-4) << "drives straight to it at full speed";
+  EXPECT_EQ(solution.limiting.kind, ConstraintKind::Corridor);
+  EXPECT_NEAR(solution.poses[10].position.x(), -1.0, 1e-4) << "straight to it at full speed";
   EXPECT_NEAR(solution.max_violation, 0.9, 1e-4);
 }
 
@@ -66,7 +66,7 @@ TEST_F(InteriorPointStatus, LeastViolationInsideAKeepOutDisc) {
   put_obstacle(problem, {-0.3, 0.0}, 2.0);
   const MpcSolution& solution = solve(problem);
   EXPECT_EQ(solution.status, SolveStatus::LeastViolation);
-  EXPECT_EQ(solution.limiting.kind, RowKind::Barrier);
+  EXPECT_EQ(solution.limiting.kind, ConstraintKind::Barrier);
   EXPECT_GT(solution.poses[10].position.x(), 0.99) << "drives out of it at full speed";
 }
 

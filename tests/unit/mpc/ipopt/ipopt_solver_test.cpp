@@ -43,7 +43,7 @@ TEST(IpoptSolver, DrivesStraightAtFullSpeedToADistantTarget) {
   EXPECT_GT(solution.iterations, 0);
   EXPECT_NEAR(solution.commands[0].linear, 1.0, 1e-6);
   EXPECT_NEAR(solution.commands[0].angular, 0.0, 1e-6);
-  EXPECT_EQ(solution.limiting.kind, RowKind::LinearSpeed);
+  EXPECT_EQ(solution.limiting.kind, ConstraintKind::LinearSpeed);
   expect_sound(problem, solution);
 }
 
@@ -54,7 +54,7 @@ TEST(IpoptSolver, StopsAtTheWallAndNamesIt) {
   EXPECT_EQ(solution.status, SolveStatus::Solved);
   EXPECT_NEAR(solution.poses[10].position.x(), 0.7, 1e-6);
   EXPECT_LE(solution.max_violation, kFeasibilityTolerance);
-  EXPECT_EQ(solution.limiting.kind, RowKind::Corridor);
+  EXPECT_EQ(solution.limiting.kind, ConstraintKind::Corridor);
   EXPECT_EQ(solution.limiting.index, 1);
   expect_sound(problem, solution);
 }
@@ -92,7 +92,7 @@ TEST(IpoptSolver, KeepsItsDistanceFromAMovingObstacle) {
   IpoptSolver solver;
   const MpcSolution& solution = solver.solve(problem, {});
   EXPECT_EQ(solution.status, SolveStatus::Solved);
-  EXPECT_EQ(solution.limiting.kind, RowKind::Barrier);
+  EXPECT_EQ(solution.limiting.kind, ConstraintKind::Barrier);
   for (int k = 0; k <= problem.horizon; ++k) {
     const auto at = static_cast<std::size_t>(k);
     EXPECT_GE(barrier(problem.obstacles[0], k, solution.poses[at].position), 0.0);

@@ -5,12 +5,13 @@
 #include "fairway/mpc/interior_point/workspace/optimality.hpp"
 #include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
-// The command range and the change bounds: hard, so their slacks are the rooms themselves, and the
-// iterates stay strictly inside.
+// The command range and the change bounds. They are hard: their slacks are the distances to the
+// bounds, and the iterates stay strictly inside.
 
 namespace fairway::interior_point {
 
-/// What constraints of kind `kind` (index of Workspace::bounds) bound, for four steps from k.
+/// Returns the quantity that constraints of kind `kind` (index of Workspace::bounds) bound, for
+/// four steps from k.
 template <typename Lanes>
 FAIRWAY_LANES Lanes bounded(const std::array<PoseArray, 2>& commands,
                             std::size_t kind,
@@ -20,48 +21,49 @@ FAIRWAY_LANES Lanes bounded(const std::array<PoseArray, 2>& commands,
   return kind < 2 ? now : now - lanes<Lanes>(command, k);
 }
 
-/// Distances to both bounds.
+/// The distances to both bounds: the slacks of hard constraints.
 template <typename Lanes>
-struct Room {
+struct BoundSlacks {
   Lanes below, above;
 };
 
 template <typename Lanes>
-FAIRWAY_LANES Room<Lanes> room_of(const Bounds::Block& block, const Lanes& t) noexcept {
-  constexpr double kLeastRoom = 1e-15;  // against rounding at a bound
-  return {.below = greatest(t - block.low, Lanes(kLeastRoom)),
-          .above = greatest(block.high - t, Lanes(kLeastRoom))};
+FAIRWAY_LANES BoundSlacks<Lanes> slacks_of(const Bounds::Block& block, const Lanes& t) noexcept {
+  constexpr double kLeastSlack = 1e-15;  // avoids 0 after rounding at a bound
+  return {.below = greatest(t - block.low, Lanes(kLeastSlack)),
+          .above = greatest(block.high - t, Lanes(kLeastSlack))};
 }
 
-/// Adds the logarithms of all rooms that the commands of `point` leave.
+/// Adds the logarithms of the slacks of all bounds at the commands of `point`.
 template <typename Lanes>
-FAIRWAY_LANES void add_room_logs(const Workspace& w,
-                                 const Point& point,
-                                 LogSum<Lanes>& logs) noexcept {
+FAIRWAY_LANES void add_bound_logs(const Workspace& w,
+                                  const Point& point,
+                                  LogSum<Lanes>& logs) noexcept {
   for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
       const Lanes t = bounded<Lanes>(point.commands, kind, kLanes * b);
-      const Room<Lanes> room = room_of(w.bounds[kind].blocks[b], t);
-      logs.add(room.below * room.above);
+      const BoundSlacks<Lanes> slack = slacks_of(w.bounds[kind].blocks[b], t);
+      logs.add(slack.below * slack.above);
     }
   }
 }
 
-/// Duals to start from: on the central path of `mu`.
+/// Initialises the duals on the central path of `mu`.
 template <typename Lanes>
 FAIRWAY_LANES void start_bounds(Workspace& w, double mu) noexcept {
   for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
       Bounds::Block& block = w.bounds[kind].blocks[b];
-      const Room<Lanes> room = room_of(block, bounded<Lanes>(w.now->commands, kind, kLanes * b));
-      block.dual_low = mu / room.below;
-      block.dual_high = mu / room.above;
+      const BoundSlacks<Lanes> slack =
+          slacks_of(block, bounded<Lanes>(w.now->commands, kind, kLanes * b));
+      block.dual_low = mu / slack.below;
+      block.dual_high = mu / slack.above;
     }
   }
 }
 
-/// Keeps the duals near the central path of `mu`, Eq. (S13), and finds what the constraints add to
-/// the model at `w.now`.
+/// Computes the terms that the bounds add to the model at `w.now`. Before, the duals are kept near
+/// the central path of `mu`, Eq. (S13).
 template <typename Lanes>
 FAIRWAY_LANES void linearise_bounds(Workspace& w,
                                     double mu,
@@ -72,10 +74,11 @@ FAIRWAY_LANES void linearise_bounds(Workspace& w,
     Bounds& bounds = w.bounds[kind];
     for (std::size_t b = 0; b < w.num_blocks; ++b) {
       Bounds::Block& block = bounds.blocks[b];
-      const Room<Lanes> room = room_of(block, bounded<Lanes>(w.now->commands, kind, kLanes * b));
-      const Lanes inverse = 1.0 / (room.below * room.above);
-      const Lanes below = room.above * inverse;  // 1 / below
-      const Lanes above = room.below * inverse;
+      const BoundSlacks<Lanes> slack =
+          slacks_of(block, bounded<Lanes>(w.now->commands, kind, kLanes * b));
+      const Lanes inverse = 1.0 / (slack.below * slack.above);
+      const Lanes below = slack.above * inverse;  // 1 / below
+      const Lanes above = slack.below * inverse;
       const Lanes low = least(greatest(Lanes(block.dual_low), least_product * below), most * below);
       const Lanes high =
           least(greatest(Lanes(block.dual_high), least_product * above), most * above);
@@ -86,8 +89,8 @@ FAIRWAY_LANES void linearise_bounds(Workspace& w,
       put(bounds.curvature, kLanes * b, low * below + high * above);
       put(bounds.by_mu, kLanes * b, above - below);
       put(bounds.dual, kLanes * b, high - low);
-      const Lanes low_product = room.below * low;
-      const Lanes high_product = room.above * high;
+      const Lanes low_product = slack.below * low;
+      const Lanes high_product = slack.above * high;
       errors.least_product = least(errors.least_product, least(low_product, high_product));
       errors.greatest_product =
           greatest(errors.greatest_product, greatest(low_product, high_product));
@@ -95,8 +98,8 @@ FAIRWAY_LANES void linearise_bounds(Workspace& w,
   }
 }
 
-/// Takes the duals along the Newton step.
-/// @return The greatest part of any room that the step would use up.
+/// Computes the duals after the Newton step.
+/// @return The greatest share of any slack that the step would use up.
 template <typename Lanes>
 FAIRWAY_LANES double step_bounds(Workspace& w, double mu) noexcept {
   Lanes used = 0.0;

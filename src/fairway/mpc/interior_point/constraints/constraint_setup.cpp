@@ -7,15 +7,15 @@
 namespace fairway::interior_point {
 namespace {
 
-// Constraints that stay this far from being violated are left out [m or m^2].
+// Constraints that stay this far from violation are left out [m or m^2].
 constexpr double kNeverActive = 1e-6;
-// Constraints are only watched while it would take more than so many steps at full speed to reach
-// them.
+// A constraint is only watched while more than this many steps at full speed are needed to reach
+// it.
 constexpr double kNearSteps = 2.0;
-// Value of what fills up a constraint where it has less than four steps.
+// Value of the padding of a constraint with less than four steps.
 constexpr double kNoConstraint = 1.0;
 
-// How far from the start pose k can be, whatever the commands.
+// Computes the greatest distance of pose k from the start, over all commands.
 void find_reach(const Workspace& w, double dt, PoseArray& reach) noexcept {
   const CommandLimits& limits = w.limits[kLinear];
   double low = limits.previous;
@@ -28,7 +28,8 @@ void find_reach(const Workspace& w, double dt, PoseArray& reach) noexcept {
   }
 }
 
-// A rectangle as a pose sees it: axis, the start in its frame, and extent; or none.
+// A rectangle relative to a pose: its axis, the start in its frame, and its extent; or no
+// rectangle.
 struct RectangleFrame {
   double axis_x = 0.0, axis_y = 0.0;
   double along = 0.0, across = 0.0;
@@ -37,15 +38,15 @@ struct RectangleFrame {
 };
 using FourRectangles = std::array<RectangleFrame, kLanes>;
 
-// One number of each of four steps. Put together in a register: vectors are slow to load right
-// after their parts were stored.
+// Collects one number from each of four steps in a register. Loading a vector right after storing
+// its parts would be slow.
 template <typename Step>
 FAIRWAY_LANES Lanes128 gathered(const std::array<Step, kLanes>& four,
                                 double Step::*member) noexcept {
   return {four[0].*member, four[1].*member, four[2].*member, four[3].*member};
 }
 
-// Remembers the last axis: consecutive poses mostly are in the same rectangle.
+// Caches the last axis, because consecutive poses are mostly in the same rectangle.
 class Axis {
  public:
   const Eigen::Vector2d& of(double orientation) noexcept {
@@ -87,7 +88,7 @@ FAIRWAY_LANES FourRectangles rectangles_of(const ControlProblem& problem,
   return four;
 }
 
-FAIRWAY_LANES SoftConstraintBlock& append_constraint(RowKind kind,
+FAIRWAY_LANES SoftConstraintBlock& append_constraint(ConstraintKind kind,
                                                      std::size_t index,
                                                      std::size_t first,
                                                      Workspace& w) noexcept {
@@ -98,7 +99,7 @@ FAIRWAY_LANES SoftConstraintBlock& append_constraint(RowKind kind,
   return constraint;
 }
 
-// Sides of the rectangles of one slot, for the poses from `first` on.
+// Adds the sides of the rectangles of one slot, for the poses from `first` on.
 FAIRWAY_LANES void load_corridor(const FourRectangles& four,
                                  std::size_t slot,
                                  std::size_t first,
@@ -107,10 +108,10 @@ FAIRWAY_LANES void load_corridor(const FourRectangles& four,
                                  Workspace& w) noexcept {
   const auto add = [&](std::size_t side, const Lanes128& x, const Lanes128& y,
                        const Lanes128& offset) {
-    const Lanes128 room = offset - lanes<Lanes128>(reach, first);
-    if (least_of(room) > kNeverActive) return;
+    const Lanes128 margin = offset - lanes<Lanes128>(reach, first);
+    if (least_of(margin) > kNeverActive) return;
     SoftConstraintBlock& constraint =
-        append_constraint(RowKind::Corridor, 4 * slot + side, first, w);
+        append_constraint(ConstraintKind::Corridor, 4 * slot + side, first, w);
     constraint.offset = offset;
     constraint.normal_x = x;
     constraint.normal_y = y;
@@ -126,8 +127,8 @@ FAIRWAY_LANES void load_corridor(const FourRectangles& four,
   add(3, axis_y, -axis_x, gathered(four, &RectangleFrame::max_across) - across);
 }
 
-// Bounds of the roots of four numbers, from the exact root of the first: good where they differ
-// little.
+// Bounds of the roots of four numbers, computed from the root of the first. They are tight if the
+// numbers differ little.
 struct RootBounds {
   Lanes128 least, most;
 };
@@ -138,7 +139,7 @@ FAIRWAY_LANES RootBounds root_bounds(const Lanes128& squares) noexcept {
   return {.least = squares / most, .most = most};
 }
 
-// Whether some admissible commands could violate a barrier constraint.
+// Returns whether some admissible commands could violate a barrier constraint.
 FAIRWAY_LANES bool is_needed(const SoftConstraintBlock& constraint,
                              std::size_t count,
                              const Lanes128& reach,
@@ -152,20 +153,20 @@ FAIRWAY_LANES bool is_needed(const SoftConstraintBlock& constraint,
   const Lanes128 move_y = constraint.centre_y - y;
   const Lanes128 q = root_bounds(x * x + y * y).least - reach_before;
   const Lanes128 a = reach - reach_before + root_bounds(move_x * move_x + move_y * move_y).most;
-  const Lanes128 room = (q - a) * (q - a) - retention * q * q - constraint.offset - kNeverActive;
-  const Lanes128 never = least(room, (1.0 - retention) * q - a);
+  const Lanes128 margin = (q - a) * (q - a) - retention * q * q - constraint.offset - kNeverActive;
+  const Lanes128 never = least(margin, (1.0 - retention) * q - a);
   for (std::size_t lane = 0; lane < count; ++lane) {
     if (!(never[lane] > 0.0)) return true;
   }
   return false;
 }
 
-// Where an obstacle is when a pose is reached.
+// Position of an obstacle at the time of a pose.
 struct Place {
   double x = 0.0, y = 0.0, keep_out = 0.0;
 };
 
-// One obstacle, for the poses from `first` on.
+// Adds one obstacle, for the poses from `first` on.
 FAIRWAY_LANES void load_barrier(const ControlProblem& problem,
                                 std::size_t j,
                                 std::size_t first,
@@ -205,7 +206,7 @@ FAIRWAY_LANES void load_barrier(const ControlProblem& problem,
   constraint.near = near * (2.0 * keep_out + near) * is_there;
   if (is_needed(constraint, count, lanes<Lanes128>(reach, first),
                 lanes<Lanes128>(reach, first - 1)))
-    append_constraint(RowKind::Barrier, j, first, w);
+    append_constraint(ConstraintKind::Barrier, j, first, w);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace fairway::interior_point {
 
 /// Lists the soft constraints that some admissible command could violate. @pre the command limits
-/// are there.
+/// are computed.
 void load_soft_constraints(const ControlProblem& problem, Workspace& w) noexcept;
 
 }  // namespace fairway::interior_point

@@ -6,12 +6,12 @@
 #include "fairway/base/simd_math.hpp"
 #include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
-// Values and slacks of the soft constraints. Those that are far are watched only: their value is
-// looked at once in an iteration, and they are no part of the problem.
+// Values and slacks of the soft constraints. Distant constraints are only watched: they are
+// evaluated once per iteration and are not part of the problem.
 
 namespace fairway::interior_point {
 
-/// Positions of the poses of one block, and of those before them.
+/// Positions of the poses of one block, and of the poses before them.
 template <typename Lanes>
 struct Positions {
   Lanes x, y, before_x, before_y;
@@ -45,7 +45,7 @@ FAIRWAY_LANES Lanes barrier_value(const SoftConstraintBlock& constraint,
          constraint.offset;
 }
 
-/// Values of all constraints at the poses of `point`.
+/// Evaluates all constraints at the poses of `point`.
 template <typename Lanes>
 FAIRWAY_LANES void evaluate_soft_constraints(const Workspace& w, Point& point) noexcept {
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
@@ -58,8 +58,8 @@ FAIRWAY_LANES void evaluate_soft_constraints(const Workspace& w, Point& point) n
   }
 }
 
-/// If watched constraint i is near at `w.now`, where it has value `value`, puts it in place of the
-/// first watched one and starts it at `mu`.
+/// Admits watched constraint i if it is near at `w.now`, where it has value `value`: swaps it with
+/// the first watched one and initialises it at `mu`.
 template <typename Lanes>
 FAIRWAY_LANES void admit_if_near(Workspace& w,
                                  double mu,
@@ -68,22 +68,22 @@ FAIRWAY_LANES void admit_if_near(Workspace& w,
                                  std::size_t& first_watched) noexcept {
   if (!(least_of(value - w.soft_constraints[i].near) < 0.0)) return;
   std::swap(w.soft_constraints[i], w.soft_constraints[first_watched]);
-  const double price = w.problem->violation_weight;
+  const double penalty_weight = w.problem->violation_weight;
   const Lanes slack = greatest(value, Lanes(w.first_slack));
-  const Lanes dual = least(mu / slack, Lanes(0.5 * price));
+  const Lanes dual = least(mu / slack, Lanes(0.5 * penalty_weight));
   SoftConstraintBlock& constraint = w.soft_constraints[first_watched];
   constraint.dual = dual;
-  constraint.violation_dual = price - dual;
+  constraint.violation_dual = penalty_weight - dual;
   constraint.dual_change = Lanes(0.0);
   SoftConstraintState& state = w.now->constraints[first_watched];
   state.value = value;
   state.slack = slack;
-  state.violation_slack = mu / (price - dual);
+  state.violation_slack = mu / (penalty_weight - dual);
   ++first_watched;
 }
 
-/// Takes watched constraints that `w.now` has come near to into the problem, with slacks and duals
-/// to start from at `mu`.
+/// Admits the watched constraints that `w.now` has approached into the problem, with initial slacks
+/// and duals at `mu`.
 /// @return Whether there were any.
 template <typename Lanes>
 FAIRWAY_LANES bool admit_near_constraints(Workspace& w, double mu) noexcept {
@@ -125,7 +125,7 @@ struct SoftConstraintSums {
   }
 };
 
-/// Sums of `point` over the constraints; adds the logarithms of s and e.
+/// Computes the sums of `point` over the constraints; adds the logarithms of s and e.
 template <typename Lanes>
 FAIRWAY_LANES void sum_soft_constraints(const Workspace& w,
                                         Point& point,
@@ -141,9 +141,9 @@ FAIRWAY_LANES void sum_soft_constraints(const Workspace& w,
   sums.store(point);
 }
 
-/// Value and slacks of one constraint of `w.trial` at `length` along the step. Slacks that are too
-/// small for their constraint are reset, which lowers every merit function. Violation slacks are
-/// tiny as a rule, and no reason for shorter steps: one that would be used up keeps a part of
+/// Computes the value and slacks of one constraint of `w.trial` at `length` along the step. Slacks
+/// that are too small for their constraint are reset, which lowers every merit function. Violation
+/// slacks are usually tiny and must not shorten the step; one that would be used up keeps a part of
 /// itself.
 template <typename Lanes>
 FAIRWAY_LANES void move_constraint(Workspace& w,
@@ -162,7 +162,8 @@ FAIRWAY_LANES void move_constraint(Workspace& w,
   trial.violation_slack = violation_slack;
 }
 
-/// Values and slacks of `w.trial` at `length` along the step, given its poses, with their sums.
+/// Computes values and slacks of `w.trial` at `length` along the step, given its poses, and their
+/// sums.
 template <typename Lanes>
 FAIRWAY_LANES void move_soft_constraints(Workspace& w,
                                          double length,
@@ -184,7 +185,7 @@ FAIRWAY_LANES void move_soft_constraints(Workspace& w,
   sums.store(point);
 }
 
-/// Raises every e to where its constraint has no residual.
+/// Raises every e until its constraint has no residual.
 template <typename Lanes>
 FAIRWAY_LANES void absorb_residuals(Workspace& w) noexcept {
   for (std::size_t b = 0; b < w.num_blocks; ++b) {

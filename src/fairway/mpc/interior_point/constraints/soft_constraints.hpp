@@ -8,16 +8,16 @@
 #include "fairway/mpc/interior_point/workspace/optimality.hpp"
 #include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
-// Corridor sides and obstacles: elastic, c + e = s with price w on every e. docs/solver.md derives
-// the formulas.
+// Corridor sides and obstacles as soft constraints: c + e = s with penalty weight w on every e. The
+// formulas are derived in docs/solver.md.
 
 namespace fairway::interior_point {
 
-/// Takes the duals along their step, and keeps them within a factor of the central path, Eq. (S13).
+/// Moves the duals along their step, and keeps them within a factor of the central path, Eq. (S13).
 template <typename Lanes>
 FAIRWAY_LANES void move_duals(const SoftConstraintState& state,
                               double mu,
-                              double price,
+                              double penalty_weight,
                               SoftConstraintBlock& constraint) noexcept {
   const Lanes slack = state.slack;
   const Lanes violation_slack = state.violation_slack;
@@ -25,15 +25,15 @@ FAIRWAY_LANES void move_duals(const SoftConstraintState& state,
   const Lanes inverse = mu / (slack * violation_slack);
   const Lanes central_y = violation_slack * inverse;
   const Lanes central_z = slack * inverse;
-  const Lanes least_y = least(central_y * (1.0 / kCentrality), Lanes(0.5 * price));
-  const Lanes least_z = least(central_z * (1.0 / kCentrality), Lanes(0.5 * price));
+  const Lanes least_y = least(central_y * (1.0 / kCentrality), Lanes(0.5 * penalty_weight));
+  const Lanes least_z = least(central_z * (1.0 / kCentrality), Lanes(0.5 * penalty_weight));
   const Lanes y = greatest(least(old_y + constraint.dual_change, kCentrality * central_y), least_y);
   const Lanes z = greatest(constraint.violation_dual - (y - old_y), least_z);
-  constraint.dual = where_greater(z, least_z, y, price - z);
+  constraint.dual = where_greater(z, least_z, y, penalty_weight - z);
   constraint.violation_dual = z;
 }
 
-/// Eliminates slack, violation slack and dual step of a constraint, Eq. (S5) and (S7), and notes
+/// Eliminates slack, violation slack and dual step of a constraint, Eq. (S5) and (S7), and records
 /// its errors.
 template <typename Lanes>
 FAIRWAY_LANES void eliminate(const SoftConstraintState& state,
@@ -55,7 +55,7 @@ FAIRWAY_LANES void eliminate(const SoftConstraintState& state,
   ++errors.num_soft_constraints;
 }
 
-/// PositionTerms while they are added up.
+/// PositionTerms as accumulated in registers.
 template <typename Lanes>
 struct PositionSums {
   Lanes xx, xy, yy, bend, dual_x, dual_y, target_x, target_y, by_mu_x, by_mu_y;
@@ -90,12 +90,13 @@ struct PositionSums {
   }
 };
 
-/// Takes the duals along their step; then finds what the constraints add to the model at `w.now`.
+/// Moves the duals along their step, and then computes the terms that the constraints add to the
+/// model at `w.now`.
 template <typename Lanes>
 FAIRWAY_LANES void linearise_soft_constraints(Workspace& w,
                                               double mu,
                                               ConstraintErrors<Lanes>& errors) noexcept {
-  const double price = w.problem->violation_weight;
+  const double penalty_weight = w.problem->violation_weight;
   const Point& point = *w.now;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
     const ConstraintRange& range = w.constraint_ranges[b];
@@ -104,7 +105,7 @@ FAIRWAY_LANES void linearise_soft_constraints(Workspace& w,
     for (std::size_t i = range.corridor; i < range.watched_corridor; ++i) {
       const SoftConstraintState& state = point.constraints[i];
       SoftConstraintBlock& constraint = w.soft_constraints[i];
-      move_duals<Lanes>(state, mu, price, constraint);
+      move_duals<Lanes>(state, mu, penalty_weight, constraint);
       eliminate(state, constraint, errors);
       const Lanes target = constraint.dual - Lanes(constraint.curvature) * state.value;
       now.add(constraint, target, constraint.normal_x, constraint.normal_y);
@@ -122,7 +123,7 @@ FAIRWAY_LANES void linearise_soft_constraints(Workspace& w,
     for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
       const SoftConstraintState& state = point.constraints[i];
       SoftConstraintBlock& constraint = w.soft_constraints[i];
-      move_duals<Lanes>(state, mu, price, constraint);
+      move_duals<Lanes>(state, mu, penalty_weight, constraint);
       eliminate(state, constraint, errors);
       const Lanes retention = constraint.retention;
       const Lanes x = 2.0 * (p.x - constraint.centre_x);
@@ -155,17 +156,17 @@ FAIRWAY_LANES void linearise_soft_constraints(Workspace& w,
   }
 }
 
-/// What the Newton step does to soft constraints, Eq. (S12).
+/// Effect of the Newton step on the soft constraints, Eq. (S12).
 template <typename Lanes>
 struct SoftConstraintStep {
-  Lanes used = 0.0;     ///< greatest part of any s that it would use up
-  Lanes slope = 0.0;    ///< derivative of the barrier and the price along it
+  Lanes used = 0.0;     ///< greatest share of any s that the step would use up
+  Lanes slope = 0.0;    ///< derivative of the barrier and the penalty along the step
   Lanes product = 0.0;  ///< sum of y hat dc
 
   /// Adds a constraint that changes by `change`, to first order.
   FAIRWAY_LANES void add(const SoftConstraintState& state,
                          double mu,
-                         double price,
+                         double penalty_weight,
                          const Lanes& change,
                          SoftConstraintBlock& constraint) noexcept {
     const Lanes slack = state.slack;
@@ -182,7 +183,7 @@ struct SoftConstraintStep {
     constraint.slack_ratio = ds;
     constraint.violation_ratio = de;
     used = greatest(used, -ds);
-    slope += price * violation_slack * de - mu * (ds + de);
+    slope += penalty_weight * violation_slack * de - mu * (ds + de);
     product += (constraint.dual + target_change) * change;
   }
 };
@@ -190,7 +191,7 @@ struct SoftConstraintStep {
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES SoftConstraintStep<Lanes> step_soft_constraints(Workspace& w,
                                                                             double mu) noexcept {
-  const double price = w.problem->violation_weight;
+  const double penalty_weight = w.problem->violation_weight;
   SoftConstraintStep<Lanes> step;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
     const ConstraintRange& range = w.constraint_ranges[b];
@@ -198,14 +199,14 @@ template <typename Lanes>
     for (std::size_t i = range.corridor; i < range.watched_corridor; ++i) {
       SoftConstraintBlock& constraint = w.soft_constraints[i];
       const Lanes change = p.x * constraint.normal_x + p.y * constraint.normal_y;
-      step.add(w.now->constraints[i], mu, price, change, constraint);
+      step.add(w.now->constraints[i], mu, penalty_weight, change, constraint);
     }
     for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
       SoftConstraintBlock& constraint = w.soft_constraints[i];
       const Lanes change =
           (p.x * constraint.normal_x + p.y * constraint.normal_y) +
           (p.before_x * constraint.normal_before_x + p.before_y * constraint.normal_before_y);
-      step.add(w.now->constraints[i], mu, price, change, constraint);
+      step.add(w.now->constraints[i], mu, penalty_weight, change, constraint);
     }
   }
   return step;

@@ -9,7 +9,7 @@
 
 namespace fairway::interior_point {
 
-/// Optimality conditions at the iterate, and what the next Newton system needs.
+/// Evaluates the optimality conditions at the iterate, and prepares the next Newton system.
 template <typename Lanes>
 FAIRWAY_LANES OptimalityError linearise(Workspace& w, double mu) noexcept {
   ConstraintErrors<Lanes> errors;
@@ -18,8 +18,8 @@ FAIRWAY_LANES OptimalityError linearise(Workspace& w, double mu) noexcept {
   return optimality_error(errors, linearise_trajectory<Lanes>(w));
 }
 
-/// Solves the Newton system; without the curvature of constraints and dynamics where it is not
-/// convex with it.
+/// Solves the Newton system. If it is not convex, the curvature of constraints and dynamics is
+/// omitted.
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES bool solve_newton_system(Workspace& w, double mu) noexcept {
   // For problems without curvature by the commands.

@@ -5,15 +5,17 @@
 
 namespace fairway::interior_point {
 
-/// Factorises the Newton system in `w.stages` backwards over the steps, Eq. (S8) to (S11), with
-/// `damping` added to the Hessian by every command; finds the slope of the Newton step. Lanes are
-/// (x, y, heading) and the gradient here.
-/// @return Whether the reduced Hessian is positive definite; if not, `w.feedback` is unfinished.
+/// Factorises the Newton system in `w.stages` backwards over the steps, Eq. (S8) to (S11).
+///
+/// `damping` is added to the Hessian by every command. Also computes the slope of the Newton step.
+/// Lanes are (x, y, heading) and the gradient here.
+/// @return Whether the reduced Hessian is positive definite; if not, `w.feedback` is incomplete.
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES bool riccati_backward(Workspace& w, double damping) noexcept {
-  constexpr double kLeastPivot = 1e-9;  // below it, pivots count as not positive
+  constexpr double kLeastPivot = 1e-9;  // smaller pivots count as not positive
   double slope = 0.0;
-  // Cost to go over the pose after step k, and over its command because of the change that follows.
+  // Cost to go as a function of the pose after step k, and of its command through the change after
+  // it.
   Lanes vx = w.stages[w.horizon - 1].pose_x;
   Lanes vy = w.stages[w.horizon - 1].pose_y;
   Lanes vh = w.stages[w.horizon - 1].pose_heading;
@@ -30,8 +32,8 @@ template <typename Lanes>
     const double cx = s.motion[2];
     const double cy = s.motion[3];
     const double turn = s.command[3];
-    // B^T V and B^T V B: what a command does to the cost to go, Eq. (S8). What is known early is
-    // added first: each step waits for the one after it.
+    // B^T V and B^T V B: the effect of a command on the cost to go, Eq. (S8). Terms that are known
+    // early are added first, because each step depends on the one after it.
     const double from_u = (bx * vu[0] + by * vu[1]) + (vuu + (s.command[0] + damping));
     const double from_ur = (cx * vu[0] + cy * vu[1]) + (turn * vu[2] + (vur + s.command[1]));
     const double from_r =
@@ -52,7 +54,7 @@ template <typename Lanes>
     const Lanes lr = Hur * hu - Huu * hr;
     slope += (hu[3] * lu[3] + hr[3] * lr[3]) * inverse;
 
-    // Cost to go before step k, with what its pose costs, Eq. (S10).
+    // Cost to go before step k, including the cost of its pose, Eq. (S10).
     vx = (vx + previous.pose_x) + (hu[0] * lu + hr[0] * lr) * inverse;
     vy = (vy + previous.pose_y) + (hu[1] * lu + hr[1] * lr) * inverse;
     vh = (vh + previous.pose_heading) + (hu[2] * lu + hr[2] * lr) * inverse;
@@ -70,7 +72,7 @@ template <typename Lanes>
     vur = -fu * ur;
     vrr = s.coupling[3] - fr * rr;
 
-    // The pose before step k is that before step k - 1 and what command k - 1 adds to it.
+    // The pose before step k is the pose before step k - 1 plus the motion of command k - 1.
     const Pack4d& b = previous.motion;
     const double b_turn = previous.command[3];
     Feedback& f = w.feedback[k];
@@ -85,10 +87,10 @@ template <typename Lanes>
   return true;
 }
 
-/// The Newton step, forwards: fills `w.step`, Eq. (S12).
+/// Computes the Newton step by the forward recursion: fills `w.step`, Eq. (S12).
 inline void riccati_forward(Workspace& w) noexcept {
   NewtonStep& step = w.step;
-  // Pose before step k - 1 and before step k, and command k - 1.
+  // Poses before step k - 1 and before step k, and command k - 1.
   std::array<double, 3> before{};
   std::array<double, 3> pose{};
   std::array<double, 2> v{};

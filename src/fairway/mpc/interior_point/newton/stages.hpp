@@ -8,7 +8,7 @@
 
 namespace fairway::interior_point {
 
-/// A quadratic function of (x, y, heading) for four steps: its Hessian, symmetric entries once, and
+/// A quadratic function of (x, y, heading) for four steps: its Hessian (symmetric entries once) and
 /// its gradient.
 template <typename Lanes>
 struct Quadratic {
@@ -26,7 +26,7 @@ struct Quadratic {
     yy += terms.bend;
   }
 
-  /// From a function of the position (x, y) to one of the turn about the origin and the move that
+  /// Changes variables from the position (x, y) to the turn about the origin and the motion that
   /// lead there, Eq. (S8).
   FAIRWAY_LANES void turn_about_origin(const Lanes& x, const Lanes& y) noexcept {
     xh = xy * x - xx * y;
@@ -36,7 +36,7 @@ struct Quadratic {
   }
 };
 
-/// Everything by one coordinate of four commands, without the dynamics.
+/// All terms by one coordinate of four commands, without the dynamics.
 template <typename Lanes>
 struct CommandTerms {
   Lanes hessian, change, coupling, gradient;
@@ -55,7 +55,8 @@ struct CommandTerms {
   }
 };
 
-/// B of four steps, Eq. (S8): the displacement by u is (bx, by, 0), that by r is (cx, cy, turn).
+/// B of four steps, Eq. (S8): the displacement by u is (bx, by, 0), and that by r is (cx, cy,
+/// turn).
 template <typename Lanes>
 struct Motion {
   Lanes bx, by, cx, cy, turn;
@@ -83,7 +84,7 @@ FAIRWAY_LANES void put_rows(Stage* stages,
   stages[3].*member = rows.fourth;
 }
 
-/// Adds the same to what is there; not to the stage before the first step.
+/// Adds to the existing rows, except to the stage before the first step.
 template <typename Lanes>
 FAIRWAY_LANES void add_rows_before(Workspace& w,
                                    std::size_t k,
@@ -99,8 +100,8 @@ FAIRWAY_LANES void add_rows_before(Workspace& w,
   w.stages[k + 2].*member = w.stages[k + 2].*member + rows.fourth;
 }
 
-/// Adds what obstacles near block b cost by the pose before each step, to the stages before, and by
-/// it together with the pose after the step.
+/// Adds the cost of obstacles near block b. It depends on the pose before each step, in the
+/// preceding stages, and on that pose together with the pose after the step.
 template <typename Lanes>
 FAIRWAY_LANES void add_barriers(Workspace& w,
                                 std::size_t b,
@@ -131,7 +132,8 @@ FAIRWAY_LANES void add_barriers(Workspace& w,
   mixed.angular_y += motion.cx * xy + motion.cy * yy + motion.turn * hy;
   mixed.angular_h += motion.cx * xh + motion.cy * yh + motion.turn * hh;
 
-  // The pose after the step is that before it and the step: the coupling costs by the former too.
+  // The pose after the step equals the pose before it plus the step, so the coupling also depends
+  // on the former.
   Quadratic<Lanes> q(w.model.before[b], mu, exact);
   q.turn_about_origin(before_x, before_y);
   q.xx += 2.0 * xx;
@@ -145,8 +147,8 @@ FAIRWAY_LANES void add_barriers(Workspace& w,
   add_rows_before(w, k, &Stage::pose_heading, q.xh, q.yh, q.hh, q.gh);
 }
 
-/// Writes the Newton system at barrier parameter `mu` as stages, Eq. (S8), with the second
-/// derivatives of rows and dynamics if `exact`, else without them (Gauss-Newton).
+/// Writes the Newton system at barrier parameter `mu` as stages, Eq. (S8). With `exact` it includes
+/// the second derivatives of constraints and dynamics; without, it is Gauss-Newton.
 template <typename Lanes>
 FAIRWAY_LANES void build_stages(Workspace& w, double mu, bool exact) noexcept {
   const Point& p = *w.now;
@@ -160,7 +162,7 @@ FAIRWAY_LANES void build_stages(Workspace& w, double mu, bool exact) noexcept {
     const Lanes x = lanes<Lanes>(p.x, k + 1);
     const Lanes y = lanes<Lanes>(p.y, k + 1);
 
-    // What the pose after the step costs; with the curvature of the motion that starts there.
+    // Cost by the pose after the step, with the curvature of the motion that starts there.
     Quadratic<Lanes> pose(w.model.now[b], mu, exact);
     const Lanes weight_x = 2.0 * lanes<Lanes>(w.weight_x, k);
     const Lanes weight_y = 2.0 * lanes<Lanes>(w.weight_y, k);
@@ -176,7 +178,7 @@ FAIRWAY_LANES void build_stages(Workspace& w, double mu, bool exact) noexcept {
     put_rows(stages, &Stage::pose_y, pose.xy, pose.yy, pose.yh, pose.gy);
     put_rows(stages, &Stage::pose_heading, pose.xh, pose.yh, pose.hh, pose.gh);
 
-    // A step turns about the place that it leads to, or about the middle of the way there.
+    // A step turns about the position that it leads to, or about the middle of the line there.
     const Lanes free_linear = lanes<Lanes>(w.is_free[kLinear], k);
     const Lanes free_angular = lanes<Lanes>(w.is_free[kAngular], k);
     const Lanes turn = dt * free_angular;
@@ -199,7 +201,7 @@ FAIRWAY_LANES void build_stages(Workspace& w, double mu, bool exact) noexcept {
              free_linear * linear.gradient);
     put_rows(stages, &Stage::angular, mixed.angular_x, mixed.angular_y, mixed.angular_h,
              free_angular * angular.gradient);
-    // Fixed commands do not move: they have some Hessian, and nothing else.
+    // Fixed commands do not move: they have a unit Hessian and no other terms.
     put_rows(stages, &Stage::command, linear.hessian + linear.change + (1.0 - free_linear),
              half * free_angular * linear_phi,
              angular.hessian + angular.change + half * half * phi_phi + (1.0 - free_angular), turn);

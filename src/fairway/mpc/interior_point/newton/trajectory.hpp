@@ -11,7 +11,7 @@ FAIRWAY_LANES Lanes square(const Lanes& a) noexcept {
   return a * a;
 }
 
-/// The commands of `w.trial`: those of `w.now`, moved along the Newton step by `length` of it.
+/// Computes the commands of `w.trial`: those of `w.now`, moved by `length` of the Newton step.
 template <typename Lanes>
 FAIRWAY_LANES void move_commands(Workspace& w, double length) noexcept {
   for (std::size_t j = 0; j < 2; ++j) {
@@ -21,7 +21,7 @@ FAIRWAY_LANES void move_commands(Workspace& w, double length) noexcept {
   }
 }
 
-/// Cost of the commands of `p` and their poses, Eq. (S2).
+/// Computes the cost of the commands of `p` and their poses, Eq. (S2).
 template <typename Lanes>
 FAIRWAY_LANES double cost_of(const Workspace& w, const Point& p) noexcept {
   Lanes cost = 0.0;
@@ -41,7 +41,7 @@ FAIRWAY_LANES double cost_of(const Workspace& w, const Point& p) noexcept {
   return w.problem->cost_offset + sum_of(cost);
 }
 
-/// Poses and cost of the commands of `p`, Eq. (S1).
+/// Computes the poses and the cost of the commands of `p`, Eq. (S1).
 template <typename Lanes>
 FAIRWAY_LANES void roll_out(const Workspace& w, Point& p) noexcept {
   const double dt = w.problem->dt;
@@ -79,12 +79,12 @@ FAIRWAY_LANES Lanes command_gradient(const Workspace& w, std::size_t j, std::siz
                 lanes<Lanes>(w.change_weight[j], k + 1) * next_change);
 }
 
-/// Derivative of all that comes after each step by the pose that it leads to, at the present duals.
+/// Derivative of everything after each step by the pose that it leads to, at the present duals.
 struct Costate {
   StepArray x, y, heading;
 };
 
-/// Eq. (S6), backwards.
+/// Computes the costate backwards, Eq. (S6).
 template <typename Lanes>
 FAIRWAY_LANES void find_costate(const Workspace& w, Costate& costate) noexcept {
   const Point& p = *w.now;
@@ -121,8 +121,8 @@ FAIRWAY_LANES void find_costate(const Workspace& w, Costate& costate) noexcept {
   }
 }
 
-/// Curvature of the dynamics times the costate, Eq. (S6), and the gradient of the cost by the
-/// commands.
+/// Computes the curvature of the dynamics times the costate, Eq. (S6), and the gradient of the cost
+/// by the commands.
 /// @return The stationarity of the Lagrangian: its greatest derivative by a command.
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES double linearise_trajectory(Workspace& w) noexcept {

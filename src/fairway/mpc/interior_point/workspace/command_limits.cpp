@@ -8,19 +8,21 @@
 namespace fairway::interior_point {
 namespace {
 
-// The interior-point method needs room between bounds: what has less is fixed.
-constexpr double kLeastRoom = 1e-6;
-// Part of the change bound that the reachable intervals use, so that their middles are inside.
+// The interior-point method needs space between bounds; a command with a narrower interval is
+// fixed.
+constexpr double kLeastWidth = 1e-6;
+// Share of the change bound that the reachable intervals use, so that their middles are strictly
+// inside.
 constexpr double kInside = 0.99;
 
-// `from` moved towards [low, high] by at most `change`.
+// Returns `from` moved towards [low, high] by at most `change`.
 double approach(double from, double low, double high, double change) noexcept {
   if (from > high) return std::max(high, from - change);
   if (from < low) return std::min(low, from + change);
   return from;
 }
 
-// Forwards: where the change bound can lead from the previous command.
+// Forward pass: the interval that the change bound allows from the previous command.
 void reach_forwards(double low, double high, std::size_t n, CommandLimits& limits) noexcept {
   const double change = kInside * limits.max_change;
   double from_low = limits.previous;
@@ -28,14 +30,14 @@ void reach_forwards(double low, double high, std::size_t n, CommandLimits& limit
   for (std::size_t k = 0; k < n; ++k) {
     const double next_low = std::max(low, from_low - change);
     const double next_high = std::min(high, from_high + change);
-    const bool outside = next_low > next_high;  // only ever after a single, fixed command
+    const bool outside = next_low > next_high;  // only after a single, fixed command
     const double back = approach(from_low, low, high, limits.max_change);
     limits.reach_low[k] = from_low = outside ? back : next_low;
     limits.reach_high[k] = from_high = outside ? back : next_high;
   }
 }
 
-// Backwards: from where the change bound can lead to the stop.
+// Backward pass: the interval from which the change bound allows the stop.
 void reach_backwards(std::size_t n, CommandLimits& limits) noexcept {
   const double change = kInside * limits.max_change;
   double stop_low = 0.0;
@@ -74,7 +76,7 @@ void find_command_limits(const ControlProblem& problem,
   if (problem.stop_at_end) reach_backwards(n, limits);
 
   for (std::size_t k = 0; k < n; ++k) {
-    limits.fixed[k] = !(limits.reach_high[k] - limits.reach_low[k] >= kLeastRoom);
+    limits.fixed[k] = !(limits.reach_high[k] - limits.reach_low[k] >= kLeastWidth);
     if (!limits.fixed[k]) continue;
     limits.low[k] = limits.high[k] = 0.5 * (limits.reach_low[k] + limits.reach_high[k]);
     limits.reach_low[k] = limits.reach_high[k] = limits.low[k];
@@ -112,7 +114,7 @@ void clip_to_limits(const CommandLimits& limits, int horizon, double* commands) 
     const double low = std::max(limits.low[k], before - limits.max_change);
     const double high = std::min(limits.high[k], before + limits.max_change);
     command = command > low ? std::min(command, high) : low;
-    // before + change rounds: the difference can exceed the bound by a unit in the last place.
+    // before + change is rounded: the difference can exceed the bound by a unit in the last place.
     const double unit =
         std::numeric_limits<double>::epsilon() * std::max(std::abs(before), std::abs(command));
     for (int i = 1; i <= 4 && std::abs(command - before) > limits.max_change; ++i)

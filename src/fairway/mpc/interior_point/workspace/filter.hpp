@@ -7,22 +7,22 @@
 
 namespace fairway::interior_point {
 
-/// Two things that a step should lower: the barrier function, and how far the constraints are from
-/// closing.
+/// The two quantities that a step should reduce: the barrier function and the residual of the
+/// constraints.
 struct Progress {
   double barrier = 0.0;   ///< phi of Eq. (S15)
   double residual = 0.0;  ///< theta, the sum of |c + e - s|
 };
 
-/// Pairs that later iterates of the same barrier problem must improve on in one of the two, so that
-/// they cannot run in a circle. A line search with a filter needs no penalty parameter.
+/// The filter of a line search: pairs on which later iterates must improve in one of the two. It
+/// keeps the iteration on one barrier problem from cycling, and needs no penalty parameter.
 class Filter {
  public:
   static constexpr double kMargin = 1e-5;  ///< least relative decrease of the residual
 
   void clear() noexcept { count_ = 0; }
 
-  /// Whether `to` improves enough on `from` in one of the two.
+  /// Returns whether `to` improves enough on `from` in one of the two.
   [[nodiscard]] static bool improves(const Progress& to, const Progress& from) noexcept {
     return to.residual <= (1.0 - kMargin) * from.residual ||
            to.barrier <= from.barrier - kMargin * from.residual;
@@ -33,7 +33,7 @@ class Filter {
                        [&](const Progress& entry) { return improves(progress, entry); });
   }
 
-  /// When it is full, the oldest entry is dropped.
+  /// Adds an entry; a full filter drops its oldest one.
   void add(const Progress& progress) noexcept {
     if (count_ == kCapacity) std::move(entries_.begin() + 1, entries_.end(), entries_.begin());
     count_ = std::min(count_ + 1, kCapacity);
