@@ -56,6 +56,7 @@ class CorridorBuilder {
   /// the call has no effect.
   const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
 
+  /// Returns the result of the last build or update.
   [[nodiscard]] const CorridorResult& result() const noexcept;
 
  private:

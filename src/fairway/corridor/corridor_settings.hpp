@@ -23,6 +23,7 @@ enum class CorridorMethod : std::uint8_t {
   return {"workspace", "configuration"};
 }
 
+/// Settings of the corridor.
 struct CorridorSettings {
   CorridorMethod method = CorridorMethod::Fewest;
   CorridorSpace space = CorridorSpace::Configuration;

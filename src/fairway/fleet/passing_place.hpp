@@ -62,8 +62,8 @@ struct NarrowPlaces {
 struct PassingEnvironment {
   const BitGrid* obstacles = nullptr;
   Fleet fleet;  ///< all robots nearby
-  std::span<const SharedMotion* const>
-      passing;          ///< robots that shall pass; null entries are skipped
+  /// Robots that shall pass; null entries are skipped.
+  std::span<const SharedMotion* const> passing;
   double radius = 0.0;  ///< radius of the disc that covers the robot [m]
 
   /// Returns whether `other`, one of the fleet, is among those that shall pass.

@@ -30,6 +30,7 @@ struct BodyDiscs {
 /// Returns whether the number of discs is allowed and each disc is in range.
 [[nodiscard]] bool is_valid(const BodyDiscs& discs) noexcept;
 
+/// Returns whether two bodies have the same discs in the same order.
 [[nodiscard]] bool operator==(const BodyDiscs& a, const BodyDiscs& b) noexcept;
 
 /// Returns the text form, with the shortest numbers that `parse_body_discs` reads back exactly.

@@ -32,6 +32,7 @@ class Footprint {
       double width,
       const Eigen::Vector2d& offset = Eigen::Vector2d::Zero()) noexcept;
 
+  /// Returns whether the footprint is a rectangle, and not a union of discs.
   [[nodiscard]] bool is_rectangle() const noexcept { return count_ == 0; }
   [[nodiscard]] int num_discs() const noexcept { return count_; }  ///< 0 for a rectangle
 

@@ -18,6 +18,7 @@ struct OrientedRectangle {
   Eigen::Vector2d min = Eigen::Vector2d::Zero();   ///< lower-left corner in H [m]
   Eigen::Vector2d max = Eigen::Vector2d::Zero();   ///< upper-right corner in H [m]
 
+  /// Returns whether the rectangle contains no point; true for a rectangle with NaN.
   [[nodiscard]] bool is_empty() const noexcept {
     return !(min.x() <= max.x() && min.y() <= max.y());
   }
@@ -38,6 +39,7 @@ struct OrientedRectangle {
   /// and for a non-finite point.
   [[nodiscard]] bool contains(const Eigen::Vector2d& point, double tolerance = 0.0) const noexcept;
 
+  /// Centre in the world [m].
   [[nodiscard]] Eigen::Vector2d center() const noexcept { return to_world(0.5 * (min + max)); }
 
   /// Corners in the world [m], counter-clockwise, starting at `min`.
@@ -62,12 +64,14 @@ struct OverlapPatch {
   std::array<Eigen::Vector2d, 8> corners;  ///< counter-clockwise; the first `count` are used
   int count = 0;                           ///< 0 if the rectangles do not intersect
 
+  /// Area of the polygon [m^2]; 0 if the rectangles do not intersect.
   [[nodiscard]] double area() const noexcept;
 
   /// Centroid of the polygon, or mean of its corners if the area is 0. @pre count > 0.
   [[nodiscard]] Eigen::Vector2d centroid() const noexcept;
 };
 
+/// Computes the intersection of two rectangles, by the Sutherland-Hodgman algorithm.
 [[nodiscard]] OverlapPatch overlap(const OrientedRectangle& a, const OrientedRectangle& b) noexcept;
 
 }  // namespace fairway

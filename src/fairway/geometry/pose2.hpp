@@ -19,6 +19,7 @@ struct Twist2 {
   double angular = 0.0;
 };
 
+/// Returns whether every number is finite.
 [[nodiscard]] inline bool is_finite(const Eigen::Vector2d& point) noexcept {
   return std::isfinite(point.x()) && std::isfinite(point.y());
 }

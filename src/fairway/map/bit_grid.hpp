@@ -157,6 +157,7 @@ struct MapSettings {
   bool unknown_is_occupied = true;  ///< whether unknown cells count as obstacles
 };
 
+/// Returns how `settings` treat unknown cells.
 [[nodiscard]] inline UnknownCells unknown_cells(const MapSettings& settings) noexcept {
   return settings.unknown_is_occupied ? UnknownCells::Occupied : UnknownCells::Free;
 }

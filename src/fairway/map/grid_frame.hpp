@@ -28,6 +28,7 @@ struct GridFrame {
   double resolution = 1.0;  ///< side of a cell [m]
   Pose2 origin;             ///< world pose of the grid's lower-left corner
 
+  /// Returns whether `cell` lies in the grid.
   [[nodiscard]] bool contains(CellIndex cell) const noexcept {
     return cell.x >= 0 && cell.x < width && cell.y >= 0 && cell.y < height;
   }

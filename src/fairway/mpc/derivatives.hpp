@@ -18,6 +18,7 @@ struct StepJacobian {
   Eigen::Matrix<double, 3, 2> by_command = Eigen::Matrix<double, 3, 2>::Zero();
 };
 
+/// Computes the first derivatives of one step of the unicycle, see `step`.
 [[nodiscard]] StepJacobian step_jacobian(const Pose2& pose,
                                          const Twist2& command,
                                          double dt,

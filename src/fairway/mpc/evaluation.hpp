@@ -115,6 +115,7 @@ struct Violation {
   ConstraintName worst;  ///< the constraint with the greatest violation
 };
 
+/// Violation of the soft constraints at these poses [m or m^2].
 [[nodiscard]] Violation soft_violation(const ControlProblem& problem,
                                        std::span<const Pose2> poses) noexcept;
 

@@ -9,6 +9,7 @@ namespace fairway {
 /// the nearest point. The goal stays reached until the robot is pushed away.
 class GoalCheck {
  public:
+  /// Starts again for another goal.
   void reset() noexcept { *this = GoalCheck(); }
 
   /// @param distance   Distance from the robot to the goal [m].

@@ -19,6 +19,7 @@ namespace fairway {
 /// control periods after the one before. A single pause is accepted.
 class CycleClock {
  public:
+  /// Returns false if `time` [s] is implausible for cycles of `period` [s].
   [[nodiscard]] bool plausible(double time, double period) noexcept;
 
  private:

@@ -28,6 +28,7 @@ enum class RecoveryAction : std::uint8_t {
 /// after five times that.
 class RecoveryBehaviour {
  public:
+  /// Starts again, as for a robot that makes progress.
   void reset() noexcept { *this = RecoveryBehaviour(); }
 
   /// Signals that the path to the goal has changed and became longer by `longer` [m]. The change

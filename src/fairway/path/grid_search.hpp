@@ -38,9 +38,8 @@ class GridSearch {
 
   /// The nodes of the path found, from start to goal.
   [[nodiscard]] std::span<const CellIndex> nodes() const noexcept { return nodes_; }
-  [[nodiscard]] std::uint32_t cost() const noexcept {
-    return best_;
-  }  ///< costs of the terminals included
+  /// Cost of the path found, those of its terminals included.
+  [[nodiscard]] std::uint32_t cost() const noexcept { return best_; }
   [[nodiscard]] int expanded() const noexcept { return expanded_; }  ///< nodes taken from the queue
 
  private:

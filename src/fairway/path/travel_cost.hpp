@@ -41,12 +41,10 @@ class TravelCost {
     const float cost = at_zero_ - rise_ * d;
     return std::min(std::max(cost, 1.0F), greatest_cost_);
   }
-  [[nodiscard]] float greatest_cost() const noexcept {
-    return greatest_cost_;
-  }  ///< the greatest cost of a metre
-  [[nodiscard]] float rise() const noexcept {
-    return rise_;
-  }  ///< increase of the cost per metre closer to an obstacle [1/m]
+  /// The greatest cost of a metre.
+  [[nodiscard]] float greatest_cost() const noexcept { return greatest_cost_; }
+  /// Increase of the cost per metre closer to an obstacle [1/m].
+  [[nodiscard]] float rise() const noexcept { return rise_; }
 
   /// Returns whether moves between allowed diagonal neighbours need `diagonal_is_free`. Moves
   /// between allowed neighbours that share a side are always free.

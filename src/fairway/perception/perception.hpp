@@ -24,9 +24,8 @@ class Perception {
 
   [[nodiscard]] const RollingGrid& grid() const noexcept { return grid_; }
   [[nodiscard]] const MovingObjectTracker& tracker() const noexcept { return tracker_; }
-  [[nodiscard]] std::span<const Beam> beams() const noexcept {
-    return beams_;
-  }                                                             ///< of the last scan
+  /// Beams of the last scan.
+  [[nodiscard]] std::span<const Beam> beams() const noexcept { return beams_; }
   [[nodiscard]] double time() const noexcept { return time_; }  ///< of the last scan [s]
 
  private:

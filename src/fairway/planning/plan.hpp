@@ -27,6 +27,7 @@ struct Plan {
   double path_seconds = 0.0;  ///< time spent on paths, if a clock is given [s]
   double corridor_seconds = 0.0;  ///< time spent on corridors, if a clock is given [s]
 
+  /// Returns whether there is a path and a corridor.
   [[nodiscard]] bool usable() const noexcept {
     return path_status == PathStatus::Found && corridor_status == CorridorStatus::Built;
   }

@@ -34,6 +34,7 @@ inline constexpr CellWindow kNoCells{.first = {.x = 0, .y = 0}, .last = {.x = -1
   return {.first = {.x = 0, .y = 0}, .last = {.x = frame.width - 1, .y = frame.height - 1}};
 }
 
+/// Returns whether a window has no cells.
 [[nodiscard]] inline bool is_empty(const CellWindow& window) noexcept {
   return window.first.x > window.last.x || window.first.y > window.last.y;
 }

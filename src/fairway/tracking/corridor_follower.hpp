@@ -50,6 +50,7 @@ class CorridorFollower {
   /// @return whether there is such a rectangle; if not, nothing changes.
   [[nodiscard]] bool update(const Eigen::Vector2d& position, double slack) noexcept;
 
+  /// Index of the rectangle that contains the robot.
   [[nodiscard]] std::size_t current() const noexcept { return current_; }
   [[nodiscard]] std::size_t size() const noexcept { return admissible_.size(); }
 

@@ -16,6 +16,7 @@ enum class IpoptConstraints : std::uint8_t {
   Hard,  ///< as in the paper: an infeasible problem ends wherever IPOPT gives up
 };
 
+/// Settings of the reference solver.
 struct IpoptSettings {
   IpoptConstraints constraints = IpoptConstraints::Soft;
   int max_iterations = 500;

@@ -116,6 +116,7 @@ class MapNavigator {
                                    double time,
                                    const Pose2& pose) const noexcept;
 
+  /// Returns the settings in use.
   [[nodiscard]] const Settings& settings() const noexcept;
   [[nodiscard]] const Plan& plan() const noexcept;  ///< the plan being followed; may be unusable
 

@@ -44,9 +44,8 @@ class MapPlanning {
   void wait() const noexcept { worker_.wait(); }
 
   void lend_clock(std::function<double()> clock) { clock_ = std::move(clock); }
-  [[nodiscard]] double seconds() const noexcept {
-    return seconds_;
-  }  ///< duration of the last plan [s]
+  /// Duration of the last plan [s].
+  [[nodiscard]] double seconds() const noexcept { return seconds_; }
 
  private:
   void make();

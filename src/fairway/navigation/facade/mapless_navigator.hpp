@@ -73,6 +73,7 @@ class MaplessNavigator {
                                    double time,
                                    const Pose2& pose) const noexcept;
 
+  /// Returns the settings, the plan being followed, and whether it is for the present goal.
   [[nodiscard]] const Settings& settings() const noexcept;
   [[nodiscard]] const Plan& plan() const noexcept;
   [[nodiscard]] bool plan_is_current() const noexcept;

@@ -22,7 +22,9 @@ struct TaskView {
 /// Holds a task, and converts the status of the plan being followed into the status of the task.
 class TaskStatus {
  public:
+  /// Starts a task, and drops the one before.
   void begin(NavigationTask task);
+  /// Drops the task.
   void end() noexcept;
 
   [[nodiscard]] const std::optional<NavigationTask>& task() const noexcept { return task_; }
