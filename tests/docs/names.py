@@ -9,7 +9,7 @@ STATUSES = {
     "src/fairway/navigation/navigation_status.hpp": ("NavigationStatus", "LimitingFactor"),
     "src/fairway/path/path.hpp": ("PathStatus",),
     "src/fairway/corridor/corridor.hpp": ("CorridorStatus",),
-    "src/fairway/mpc/solution.hpp": ("SolveStatus", "RowKind"),
+    "src/fairway/mpc/solution.hpp": ("SolveStatus", "ConstraintKind"),
 }
 
 

@@ -141,9 +141,11 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
               "`robot.width`, and the clearance at that place. If it occurs at speed: the robot"
               " sees obstacles too late for `robot.linear_max`."};
     case LimitingFactor::OutsideCorridor:
-      return {.meaning = "The robot is in no rectangle of its corridor. A new plan is asked for.",
-              .causes = "The robot was pushed or slipped; the pose was corrected by localisation.",
-              .remedy = "Normal, if it lasts one or two cycles."};
+      return {
+          .meaning =
+              "The robot is in no rectangle of its corridor. The navigator requests a new plan.",
+          .causes = "The robot was pushed or slipped; the pose was corrected by localisation.",
+          .remedy = "Normal, if it lasts one or two cycles."};
     case LimitingFactor::StalePose:
       return {
           .meaning =
@@ -196,7 +198,7 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
               .causes = "As for `no plan`.",
               .remedy = "As for `no plan`."};
     case LimitingFactor::InvalidGoal:
-      return {.meaning = "The goal is not finite, or its heading is beyond two turns.",
+      return {.meaning = "The goal is not finite, or its heading is beyond 2 pi.",
               .causes = "Headings in degrees.",
               .remedy = "Give metres and radians."};
     case LimitingFactor::InvalidTime:

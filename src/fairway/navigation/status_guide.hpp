@@ -5,19 +5,19 @@
 
 namespace fairway {
 
-/// What a person should know about a status or a limiting factor. Names of settings and texts of
-/// statuses stand in backticks.
+/// Explains a status or a limiting factor to users. Names of settings and texts of statuses are in
+/// backticks.
 struct StatusGuide {
-  const char* meaning = "";  ///< what the robot does, or what holds it back
-  const char* causes = "";   ///< why that usually happens
-  const char* remedy = "";   ///< what to do about it; empty where nothing is wrong
+  const char* meaning = "";  ///< what the robot does, or what limits it
+  const char* causes = "";   ///< usual causes
+  const char* remedy = "";   ///< what to do; empty if nothing is wrong
 };
 
-/// The guide of a status: the one place with these texts, for the tool (`fairway statuses`),
-/// docs/statuses.md, pages and nodes.
+/// Returns the guide of a status. The tool (`fairway statuses`), docs/statuses.md, the pages and
+/// the nodes all use these texts.
 [[nodiscard]] StatusGuide guide_of(NavigationStatus status) noexcept;
 
-/// The guide of a limiting factor.
+/// Returns the guide of a limiting factor.
 [[nodiscard]] StatusGuide guide_of(LimitingFactor limit) noexcept;
 
 }  // namespace fairway

@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// The route over cells whose least clearance is the greatest. Cells with as much clearance as
-// needed are equal, so that the first of them that lead to the goal are taken.
+// Searches the route over cells whose least clearance is the greatest. Cells with sufficient
+// clearance count as equal, so that the first route over them is taken.
 class WidestRoute {
  public:
   WidestRoute(const DistanceField& distances, double enough)
@@ -31,7 +31,7 @@ class WidestRoute {
         scale_((kLevels - 1) / enough),
         parents_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kUnseen) {}
 
-  // The cells from `start` to `goal`, at least one. @pre both lie in the grid.
+  // Returns the cells from `start` to `goal`, at least one. @pre both lie in the grid.
   std::vector<CellIndex> find(CellIndex start, CellIndex goal) {
     parents_[index(start)] = kStart;
     push(start);
@@ -66,7 +66,7 @@ class WidestRoute {
     const CellIndex cell{.x = from.x + kStepX.at(direction), .y = from.y + kStepY.at(direction)};
     if (cell.x < 0 || cell.y < 0 || cell.x >= width_ || cell.y >= height_) return;
     if (parents_[index(cell)] != kUnseen) return;
-    // A diagonal step between two blocked cells, or past one, is narrower than its ends tell.
+    // A diagonal step between two blocked cells, or past one, is narrower than at its ends.
     const bool diagonal = direction % 2 == 1;
     if (diagonal && (distances_.at({.x = from.x, .y = cell.y}) <= 0.0 ||
                      distances_.at({.x = cell.x, .y = from.y}) <= 0.0)) {
@@ -105,8 +105,8 @@ class WidestRoute {
   int top_ = -1;
 };
 
-// The point near `point` with the greatest clearance across a gap: along the line to the nearest
-// obstacle. A cell's centre is up to half a cell beside the middle of the gap.
+// Returns the point near `point` with the greatest clearance across a gap, along the line to the
+// nearest obstacle. The centre of a cell is up to half a cell beside the middle of the gap.
 Vector2d middle_of_gap(const BitGrid& obstacles, const Vector2d& point) {
   const double cell = obstacles.frame().resolution;
   const double limit = distance_to_blocked(obstacles, point, 100.0) + 2.0 * cell;
@@ -138,7 +138,7 @@ PathObstruction narrowest(const PreparedMap& map,
                           const std::vector<CellIndex>& route,
                           double needed) {
   const GridFrame& frame = map.obstacles.frame();
-  // The ends were tested exactly where they are; the centres of their cells tell less.
+  // The ends were tested exactly; the centres of their cells are less exact.
   const bool has_inside = route.size() > 2;
   const auto tightest = std::min_element(
       route.begin() + has_inside, route.end() - has_inside,
@@ -162,7 +162,7 @@ std::string fixed(double value, int decimals) {
   return text.data();
 }
 
-// Appended piece by piece: g++ 12 warns of overlaps in sums of strings that cannot be.
+// Concatenates the pieces. With operator+, g++ 12 warns of overlaps that cannot occur.
 std::string joined(std::initializer_list<std::string_view> pieces) {
   std::string text;
   for (const std::string_view piece : pieces)

@@ -9,7 +9,7 @@
 
 namespace fairway {
 
-/// What keeps a robot from its goal, with the numbers that a person needs to change it.
+/// The obstruction that keeps a robot from its goal, with its place and size.
 struct PathObstruction {
   enum class Kind : std::uint8_t {
     StartClearance,  ///< the start is too near to an obstacle
@@ -18,9 +18,10 @@ struct PathObstruction {
     ClosedRoute,     ///< every route crosses blocked cells: obstacles, or unknown cells
   };
   Kind kind = Kind::ClosedRoute;
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< where, in the world frame [m]
-  double found = 0.0;   ///< distance to the nearest obstacle, or width of the gap [m]
-  double needed = 0.0;  ///< the same as the robot needs it [m]
+  Eigen::Vector2d position =
+      Eigen::Vector2d::Zero();  ///< of the obstruction, in the world frame [m]
+  double found = 0.0;           ///< distance to the nearest obstacle, or width of the gap [m]
+  double needed = 0.0;          ///< the same quantity, as the robot needs it [m]
 };
 
 [[nodiscard]] constexpr const char* to_text(PathObstruction::Kind kind) noexcept {
@@ -37,23 +38,23 @@ struct PathObstruction {
   return "unknown";
 }
 
-/// Finds out why `plan` has no path from `start` to its goal.
+/// Finds the obstruction because of which `plan` has no path from `start` to its goal.
 ///
 /// The best route is the one whose narrowest gap is the widest (a maximum bottleneck path over the
 /// cells). Gaps are measured to about a tenth of a cell; in a gap that is not straight the result
-/// is a lower bound. A route that crosses blocked cells is taken only when there is no other; then
-/// `position` is the first blocked cell on the one that crosses the fewest.
+/// is a lower bound. A route that crosses blocked cells is used only if there is no other;
+/// `position` is then the first blocked cell on the one that crosses the fewest.
 ///
-/// Takes up to O(cells) time and memory: for people who wait for an answer, not for control cycles.
-/// @param radius  Of the disc that the plan was asked to keep free [m].
-/// @return none when the plan has a path, or an end outside the map, or an invalid input.
+/// It takes O(cells) time and memory; do not call it in a control cycle.
+/// @param radius  Radius of the disc that the plan had to keep free [m].
+/// @return none if the plan has a path, an end outside the map, or an invalid input.
 [[nodiscard]] std::optional<PathObstruction> find_obstruction(const PreparedMap& map,
                                                               const Eigen::Vector2d& start,
                                                               const Plan& plan,
                                                               double radius);
 
-/// Says why `plan` is not usable, in one sentence with numbers and what could be changed. Empty
-/// when the plan is usable. Parameters as in find_obstruction.
+/// Explains why `plan` is not usable, in one sentence with numbers and what could be changed. The
+/// text is empty if the plan is usable. Parameters are as in find_obstruction.
 [[nodiscard]] std::string explain(const PreparedMap& map,
                                   const Eigen::Vector2d& start,
                                   const Plan& plan,
