@@ -101,20 +101,22 @@ TEST(Plan, IsTheSameEveryTime) {
 TEST(Plan, ReportsWhyThereIsNone) {
   const TemporaryFolder folder;
   write_room(folder);
-  const auto refused = [&](const std::string& arguments, const std::string& reason) {
+  const auto refused = [&](const std::string& arguments, const std::string& beginning) {
     const ToolRun run = run_tool(folder, "plan room.yaml --json - " + arguments);
     EXPECT_EQ(run.code, 1) << arguments;
-    EXPECT_EQ(run.err, "fairway: " + reason + "\n");
     const json plan = json::parse(run.out);
     EXPECT_FALSE(plan.at("success").get<bool>());
-    EXPECT_EQ(plan.at("reason"), reason);
+    const auto reason = plan.at("reason").get<std::string>();
+    EXPECT_EQ(reason.substr(0, beginning.size()), beginning);
+    EXPECT_EQ(run.err, "fairway: " + reason + "\n");
   };
-  refused("--start 4.05,0.5 --goal 7,2", "the robot does not fit at the start");
-  refused("--start 1,2 --goal 7.95,2", "the robot does not fit at the goal");
-  refused("--start 1,2 --goal 7,2 --robot-radius 0.6",
-          "no path from start to goal is wide enough for the robot");
-  refused("--start 1,2 --goal 7,2 --clearance 0.55",
-          "no path from start to goal is wide enough for the robot");
+  refused("--start 4.05,0.5 --goal 7,2",
+          "the robot does not fit at the start (4.05, 0.50): it is ");
+  refused("--start 1,2 --goal 7.95,2", "the robot does not fit at the goal (7.95, 2.00): it is ");
+  const std::string narrow =
+      "there is no path wide enough: the narrowest gap on the best route, at ";
+  refused("--start 1,2 --goal 7,2 --robot-radius 0.6", narrow);
+  refused("--start 1,2 --goal 7,2 --clearance 0.55", narrow);
 }
 
 TEST(Plan, DrawsEveryKindOfPicture) {
