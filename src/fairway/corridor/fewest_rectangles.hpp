@@ -12,10 +12,10 @@ namespace fairway {
 
 /// Covers a path with as few rectangles as possible, each as large as possible.
 ///
-/// 1. Forward pass: finds the longest part of the path from the start that one free rectangle can
-/// contain, then continues from there to the goal. This fixes the number of rectangles. 2. Backward
-/// pass: makes each rectangle the largest that contains its part of the path, less the part that
-/// the rectangle after it already contains.
+/// 1. Forward pass: it finds the longest part of the path from the start that one free rectangle
+///    can contain, then continues from there to the goal. This fixes the number of rectangles.
+/// 2. Backward pass: it makes each rectangle the largest that contains its part of the path, less
+///    the part that the rectangle after it already contains.
 ///
 /// Where two rectangles meet, both contain a disc about the path that is large enough for the
 /// overlap required. Where there is no space for it, they contain a smaller disc swept along a part

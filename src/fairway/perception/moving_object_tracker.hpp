@@ -12,7 +12,7 @@ namespace fairway {
 
 /// Detects and tracks moving objects in lidar scans.
 ///
-/// A beam that ends where space was surely free shortly before is new. Neighbouring new beams form
+/// A beam is new if it ends where space was surely free shortly before. Neighbouring new beams form
 /// a cluster, and each cluster of a plausible size starts a track. A track takes the beams that end
 /// near its predicted position, fits a disc of its size to them, and corrects its Kalman filter.
 /// Without beams it continues at its velocity while it may be hidden. It ends if it is hidden for

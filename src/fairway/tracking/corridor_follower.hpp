@@ -26,8 +26,8 @@ struct ReferencePath {
   [[nodiscard]] Eigen::Vector2d at(double s) const noexcept;
 };
 
-/// Follows a corridor: knows the rectangle that the robot is in, and the shortest path from there
-/// through the overlaps ahead (the reference path).
+/// Follows a corridor: finds the rectangle that contains the robot, and the shortest path from
+/// there through the overlaps ahead (the reference path).
 ///
 /// Every piece of the reference path lies in one rectangle: both of its ends do, and rectangles are
 /// convex.

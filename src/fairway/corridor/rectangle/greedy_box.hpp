@@ -25,6 +25,7 @@ struct GreedySteps {
 /// The sides keep 1e-4 of a step from the points, so that rounding does not let one in. If the
 /// rectangle is free on the map, it is the one that growing on the whole map gives: everything it
 /// passed is free, and everything that stopped a side is an obstacle.
+///
 /// @param along  Unit vector along the box's x-axis.
 /// @return none if a point lies in the initial box.
 [[nodiscard]] std::optional<Box> greedy_box(const ObstaclePoints& points,
