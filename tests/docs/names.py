@@ -36,7 +36,7 @@ def check_settings(root: pathlib.Path, tool: pathlib.Path, pages: list) -> list:
             for name in re.findall(r"`([a-z_]+\.[a-z_]+)(?:[:=][^`]*)?`", line):
                 if name.split(".")[0] in groups and name not in allowed:
                     # A file such as `map.yaml` is no setting.
-                    if name.endswith((".yaml", ".png", ".csv", ".mcap", ".html", ".json")):
+                    if name.endswith((".yaml", ".png", ".csv", ".mcap", ".html", ".json", ".launch")):
                         continue
                     errors.append(f"{page.path.relative_to(root)}:{number}: expected a setting, "
                                   f"found {name}")
