@@ -22,6 +22,7 @@ import code_blocks
 import commands
 import names
 import pages
+import schemas
 import words
 
 
@@ -29,7 +30,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--tool", type=pathlib.Path, help="the built tool; without it nothing runs")
     parser.add_argument("--compiler", default="", help="command that compiles a file; else none is")
-    parser.add_argument("--only", default="", help="links, words, statuses, settings, code or commands")
+    parser.add_argument("--only", default="", help="links, words, statuses, guide, settings, schemas, code or commands")
     options = parser.parse_args()
     root = pathlib.Path(__file__).resolve().parents[2]
     tool = options.tool.resolve() if options.tool else None
@@ -51,6 +52,8 @@ def main() -> int:
               "code": code}
     if tool:
         checks["settings"] = lambda: names.check_settings(root, tool, all_pages)
+        checks["guide"] = lambda: names.check_guide(root, tool)
+        checks["schemas"] = lambda: schemas.check_schemas(root, tool)
         checks["commands"] = run
     errors = []
     for name, check in checks.items():

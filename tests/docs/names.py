@@ -68,3 +68,19 @@ def check_statuses(root: pathlib.Path) -> list:
                    for text in texts if text not in described]
     return errors + [f"docs/statuses.md: expected a status of the program, found `{text}`"
                      for text in sorted(described - known)]
+
+
+def cells_of(row: str) -> list:
+    """The cells of a row of a table that say something, with links as their texts."""
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", row)
+    return [cell.strip() for cell in text.split("|") if cell.strip()]
+
+
+def check_guide(root: pathlib.Path, tool: pathlib.Path) -> list:
+    """The tool and the page say the same about statuses."""
+    page = [cells_of(line) for line in (root / "docs/statuses.md").read_text().splitlines()
+            if line.startswith("|")]
+    shown = subprocess.run([tool, "statuses", "--markdown"], capture_output=True, text=True,
+                           check=True).stdout
+    return [f"docs/statuses.md: expected the row of `fairway statuses --markdown`, found none: {row}"
+            for row in shown.splitlines() if row.startswith("| `") and cells_of(row) not in page]
