@@ -12,6 +12,11 @@ CALLS_TOOL = re.compile(r"(?:^|[;&|(\s])(?:build/release/bin/)?fairway(?=\s)", r
 LONGEST = 40  # [s], of one block
 
 
+def calls_tool(block) -> bool:
+    commands = re.sub(r"(^|\s)#[^\n]*", "", block.text)
+    return block.language in ("sh", "bash") and bool(CALLS_TOOL.search(commands))
+
+
 def folder_for(root: pathlib.Path, tool: pathlib.Path, folder: pathlib.Path) -> None:
     """What a reader has in the project's folder, without what the commands of a page could spoil."""
     for name in ("scenarios", "examples", "benchmarks", "tools"):
@@ -55,7 +60,7 @@ def matches(expected: str, found: str) -> bool:
 def check_page(root: pathlib.Path, tool: pathlib.Path, page) -> tuple:
     """@return errors, and how many blocks ran"""
     errors, ran, output = [], 0, None
-    if not any(CALLS_TOOL.search(b.text) for b in page.blocks if b.language in ("sh", "bash")):
+    if not any(calls_tool(block) for block in page.blocks):
         return errors, ran
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -69,7 +74,7 @@ def check_page(root: pathlib.Path, tool: pathlib.Path, page) -> tuple:
             elif "output" in block.directives:
                 if output is not None and not matches(block.text, output):
                     errors.append(f"{where}: expected the output of the block above, found\n{output}")
-            elif block.language in ("sh", "bash") and CALLS_TOOL.search(block.text):
+            elif calls_tool(block):
                 output = None
                 if "not run" in block.directives:
                     if not block.directives["not run"]:
