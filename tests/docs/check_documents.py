@@ -31,7 +31,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--tool", type=pathlib.Path, help="the built tool; without it nothing runs")
     parser.add_argument("--compiler", default="", help="command that compiles a file; else none is")
-    parser.add_argument("--only", default="", help="links, words, statuses, guide, settings, options, schemas, code or commands")
+    parser.add_argument("--only", default="", help="links, words, statuses, guide, keys, settings, options, schemas, code or commands")
     given = parser.parse_args()
     root = pathlib.Path(__file__).resolve().parents[2]
     tool = given.tool.resolve() if given.tool else None
@@ -50,6 +50,7 @@ def main() -> int:
     checks = {"links": lambda: pages.check_links(root, all_pages),
               "words": lambda: words.check_words(root, all_pages),
               "statuses": lambda: names.check_statuses(root),
+              "keys": lambda: names.check_keys(root),
               "code": code}
     if tool:
         checks["settings"] = lambda: names.check_settings(root, tool, all_pages)
