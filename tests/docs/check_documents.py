@@ -21,6 +21,7 @@ import sys
 import code_blocks
 import commands
 import names
+import options
 import pages
 import schemas
 import words
@@ -30,16 +31,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--tool", type=pathlib.Path, help="the built tool; without it nothing runs")
     parser.add_argument("--compiler", default="", help="command that compiles a file; else none is")
-    parser.add_argument("--only", default="", help="links, words, statuses, guide, settings, schemas, code or commands")
-    options = parser.parse_args()
+    parser.add_argument("--only", default="", help="links, words, statuses, guide, keys, settings, options, schemas, code or commands")
+    given = parser.parse_args()
     root = pathlib.Path(__file__).resolve().parents[2]
-    tool = options.tool.resolve() if options.tool else None
+    tool = given.tool.resolve() if given.tool else None
     all_pages = pages.pages_of(root)
     counts = {}
 
     def code() -> list:
         errors, counts["C++ blocks"] = code_blocks.check_code(root, all_pages,
-                                                              shlex.split(options.compiler))
+                                                              shlex.split(given.compiler))
         return errors
 
     def run() -> list:
@@ -49,15 +50,17 @@ def main() -> int:
     checks = {"links": lambda: pages.check_links(root, all_pages),
               "words": lambda: words.check_words(root, all_pages),
               "statuses": lambda: names.check_statuses(root),
+              "keys": lambda: names.check_keys(root),
               "code": code}
     if tool:
         checks["settings"] = lambda: names.check_settings(root, tool, all_pages)
+        checks["options"] = lambda: options.check_options(root, tool)
         checks["guide"] = lambda: names.check_guide(root, tool)
         checks["schemas"] = lambda: schemas.check_schemas(root, tool)
         checks["commands"] = run
     errors = []
     for name, check in checks.items():
-        if not options.only or name in options.only.split(","):
+        if not given.only or name in given.only.split(","):
             errors += check()
     for error in errors:
         print(error)

@@ -6,6 +6,7 @@ import unittest
 
 import code_blocks
 import commands
+import options
 import pages
 import schemas
 import words
@@ -77,6 +78,16 @@ class Checks(unittest.TestCase):
         self.assertEqual([error.split("'")[1] for error in found], ["for ever", "nobody"])
         joined = words.check_text("a.md", "It waits for\never.")
         self.assertEqual(len(joined), 1)
+
+    def test_every_command_and_option_is_described(self):
+        self.tool.write_text("#!/bin/sh\n[ $# = 1 ] && printf 'Subcommands:\\n  go    Goes\\n' ||"
+                             " printf 'Options:\\n  -h,--help\\n  --far TEXT\\n'\n")
+        page = self.root / "docs/command_line.md"
+        for text, errors in (("## go\n`--far X`\n", 0), ("## come, go\n--far\n", 0),
+                             ("## go\n--farther\n", 1), ("## come\n--far\n", 1),
+                             ("## For all commands\n--far\n## go\n", 0)):
+            page.write_text(text)
+            self.assertEqual(len(options.check_options(self.root, self.tool)), errors, text)
 
     def test_results_are_compared_with_schemas(self):
         schema = {"type": "object", "required": ["a"], "additionalProperties": False,

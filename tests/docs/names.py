@@ -84,3 +84,17 @@ def check_guide(root: pathlib.Path, tool: pathlib.Path) -> list:
                            check=True).stdout
     return [f"docs/statuses.md: expected the row of `fairway statuses --markdown`, found none: {row}"
             for row in shown.splitlines() if row.startswith("| `") and cells_of(row) not in page]
+
+
+def check_keys(root: pathlib.Path) -> list:
+    """Every key that a reader of files asks for is on the page of the formats."""
+    asked = re.compile(r"(?:text|choice|numbers?|boolean|integer|mappings?|rows|read_choice<\w+>)"
+                       r"\(\s*(?:\w+,\s*)?\"(\w+)\"")
+    page = (root / "docs/formats.md").read_text()
+    errors = []
+    for folder in ("scenario", "maps"):
+        for source in sorted((root / "src/fairway/io" / folder).glob("*.cpp")):
+            errors += [f"docs/formats.md: expected the key `{key}` of {source.name}, found none"
+                       for key in dict.fromkeys(asked.findall(source.read_text()))
+                       if not re.search(r"`(?:\w+: *)?" + key + r"\b", page)]
+    return errors

@@ -38,11 +38,11 @@ def check_words(root: pathlib.Path, pages: list) -> list:
     errors = []
     for page in pages:
         errors += check_text(str(page.path.relative_to(root)), page.path.read_text(encoding="utf-8"))
-    here = pathlib.Path(__file__).resolve()
+    here = pathlib.Path(__file__).resolve().parent  # which has the words, and tests that find them
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*")):
             cpp = path.suffix in (".cpp", ".hpp")
-            if not cpp and path.suffix not in (".py", ".sh", ".cmake", ".yaml") or path == here:
+            if not cpp and path.suffix not in (".py", ".sh", ".cmake", ".yaml") or here in path.resolve().parents:
                 continue
             if "node_modules" in path.parts:
                 continue
