@@ -8,7 +8,9 @@ namespace fairway::app {
 /// Each adds one command to the tool. Of those that a build may leave out, serve and reproduce, the
 /// command is then there all the same, and says how to get it.
 void add_barn_command(CommandLine& tool);
+void add_bodies_command(CommandLine& tool);
 void add_dynabarn_command(CommandLine& tool);
+void add_parking_command(CommandLine& tool);
 void add_plan_command(CommandLine& tool);
 void add_replay_command(CommandLine& tool);
 void add_reproduce_command(CommandLine& tool);
