@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fairway/path/se2/body_path_planner.hpp"
-#include "fairway/trajectory/trajectory.hpp"
+#include "fairway/trajectory/drive_program.hpp"
 
 namespace fairway {
 
@@ -12,9 +12,11 @@ namespace fairway {
 struct DriveSettings {
   BodyPathSettings path{};
   double limit_share =
-      0.98;                 ///< share of the base's limits that plans use; the rest is for control
-  double clearance = 0.01;  ///< kept by the whole drive, where the path has as much [m]
-  double knot_step = 0.25;  ///< greatest time between knots of the trajectory [s]
+      0.98;                  ///< share of the base's limits that plans use; the rest is for control
+  double clearance = 0.005;  ///< proven for the whole drive, where the path has as much [m]
+  double knot_step = 0.25;   ///< greatest time between knots of the first trajectory [s]
+  int iterations = 40;       ///< of the optimisation, at most; 0: stops between all pieces
+  TrajectoryCost cost{};     ///< what is minimised besides time
 };
 
 /// A drive from pose to pose, in time, proven free of contact.
