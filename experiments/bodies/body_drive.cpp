@@ -33,21 +33,20 @@ std::string judge(const BodyTask& task, const BodyDrive& drive) {
   return "arrived";
 }
 
-// Distance between body and obstacles over all rows; the motion between two rows is covered by
-// subtracting half of what any point of the body moves.
+// Distance between body and obstacles over all rows and the motions between them, proven: at most
+// BodyClearance::kMotionTolerance too small.
 double least_clearance(const BodyClearance& clearance, const std::vector<DriveRow>& rows) {
-  constexpr double kFurthest = 2.0;  // [m]
+  constexpr double kFurthest = 2.0;     // [m]
+  constexpr double kResolution = 1e-4;  // [m]
   double least = kFurthest;
   for (const DriveRow& row : rows) {
-    const double half_way =
-        0.5 * kPeriod *
-        clearance.body().greatest_speed(row.twist.linear, row.twist.lateral, row.twist.angular);
-    if (clearance.distance_bound(row.pose) > least + half_way) continue;
     if (clearance.is_free(row.pose, row.twist, kPeriod, least)) continue;
-    const double middle =
-        clearance.distance(moved(row.pose, row.twist, 0.5 * kPeriod), least + half_way);
-    const double here = clearance.distance(row.pose, least + half_way);
-    least = std::min({least, here, middle});
+    double low = 0.0;
+    while (least - low > kResolution) {
+      const double middle = 0.5 * (low + least);
+      (clearance.is_free(row.pose, row.twist, kPeriod, middle) ? low : least) = middle;
+    }
+    least = low;
   }
   return least;
 }

@@ -55,7 +55,7 @@ DrivePlan plan_drive(const BodyClearance& clearance,
     Trajectory driven = candidate;
     std::vector<TrajectoryRow> rows = sampled(base, driven, period);
     const double load = greatest_load(planned, rows, period);
-    constexpr double kMostStretch = 1.1;
+    constexpr double kMostStretch = 1.2;
     if (load > kMostStretch) return false;
     if (load > 1.0) {
       driven = stretched(base, driven, load);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/trajectory/drive_limits.hpp"
 
 namespace fairway::internal {
 
@@ -12,45 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kShortestStep = 0.03;  // [s]
-constexpr double kLongestStep = 0.35;   // [s]
-
-// Places of the variables in a stage.
-constexpr int kHeading = 2;
-constexpr int kInputs = 3;   // linear, lateral, turn
-constexpr int kChanges = 6;  // of the same
-constexpr int kStep = 9;
-
-using Inputs = Eigen::Vector3d;
 using PoseJacobian = Eigen::Matrix<double, 3, kVariables>;
-
-Inputs vector_of(const BaseInput& input) noexcept {
-  return {input.linear, input.lateral, input.turn};
-}
-BaseInput input_of(const Inputs& v) noexcept { return {v.x(), v.y(), v.z()}; }
-
-double angular_of(const BaseModel& base, const Inputs& v) noexcept {
-  return twist_of(base, input_of(v)).angular;
-}
-
-// Limits of the three inputs and of their slopes.
-struct InputLimits {
-  Inputs low;
-  Inputs high;
-  Inputs slope;
-  bool lateral;
-
-  explicit InputLimits(const BaseModel& base) noexcept
-      : low(base.linear_min, -base.lateral_max, -base.angular_max),
-        high(base.linear_max, base.lateral_max, base.angular_max),
-        slope(base.linear_acceleration, base.lateral_acceleration, base.angular_acceleration),
-        lateral(base.kind == BaseKind::Omni) {
-    if (!is_steered(base)) return;
-    low.z() = -base.steering_max;
-    high.z() = base.steering_max;
-    slope.z() = base.steering_rate_max;
-  }
-};
 
 // How the pose after the `share` of a step varies with the stage's variables.
 PoseJacobian pose_jacobian(const BaseModel& base,
@@ -88,131 +51,6 @@ PoseJacobian pose_jacobian(const BaseModel& base,
   const Vector2d way = turn * reached(at).head<2>();
   jacobian.block<2, 1>(0, kHeading) = Vector2d(-way.y(), way.x());
   return jacobian;
-}
-
-void constrain(Stage& stage, const StageVector& gradient, double bound) {
-  stage.constraints.push_back({.gradient = gradient, .bound = bound});
-}
-
-// low <= expression <= high, for its deviation `gradient` . v from `now`; and not beyond `trust`.
-void constrain_between(
-    Stage& stage, const StageVector& gradient, double now, double low, double high, double trust) {
-  constrain(stage, gradient, std::min(trust, std::max(high - now, 0.0)));
-  constrain(stage, -gradient, std::min(trust, std::max(now - low, 0.0)));
-}
-
-// A point of the polytope of speeds: wheels as half-planes, tangents where they are round.
-void add_wheel_constraints(Stage& stage, const BaseModel& base, const Inputs& next) {
-  const PlanarTwist twist = twist_of(base, input_of(next));
-  if (base.wheels.kind == WheelKind::None || base.wheels.kind == WheelKind::Steered) {
-    if (base.wheels.kind == WheelKind::None) return;
-  }
-  const auto add = [&](const Inputs& gradient, double load) {
-    StageVector g = StageVector::Zero();
-    g.segment<3>(kInputs) = gradient;
-    g.segment<3>(kChanges) = gradient;
-    constrain(stage, g, std::max(base.wheels.speed_max - load, 0.0));
-  };
-  const double now = base.wheels.speed_max * wheel_load(base, twist);
-  switch (base.wheels.kind) {
-    case WheelKind::None:
-      return;
-    case WheelKind::Differential: {
-      const double half = 0.5 * base.wheels.track;
-      for (const double a : {1.0, -1.0}) {
-        for (const double b : {half, -half})
-          add({a, 0.0, b}, a * twist.linear + b * twist.angular);
-      }
-      return;
-    }
-    case WheelKind::Mecanum:
-      for (int i = 0; i < 8; ++i) {
-        const Inputs sign((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0,
-                          (i & 4) != 0 ? base.wheels.half_sum : -base.wheels.half_sum);
-        add(sign, sign.dot(next));
-      }
-      return;
-    case WheelKind::Swerve:
-      for (int i = 0; i < base.wheels.num_modules; ++i) {
-        const Vector2d& place = base.wheels.modules[static_cast<std::size_t>(i)];
-        const Vector2d v(twist.linear - twist.angular * place.y(),
-                         twist.lateral + twist.angular * place.x());
-        constexpr int kTangents = 12;
-        for (int t = 0; t < kTangents; ++t) {
-          const Vector2d n = direction(2.0 * 3.14159265358979 * t / kTangents);
-          add({n.x(), n.y(), n.y() * place.x() - n.x() * place.y()}, n.dot(v));
-        }
-      }
-      return;
-    case WheelKind::Steered: {
-      // |u| / cos(steering), linearised.
-      const double sign = next.x() < 0.0 ? -1.0 : 1.0;
-      const double c = std::cos(next.z());
-      add({sign / c, 0.0, std::abs(next.x()) * std::sin(next.z()) / (c * c)}, now);
-      return;
-    }
-  }
-}
-
-// Angular speed and acceleration of a steered base follow from speed and angle, linearised.
-void add_angular_constraints(
-    Stage& stage, const BaseModel& base, const Inputs& now, const Inputs& next, double step) {
-  const auto slope_at = [&](const Inputs& v) {
-    const double c = std::cos(v.z());
-    return Inputs(std::tan(v.z()) / base.wheelbase, 0.0, v.x() / (base.wheelbase * c * c));
-  };
-  StageVector angular = StageVector::Zero();
-  angular.segment<3>(kInputs) = slope_at(next);
-  angular.segment<3>(kChanges) = slope_at(next);
-  const double speed = angular_of(base, next);
-  constexpr double kFar = 1e3;
-  constrain_between(stage, angular, speed, -base.angular_max, base.angular_max, kFar);
-  // Between knots it bends: so each half of the step keeps the limit.
-  const Inputs middle = 0.5 * (now + next);
-  StageVector halfway = StageVector::Zero();
-  halfway.segment<3>(kInputs) = slope_at(middle);
-  halfway.segment<3>(kChanges) = 0.5 * slope_at(middle);
-  StageVector before = StageVector::Zero();
-  before.segment<3>(kInputs) = slope_at(now);
-  const auto add = [&](const StageVector& gradient, double change) {
-    const double most = 0.5 * base.angular_acceleration;
-    for (const double sign : {1.0, -1.0}) {
-      StageVector g = sign * gradient;
-      g(kStep) -= most;
-      constrain(stage, g, std::max(most * step - sign * change, 0.0));
-    }
-  };
-  add(halfway - before, angular_of(base, middle) - angular_of(base, now));
-  add(angular - halfway, speed - angular_of(base, middle));
-}
-
-void add_limits(Stage& stage,
-                const DriveProblem& problem,
-                const Inputs& now,
-                const Inputs& next,
-                double step,
-                const TrustRegion& trust) {
-  const InputLimits limits(problem.base);
-  const Inputs change = next - now;
-  for (int i = 0; i < 3; ++i) {
-    if (i == 1 && !limits.lateral) continue;
-    StageVector input = StageVector::Zero();
-    input(kInputs + i) = 1.0;
-    input(kChanges + i) = 1.0;
-    const double most = trust.input * std::max(limits.high(i), -limits.low(i));
-    constrain_between(stage, input, next(i), limits.low(i), limits.high(i), most);
-    for (const double sign : {1.0, -1.0}) {
-      StageVector slope = StageVector::Zero();
-      slope(kChanges + i) = sign;
-      slope(kStep) = -limits.slope(i);
-      constrain(stage, slope, std::max(limits.slope(i) * step - sign * change(i), 0.0));
-    }
-  }
-  StageVector time = StageVector::Zero();
-  time(kStep) = 1.0;
-  constrain_between(stage, time, step, kShortestStep, kLongestStep, trust.step * step);
-  add_wheel_constraints(stage, problem.base, next);
-  if (is_steered(problem.base)) add_angular_constraints(stage, problem.base, now, next, step);
 }
 
 void add_contacts(Stage& stage,
@@ -360,7 +198,7 @@ void make_program(const DriveProblem& problem,
     stage.offset.head<2>() = evaluation.ends[k].position - iterate.knots[k + 1].position;
     stage.offset(kHeading) = evaluation.ends[k].heading - iterate.knots[k + 1].heading;
     add_costs(stage, problem, now, next - now, step, trust.damping);
-    add_limits(stage, problem, now, next, step, trust);
+    add_limits(stage, problem.base, now, next, step, trust);
     for (int i = 0; i < 3 && k > 0; ++i) {
       StageVector g = StageVector::Zero();
       g(i) = 1.0;
@@ -392,11 +230,13 @@ DriveIterate moved_along(const BaseModel& base,
                          const StageSolution& solution,
                          double share) {
   DriveIterate next = iterate;
+  const InputLimits limits(base);
   const std::size_t count = iterate.trajectory.steps.size();
   const auto shift = [&](std::size_t k, const StateVector& state) {
     next.knots[k].position += share * state.head<2>();
     next.knots[k].heading += share * state(kHeading);
-    next.trajectory.inputs[k] = iterate.trajectory.inputs[k] + share * input_of(state.tail<3>());
+    const Inputs input = vector_of(iterate.trajectory.inputs[k]) + share * state.tail<3>();
+    next.trajectory.inputs[k] = input_of(input.cwiseMax(limits.low).cwiseMin(limits.high));
     if (base.kind != BaseKind::Omni) next.trajectory.inputs[k].lateral = 0.0;
   };
   for (std::size_t k = 0; k < count; ++k) {

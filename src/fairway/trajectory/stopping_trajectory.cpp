@@ -74,6 +74,7 @@ BaseModel with_reserve(const BaseModel& base, double share) noexcept {
   less.lateral_acceleration *= share;
   less.angular_acceleration *= share;
   less.steering_rate_max *= share;
+  less.steering_max *= 1.0 - 0.05 * (1.0 - share);
   less.wheels.speed_max *= share;
   return less;
 }

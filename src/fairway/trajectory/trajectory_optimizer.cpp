@@ -81,7 +81,8 @@ Trajectory optimized(const BodyClearance& clearance,
     for (const double share : {1.0, 0.5, 0.2}) {
       DriveIterate next = moved_along(base, now, solution, share);
       evaluate(problem, next, reach_of(scale), next_evaluation);
-      if (!(merit(next_evaluation, weight) < before - 1e-5)) continue;
+      // Near the end whole steps converge fastest; what they do not close, the next one does.
+      if (!closing && !(merit(next_evaluation, weight) < before - 1e-5)) continue;
       now = std::move(next);
       std::swap(evaluation, next_evaluation);
       better = true;
