@@ -79,7 +79,11 @@ Expected<int> BodiesCommand::run() const {
                   io::excerpt(trace_dir));
   }
   DriveSettings settings;
-  if (parking) settings.path.cell = 0.15;  // the car is three times as long as the bodies are
+  if (parking) {  // the car is three times as long as the bodies are
+    settings.path.cell = 0.15;
+    settings.path.margin = 0.05;
+    settings.cost = {.linear_effort = 0.1, .turn_effort = 0.03, .steering_angle = 0.1};
+  }
   Json rows = Json::array();
   std::string text;
   std::size_t successes = 0;

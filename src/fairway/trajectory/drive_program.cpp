@@ -144,7 +144,7 @@ void evaluate(const DriveProblem& problem,
     // A corner that passes a corner is nearer between two samples than at both: by Pythagoras with
     // this spacing it keeps half of the margin.
     const double spacing = std::max(0.02, 1.7 * problem.margin);
-    const int parts = std::clamp(static_cast<int>(std::ceil(way / spacing)), 1, 12);
+    const int parts = std::clamp(static_cast<int>(std::ceil(way / spacing)), 1, 40);
     for (int i = 1; i <= parts; ++i) {
       const double share = static_cast<double>(i) / parts;
       look(k, share,

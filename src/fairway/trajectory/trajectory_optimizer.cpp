@@ -38,7 +38,7 @@ Trajectory optimized(const BodyClearance& clearance,
                      const TrajectoryCost& cost,
                      int max_iterations,
                      const std::function<bool(const Trajectory&)>& accept) {
-  const DriveProblem problem{
+  DriveProblem problem{
       .clearance = &clearance, .base = base, .goal = goal, .margin = margin, .cost = cost};
   const double size = clearance.body().circumscribed_radius();
   const TrustRegion full{
@@ -96,10 +96,15 @@ Trajectory optimized(const BodyClearance& clearance,
       small_gains = 0;
     if (!better) scale *= closing ? 0.7 : 0.4;
     constexpr double kClosed = 2e-3;  // gaps above which no drive can end at the goal
-    if (evaluation.gaps < kClosed && evaluation.cost < best_cost && accept(now.trajectory)) {
+    if (evaluation.gaps >= kClosed || evaluation.cost >= best_cost) continue;
+    if (accept(now.trajectory)) {
       best = now.trajectory;
       best_cost = evaluation.cost;
       if (closing) break;
+    } else if (closing) {
+      // Closed, and yet not accepted: something between the samples. More distance helps.
+      constexpr double kMoreMargin = 1.1;
+      problem.margin *= kMoreMargin;
     }
   }
   return best;
