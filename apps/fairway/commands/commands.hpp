@@ -8,6 +8,9 @@ namespace fairway::app {
 /// Each adds one command to the tool. A build without serve or reproduce still has these commands;
 /// they then print how to get them.
 void add_barn_command(CommandLine& tool);
+void add_bodies_command(CommandLine& tool);
+void add_dynabarn_command(CommandLine& tool);
+void add_parking_command(CommandLine& tool);
 void add_compare_command(CommandLine& tool);
 void add_dynabarn_command(CommandLine& tool);
 void add_merge_command(CommandLine& tool);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "fairway/base/error.hpp"
+#include "fairway/geometry/planar_twist.hpp"
+
+namespace fairway {
+
+/// How a base moves.
+enum class BaseKind : std::uint8_t {
+  Unicycle,  ///< drives along its heading and turns on the spot: two driven wheels
+  Car,       ///< steers its front wheels and drives its rear axle; speed is that of the rear axle
+  Tricycle,  ///< steers one front wheel, which may be driven; speed is that of the fixed axle
+  Omni,      ///< moves to every side and turns: mecanum wheels or swerve modules
+};
+
+[[nodiscard]] constexpr const char* to_text(BaseKind kind) noexcept {
+  switch (kind) {
+    case BaseKind::Unicycle:
+      return "unicycle";
+    case BaseKind::Car:
+      return "car";
+    case BaseKind::Tricycle:
+      return "tricycle";
+    case BaseKind::Omni:
+      return "omni";
+  }
+  return "unknown";
+}
+
+/// Which formula gives the speeds of the wheels.
+enum class WheelKind : std::uint8_t {
+  None,          ///< no limit by wheels
+  Differential,  ///< |linear| + track / 2 |angular|
+  Steered,       ///< hypot(linear, wheelbase angular): the driven, steered wheel of a tricycle
+  Mecanum,       ///< |linear| + |lateral| + half_sum |angular|
+  Swerve,        ///< hypot(linear - angular y, lateral + angular x) at every module (x, y)
+};
+
+/// The speeds that the wheels can reach.
+struct WheelLimit {
+  static constexpr int kMaxModules = 8;
+
+  WheelKind kind = WheelKind::None;
+  double speed_max = 0.0;  ///< of each wheel on the floor [m/s]
+  double track = 0.0;      ///< Differential: distance between the wheels [m]
+  double half_sum = 0.0;   ///< Mecanum: half of wheelbase plus track [m]
+  int num_modules = 0;     ///< Swerve
+  std::array<Eigen::Vector2d, kMaxModules> modules{};  ///< Swerve: places in the robot's frame [m]
+};
+
+/// What a base can do. Keys that do not apply to its kind are not looked at.
+struct BaseModel {
+  BaseKind kind = BaseKind::Unicycle;
+  double wheelbase = 1.0;            ///< Car, Tricycle: from fixed axle to steered wheel [m]
+  double steering_max = 0.6;         ///< Car, Tricycle: greatest steering angle [rad], below pi / 2
+  double steering_rate_max = 1.0;    ///< Car, Tricycle: its greatest rate [rad/s]
+  double linear_min = -0.5;          ///< least linear speed [m/s]; negative allows reversing
+  double linear_max = 1.0;           ///< greatest linear speed [m/s]
+  double lateral_max = 0.5;          ///< Omni: greatest lateral speed to both sides [m/s]
+  double angular_max = 1.0;          ///< greatest angular speed to both sides [rad/s]
+  double linear_acceleration = 1.0;  ///< greatest change of linear speed [m/s^2]
+  double lateral_acceleration = 1.0;  ///< Omni: of lateral speed [m/s^2]
+  double angular_acceleration = 2.0;  ///< of angular speed [rad/s^2]
+  WheelLimit wheels;
+};
+
+/// Whether every value that applies is finite and in its range.
+[[nodiscard]] Expected<void> validate(const BaseModel& base);
+
+/// Whether it turns only while it drives, by a steered wheel.
+[[nodiscard]] constexpr bool is_steered(const BaseModel& base) noexcept {
+  return base.kind == BaseKind::Car || base.kind == BaseKind::Tricycle;
+}
+
+/// Greatest curvature of a steered base: tan(steering_max) / wheelbase [1/m].
+[[nodiscard]] double greatest_curvature(const BaseModel& base) noexcept;
+
+/// The speed of the fastest wheel over its limit; 0 without limit.
+[[nodiscard]] double wheel_load(const BaseModel& base, const PlanarTwist& twist) noexcept;
+
+/// How much of what the base can reach a twist takes: 1 at the first speed limit, wheels included.
+/// Infinite for a twist that the base cannot drive at any speed. Proportional to the twist, so a
+/// motion of direction `twist` per unit takes at least `speed_load` seconds per unit.
+[[nodiscard]] double speed_load(const BaseModel& base, const PlanarTwist& twist) noexcept;
+
+}  // namespace fairway

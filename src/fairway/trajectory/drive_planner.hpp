@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "fairway/path/se2/body_path_planner.hpp"
+#include "fairway/trajectory/drive_program.hpp"
+
+namespace fairway {
+
+/// How a drive is planned.
+struct DriveSettings {
+  BodyPathSettings path{};
+  double limit_share =
+      0.98;                  ///< share of the base's limits that plans use; the rest is for control
+  double clearance = 0.005;  ///< proven for the whole drive, where the path has as much [m]
+  double knot_step = 0.25;   ///< greatest time between knots of the first trajectory [s]
+  int iterations = 40;       ///< of the optimisation, at most; 0: stops between all pieces
+  TrajectoryCost cost{};     ///< what is minimised besides time
+};
+
+/// A drive from pose to pose, in time, proven free of contact.
+struct DrivePlan {
+  BodyPathResult path;              ///< what was found in space; its status tells why there is none
+  Trajectory trajectory;            ///< what is driven
+  std::vector<TrajectoryRow> rows;  ///< the same in control periods; empty without a plan
+  double clearance = 0.0;           ///< that every row keeps, with the motion to the next [m]
+};
+
+/// Whether all rows, with the motion from each to the next, keep a clearance.
+[[nodiscard]] bool is_free(const BodyClearance& clearance,
+                           const std::vector<TrajectoryRow>& rows,
+                           double period,
+                           double margin) noexcept;
+
+/// Plans a drive: a path by plan_body_path, then a trajectory along it.
+/// @param period  Control period [s]; @pre positive.
+[[nodiscard]] DrivePlan plan_drive(const BodyClearance& clearance,
+                                   const BaseModel& base,
+                                   const Pose2& start,
+                                   const Pose2& goal,
+                                   double period,
+                                   const DriveSettings& settings);
+
+}  // namespace fairway
