@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "fairway/base/utf8_text.hpp"
 #include "tool_run.hpp"
 
 namespace fairway::test {
@@ -146,6 +147,45 @@ TEST_F(BadInput, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork) {
   expect_refused(folder_, plan + "--json none/out.json --picture out.png", "none/out.json");
   expect_refused(folder_, plan + "--json .", "folder");
   expect_refused(folder_, "plan room.yaml --json /dev/full" + std::string(kEnds), "/dev/full");
+}
+
+TEST_F(BadInput, OutputsThatCollideAreRefusedBeforeTheWork) {
+  folder_.write("s.yaml",
+                "map: room.yaml\nrobots:\n  - {start: [1, 2, 0], goal: [7, 2]}\nsettings: {}\n");
+  folder_.write("t.yaml", "robot: {radius: 0.2}\n");
+  std::filesystem::create_symlink("room.pgm", folder_.path("link.png"));
+  const std::string plan = std::string("plan room.yaml") + kEnds;
+  expect_refused(folder_, plan + "--json x.svg --picture ./x.svg", "--picture: expected a file");
+  expect_refused(folder_, plan + "--json room.yaml",
+                 "--json: expected a file other than the input");
+  expect_refused(folder_, plan + "--picture link.png", "other than the input, found link.png");
+  expect_refused(folder_, plan + "--settings t.yaml --json t.yaml", "other than the input");
+  const std::string run = "simulate s.yaml --time-limit 0.2 ";
+  expect_refused(folder_, run + "--log a --trace a", "--log: expected a file other than that of");
+  expect_refused(folder_, run + "--report s.yaml", "other than the input, found s.yaml");
+  expect_refused(folder_, run + "--log room.pgm", "other than the input");
+  expect_refused(folder_, run + "--json - --trace -", "standard output for both");
+  EXPECT_TRUE(content_of(folder_.path("room.yaml")).starts_with("image: room.pgm"));
+}
+
+// Messages are valid UTF-8 on one line, whatever a file or a name holds.
+TEST_F(BadInput, BytesThatAreNoTextAreNotQuoted) {
+  const std::string robots = "robots:\n  - {name: \"r\xff\", start: [1, 2, 0], goal: [7, 2]}\n";
+  folder_.write("s.yaml", "map: room.yaml\n" + robots);
+  expect_refused(folder_, "simulate s.yaml --json j.json --log l.mcap",
+                 "s.yaml:3: expected text in UTF-8, found byte 0xff");
+  for (const std::string& text : {std::string("\x89PNG\r\n"), std::string("a: \xfe\n"),
+                                  std::string("\"\\\xc3\x28\": 1"), std::string("%\xa0\n")}) {
+    folder_.write("bad.yaml", text);
+    const ToolRun run = run_tool(folder_, "plan bad.yaml" + std::string(kEnds));
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(count_lines(run.err), 1) << run.err;
+    EXPECT_FALSE(first_not_utf8(run.err)) << run.err;
+  }
+  const ToolRun named = run_tool(folder_, "plan 'no\xff\xc2\x9b.yaml'" + std::string(kEnds));
+  EXPECT_EQ(named.code, 2);
+  EXPECT_FALSE(first_not_utf8(named.err)) << named.err;
+  EXPECT_EQ(named.err.find("\xc2\x9b"), std::string::npos) << "a control character";
 }
 
 TEST_F(BadInput, WrongScenariosAreNamedWithFileAndLine) {

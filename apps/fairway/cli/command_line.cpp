@@ -195,7 +195,7 @@ int CommandLine::run(int argc, char** argv) {
     return kBadInput;
   }
   const Expected<int> code = chosen_();
-  if (code && *code != kBadInput) print_old_names();
+  if (code && *code != kBadInput) print_warnings();
   if (code) return *code;
   print_error(code.error().message);
   return kBadInput;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -16,9 +17,30 @@ namespace fairway::app {
 
 namespace {
 
-std::vector<std::string>& old_names() {
-  static std::vector<std::string> names;  // of the one command that a process runs
-  return names;
+namespace fs = std::filesystem;
+
+// Of the one command that a process carries out.
+io::FileNotes& noted() {
+  static io::FileNotes notes;
+  return notes;
+}
+
+void add_new(const std::vector<std::string>& texts, std::vector<std::string>& all) {
+  for (const std::string& text : texts) {
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  }
+}
+
+// Whether writing to one would destroy the other. Standard output takes one of them; devices and
+// pipes take both.
+bool is_same_file(const std::string& one, const std::string& other) {
+  if (one.empty() || other.empty()) return false;
+  if (one == "-" || other == "-") return one == other;
+  std::error_code error;
+  const fs::file_status status = fs::status(one, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return false;
+  return fs::weakly_canonical(one, error) == fs::weakly_canonical(other, error) ||
+         fs::equivalent(one, other, error);
 }
 
 }  // namespace
@@ -27,21 +49,24 @@ std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void note_old_names(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    if (std::find(old_names().begin(), old_names().end(), name) == old_names().end())
-      old_names().push_back(name);
-  }
+void note(const io::FileNotes& notes) {
+  add_new(notes.files, noted().files);
+  add_new(notes.warnings, noted().warnings);
+  add_new(notes.old_names, noted().old_names);
 }
 
-void print_old_names() {
-  if (old_names().empty()) return;
+void note_input(const std::string& file) { add_new({file}, noted().files); }
+
+void print_warnings() {
+  for (const std::string& text : noted().warnings)
+    print_error("warning: " + text);
+  if (noted().old_names.empty()) return;
   print_error(fmt::format("warning: these settings have new names; the old ones work until 1.0: {}",
-                          fmt::join(old_names(), ", ")));
+                          fmt::join(noted().old_names, ", ")));
 }
 
 void print_error(std::string_view message) {
-  const std::string line = "fairway: " + one_line(std::string(message)) + '\n';
+  const std::string line = "fairway: " + one_line(message) + '\n';
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 
@@ -60,6 +85,24 @@ Expected<void> write_output(const std::string& path, std::string_view content) {
 Expected<void> check_output(const std::string& path) {
   if (path.empty() || path == "-") return {};
   return io::check_writable(path);
+}
+
+Expected<void> check_apart(const std::vector<NamedOutput>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const NamedOutput& one = outputs[i];
+    for (std::size_t k = i + 1; k < outputs.size(); ++k) {
+      if (!is_same_file(one.path, outputs[k].path)) continue;
+      return fail(fmt::format("{}: expected a file other than that of {}, found {} for both",
+                              outputs[k].option, one.option,
+                              one.path == "-" ? "standard output" : one.path));
+    }
+    for (const std::string& input : noted().files) {
+      if (!is_same_file(one.path, input)) continue;
+      return fail(
+          fmt::format("{}: expected a file other than the input, found {}", one.option, one.path));
+    }
+  }
+  return {};
 }
 
 Expected<void> check_picture_output(const std::string& path) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "fairway/base/error.hpp"
+#include "fairway/io/file_notes.hpp"
 
 namespace fairway::app {
 
@@ -18,12 +19,15 @@ using Json = nlohmann::ordered_json;
 /// from a file name, become U+FFFD; numbers that are not finite become null.
 [[nodiscard]] std::string json_text(const Json& json);
 
-/// Stores old names of settings, "old (now new)", until the command ends. A command that fails with
-/// exit code 2 prints only its error.
-void note_old_names(const std::vector<std::string>& names);
+/// Keeps what was noted about input files until the command has ended: a command that fails with
+/// exit code 2 prints its error and nothing else.
+void note(const io::FileNotes& notes);
 
-/// Prints one line with all stored names, if there are any.
-void print_old_names();
+/// Notes a file that the command reads, for `check_apart`.
+void note_input(const std::string& file);
+
+/// Prints a line per warning, and one with all old names, if any were noted.
+void print_warnings();
 
 /// Prints `fairway: message` on standard error, always in one line.
 void print_error(std::string_view message);
@@ -35,7 +39,17 @@ void print_error(std::string_view message);
 /// skips the write.
 [[nodiscard]] Expected<void> write_output(const std::string& path, std::string_view content);
 
-/// Whether `write_output` could succeed; call this before long work.
+/// A file that a command writes, and the option that asks for it.
+struct NamedOutput {
+  const char* option = "";
+  std::string path;  ///< empty: none
+};
+
+/// Whether all outputs differ from each other and from every input noted so far, also where links
+/// or other spellings name the same file. To be called before the first of them is opened.
+[[nodiscard]] Expected<void> check_apart(const std::vector<NamedOutput>& outputs);
+
+/// Whether `write_output` could succeed, for work that is long.
 [[nodiscard]] Expected<void> check_output(const std::string& path);
 
 /// Does the same for a picture, whose name must end in .svg, .png or .pdf.

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "cli/output.hpp"
+#include "fairway/io/maps/map_file.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
@@ -22,7 +23,7 @@ void add_settings_options(const Options& options, SettingsOptions& chosen) {
 
 Expected<Settings> load_settings(const SettingsOptions& options, const Settings& base) {
   Settings settings = base;
-  std::vector<std::string> old_names;
+  io::FileNotes notes;
   if (!options.preset.empty()) {
     const std::optional<Settings> preset = io::preset_settings(options.preset);
     if (!preset) {
@@ -32,24 +33,33 @@ Expected<Settings> load_settings(const SettingsOptions& options, const Settings&
     settings = *preset;
   }
   if (!options.file.empty()) {
-    const Expected<Settings> read = io::read_settings(options.file, settings, &old_names);
+    notes.files.push_back(options.file);
+    const Expected<Settings> read = io::read_settings(options.file, settings, &notes.old_names);
     if (!read) return read;
     settings = *read;
   }
   for (const std::string& assignment : options.assignments) {
-    if (const Expected<void> done = io::assign_setting(settings, assignment, &old_names); !done) {
+    if (const Expected<void> done = io::assign_setting(settings, assignment, &notes.old_names);
+        !done) {
       return fail(fmt::format("--set: {}", done.error().message));
     }
   }
-  note_old_names(old_names);
+  note(notes);
   return settings;
 }
 
 Expected<Scenario> load_scenario(const std::string& path) {
-  std::vector<std::string> old_names;
-  Expected<Scenario> scenario = io::read_scenario(path, &old_names);
-  note_old_names(old_names);
+  io::FileNotes notes;
+  Expected<Scenario> scenario = io::read_scenario(path, &notes);
+  note(notes);
   return scenario;
+}
+
+Expected<OccupancyGrid> load_map(const std::string& path) {
+  io::FileNotes notes;
+  Expected<OccupancyGrid> map = io::read_map(path, &notes);
+  note(notes);
+  return map;
 }
 
 }  // namespace fairway::app

@@ -29,4 +29,7 @@ void add_settings_options(const Options& options, SettingsOptions& chosen);
 /// Reads a scenario like `io::read_scenario`.
 [[nodiscard]] Expected<Scenario> load_scenario(const std::string& path);
 
+/// Reads a map, as `io::read_map` does, and keeps its warnings.
+[[nodiscard]] Expected<OccupancyGrid> load_map(const std::string& path);
+
 }  // namespace fairway::app

@@ -200,6 +200,13 @@ Expected<int> BarnCommand::run() {
   if (!engine) return tl::unexpected(engine.error());
   const Expected<std::vector<BarnWorld>> all = read(source, *wanted);
   if (!all) return tl::unexpected(all.error());
+  note_input(source);
+  note_input(source + "/barn.json");
+  if (const auto apart =
+          check_apart({{"--json", json}, {"--log", outputs.log}, {"--report", outputs.report}});
+      !apart) {
+    return tl::unexpected(apart.error());
+  }
   if (const auto made = make_folders(); !made) return tl::unexpected(made.error());
 
   BarnSummary summary;

@@ -14,7 +14,6 @@
 #include "cli/settings_options.hpp"
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
-#include "fairway/io/maps/map_file.hpp"
 #include "fairway/planning/planner.hpp"
 #include "results/plan_output.hpp"
 
@@ -128,8 +127,10 @@ Expected<int> PlanCommand::run() const {
   if (const auto applied = apply_options(query.settings); !applied) {
     return tl::unexpected(applied.error());
   }
-  const Expected<OccupancyGrid> grid = io::read_map(map);
+  const Expected<OccupancyGrid> grid = load_map(map);
   if (!grid) return tl::unexpected(grid.error());
+  if (const auto apart = check_apart({{"--json", json}, {"--picture", picture}}); !apart)
+    return tl::unexpected(apart.error());
   for (const auto& inside : {check_inside(*grid, query.start.position, "--start"),
                              check_inside(*grid, query.goal.position, "--goal")}) {
     if (!inside) return tl::unexpected(inside.error());

@@ -64,6 +64,9 @@ Expected<int> ReplayCommand::run() const {
   for (const auto& possible : {check_output(json), check_output(report)}) {
     if (!possible) return tl::unexpected(possible.error());
   }
+  note_input(recording);
+  if (const auto apart = check_apart({{"--json", json}, {"--report", report}}); !apart)
+    return tl::unexpected(apart.error());
   ReplayCheck check;
   io::Report page;
   ObserverList observers;

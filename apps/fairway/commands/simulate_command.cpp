@@ -14,7 +14,6 @@
 #include "cli/settings_options.hpp"
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
-#include "fairway/io/maps/map_file.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/io/trace_file.hpp"
@@ -56,7 +55,7 @@ Expected<Scenario> SimulateCommand::scenario_of_options() const {
   if (!from) return tl::unexpected(from.error());
   const Expected<PointArgument> to = parse_point(goal, "--goal");
   if (!to) return tl::unexpected(to.error());
-  const Expected<OccupancyGrid> grid = io::read_map(map);
+  const Expected<OccupancyGrid> grid = load_map(map);
   if (!grid) return tl::unexpected(grid.error());
   for (const auto& inside : {check_inside(*grid, from->position, "--start"),
                              check_inside(*grid, to->position, "--goal")}) {
@@ -156,6 +155,15 @@ Expected<int> SimulateCommand::run() {
   }
   const Expected<Scenario> world = load();
   if (!world) return tl::unexpected(world.error());
+  if (const auto apart = check_apart({{"--json", json},
+                                      {"--trace", trace},
+                                      {"--picture", picture},
+                                      {"--speeds", speeds},
+                                      {"--log", outputs.log},
+                                      {"--report", outputs.report}});
+      !apart) {
+    return tl::unexpected(apart.error());
+  }
   const Expected<PhysicsMaker> engine =
       choose_physics(setting_names(world->engine)[static_cast<std::size_t>(world->engine)]);
   if (!engine) return tl::unexpected(engine.error());

@@ -117,10 +117,10 @@ Expected<Settings> SolveCommand::load() const {
 
 Expected<int> SolveCommand::run() const {
   if (out.empty()) return fail("--out: expected a file name, found an empty one");
-  if (out == "-" && json == "-")
-    return fail("--json: expected another destination than --out, found standard output for both");
-  const Expected<Settings> chosen = load();
-  if (!chosen) return tl::unexpected(chosen.error());
+  note_input(instances_file);
+  note_input(warm_file);
+  if (const auto apart = check_apart({{"--out", out}, {"--json", json}}); !apart)
+    return tl::unexpected(apart.error());
   const auto instances = io::read_ocp_instances(instances_file);
   if (!instances) return tl::unexpected(instances.error());
   std::vector<OcpResult> warm;

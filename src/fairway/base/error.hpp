@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <string>
-#include <utility>
+#include <string_view>
 
 #include <tl/expected.hpp>
+
+#include "fairway/base/utf8_text.hpp"
 
 namespace fairway {
 
@@ -20,20 +21,10 @@ struct Error {
 template <typename T>
 using Expected = tl::expected<T, Error>;
 
-/// Replaces every control character in `text` by a space. Text from a file, or the name of a file,
-/// may contain line breaks.
-[[nodiscard]] inline std::string one_line(std::string text) {
-  const auto is_control = [](char c) {
-    const auto code = static_cast<unsigned char>(c);
-    return code < 0x20 || code == 0x7f;
-  };
-  std::replace_if(text.begin(), text.end(), is_control, ' ');
-  return text;
-}
-
-/// Makes the failed form of every Expected, with a message of one line: `return fail("...");`.
-[[nodiscard]] inline tl::unexpected<Error> fail(std::string message) {
-  return tl::unexpected<Error>(Error{one_line(std::move(message))});
+/// The failed form of every Expected: `return fail("...");` Makes one line of valid UTF-8
+/// of the message.
+[[nodiscard]] inline tl::unexpected<Error> fail(std::string_view message) {
+  return tl::unexpected<Error>(Error{one_line(message)});
 }
 
 }  // namespace fairway

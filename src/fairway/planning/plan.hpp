@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
+#include "fairway/base/error.hpp"
 #include "fairway/corridor/corridor.hpp"
 #include "fairway/path/path.hpp"
 
@@ -38,12 +40,21 @@ struct Plan {
   }
 };
 
-/// Returns whether a plan was made for a robot of at least this radius [m]. If start or goal have
-/// less clearance, a corridor is slightly narrower than the robot.
-[[nodiscard]] inline bool fits(const Plan& plan, double radius) noexcept {
+/// Whether a plan can be followed, where it did not come from a planner just now: the error says
+/// what is wrong. One that is not usable says so itself and is valid.
+///
+/// A usable plan has a path and a corridor of plausible numbers, its goal is a place, and every
+/// rectangle's admissible part meets the next one's.
+[[nodiscard]] Expected<void> validate(const Plan& plan);
+
+/// Whether a plan was made for a robot whose discs have at least these radii [m]: the one that
+/// covers it, or, where start or goal have less clearance, the one inside it. Such a plan leads the
+/// body away from there, and every command is checked with the body itself.
+[[nodiscard]] inline bool fits(const Plan& plan, double radius, double inner_radius) noexcept {
   constexpr double kLeastShare = 0.85;  // of the radius; the planner keeps 0.9
+  constexpr double kInnerShare = 0.95;
   return plan.corridor.space != CorridorSpace::Configuration ||
-         plan.corridor.robot_radius >= kLeastShare * radius;
+         plan.corridor.robot_radius >= std::min(kLeastShare * radius, kInnerShare * inner_radius);
 }
 
 }  // namespace fairway

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/maps/map_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -21,21 +22,23 @@ constexpr std::size_t kLongestImage = 1'000'000'000;  // [bytes]; text PGM needs
 constexpr double kFurthestOrigin = 1e7;  // [m]; up to here a double resolves nanometres
 
 CellState state_of_percent(double percent, const MapHeader& header) {
-  if (percent > 100.0) return CellState::Unknown;
-  if (percent >= std::rint(100.0 * header.occupied_thresh)) return CellState::Occupied;
-  if (percent <= std::rint(100.0 * header.free_thresh)) return CellState::Free;
-  return CellState::Unknown;
+  const bool occupied = percent >= std::rint(100.0 * header.occupied_thresh);
+  const bool free = percent <= std::rint(100.0 * header.free_thresh);
+  if (percent > 100.0 || occupied == free) return CellState::Unknown;
+  return occupied ? CellState::Occupied : CellState::Free;
 }
 
-CellState state_of(std::uint32_t brightness, bool opaque, const MapHeader& header) {
-  constexpr double kWhite = MapImage::kWhite;
+CellState state_of(std::uint32_t brightness,
+                   std::uint32_t white,
+                   bool opaque,
+                   const MapHeader& header) {
   if (header.mode == MapMode::Raw) {
-    return state_of_percent(std::round(255.0 * brightness / kWhite), header);
+    return state_of_percent(std::round(255.0 * brightness / white), header);
   }
   if (!opaque) return CellState::Unknown;
-  // Subtract before dividing, so that 51 of 255 is exactly a threshold of 0.2.
-  const std::uint32_t level = header.negate ? brightness : MapImage::kWhite - brightness;
-  const double occupancy = level / kWhite;
+  // Subtracted before divided: then 51 of 255 is exactly the 0.2 of a threshold.
+  const std::uint32_t level = header.negate ? brightness : white - brightness;
+  const double occupancy = static_cast<double>(level) / white;
   if (occupancy > header.occupied_thresh) return CellState::Occupied;
   if (occupancy < header.free_thresh) return CellState::Free;
   if (header.mode == MapMode::Trinary) return CellState::Unknown;
@@ -43,6 +46,17 @@ CellState state_of(std::uint32_t brightness, bool opaque, const MapHeader& heade
                                   (header.occupied_thresh - header.free_thresh));
   if (scaled >= 100.0) return CellState::Occupied;
   return scaled <= 0.0 ? CellState::Free : CellState::Unknown;
+}
+
+// Whether pixels of 205, which map_server and its tools write for unknown, become free cells.
+bool usual_unknown_is_free(const MapHeader& header, const MapImage& image) {
+  constexpr std::uint32_t kUsual = 205;
+  if (header.mode == MapMode::Raw || state_of(kUsual, 255, true, header) != CellState::Free) {
+    return false;
+  }
+  return std::any_of(image.brightness.begin(), image.brightness.end(), [&](std::uint64_t level) {
+    return level * 255 == std::uint64_t{kUsual} * image.white;
+  });
 }
 
 std::string image_path(const std::string& yaml_path, const std::string& image) {
@@ -55,6 +69,10 @@ std::string image_path(const std::string& yaml_path, const std::string& image) {
 
 Expected<MapHeader> parse_map_header(const std::string& text, const std::string& name) {
   static constexpr std::array<const char*, 3> kModes{"trinary", "scale", "raw"};
+  if (text.size() > kLongestHeader) {
+    return fail(
+        fmt::format("{}: expected at most {} bytes, found {}", name, kLongestHeader, text.size()));
+  }
   YamlFile file{.name = name, .error = {}, .warnings = {}};
   YamlMapping map = parse_yaml_mapping(file, text);
   MapHeader header;
@@ -66,8 +84,11 @@ Expected<MapHeader> parse_map_header(const std::string& text, const std::string&
   header.free_thresh = map.number("free_thresh", {.min = 0.0, .max = 1.0});
   header.mode = static_cast<MapMode>(map.choice("mode", kModes, 0));
   map.finish();
-  if (!(header.free_thresh < header.occupied_thresh)) {
-    map.complain("free_thresh", fmt::format("expected less than occupied_thresh {}, found {}",
+  const bool scales = header.mode == MapMode::Scale;  // between the thresholds
+  if (header.free_thresh > header.occupied_thresh ||
+      (scales && header.free_thresh == header.occupied_thresh)) {
+    map.complain("free_thresh", fmt::format("expected {} occupied_thresh {}, found {}",
+                                            scales ? "in mode scale less than" : "at most",
                                             header.occupied_thresh, header.free_thresh));
   }
   if (header.resolution < 1e-4) {
@@ -98,7 +119,7 @@ Expected<OccupancyGrid> make_grid(const MapHeader& header,
     for (int row = image.height - 1; row >= 0; --row) {
       for (int x = 0; x < image.width; ++x, ++i) {
         const bool opaque = image.opaque.empty() || image.opaque[i];
-        grid.set({.x = x, .y = row}, state_of(image.brightness[i], opaque, header));
+        grid.set({.x = x, .y = row}, state_of(image.brightness[i], image.white, opaque, header));
       }
     }
     return grid;
@@ -107,16 +128,22 @@ Expected<OccupancyGrid> make_grid(const MapHeader& header,
   }
 }
 
-Expected<OccupancyGrid> read_map(const std::string& path) {
+Expected<OccupancyGrid> read_map(const std::string& path, FileNotes* notes) {
   const Expected<std::string> text = read_whole_file(path, kLongestHeader);
   if (!text) return tl::unexpected(text.error());
   const Expected<MapHeader> header = parse_map_header(*text, path);
   if (!header) return tl::unexpected(header.error());
   const std::string picture = image_path(path, header->image);
+  if (notes != nullptr) notes->files.insert(notes->files.end(), {path, picture});
   const Expected<std::string> bytes = read_whole_file(picture, kLongestImage);
   if (!bytes) return fail(fmt::format("{}: image: {}", path, bytes.error().message));
   const Expected<MapImage> image = decode_map_image(*bytes, picture);
   if (!image) return tl::unexpected(image.error());
+  if (notes != nullptr && usual_unknown_is_free(*header, *image)) {
+    notes->warnings.push_back(fmt::format(
+        "{}: free_thresh: expected at most 0.196, found {}: grey 205, usually unknown, is free",
+        path, header->free_thresh));
+  }
   return make_grid(*header, *image, path);
 }
 

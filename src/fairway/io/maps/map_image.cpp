@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include "fairway/io/maps/graphics_magick.hpp"
-#include "fairway/io/maps/map_image_format.hpp"
+#include "fairway/io/maps/pgm_picture.hpp"
+#include "fairway/io/maps/png_check.hpp"
+#include "fairway/map/occupancy_grid.hpp"
 
 namespace fairway::io {
 
@@ -14,7 +16,8 @@ namespace {
 static_assert(MaxRGB == 65535U, "GraphicsMagick with 16 bits a channel, as Debian builds it");
 
 MapImage copy_pixels(Magick::Image& picture, int width, int height) {
-  MapImage image{.width = width, .height = height, .brightness = {}, .opaque = {}};
+  MapImage image{
+      .width = width, .height = height, .white = 3 * MaxRGB, .brightness = {}, .opaque = {}};
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   image.brightness.reserve(count);
   const bool has_alpha = picture.matte();
@@ -31,18 +34,16 @@ MapImage copy_pixels(Magick::Image& picture, int width, int height) {
   return image;
 }
 
-}  // namespace
-
-Expected<MapImage> decode_map_image(std::string_view bytes, const std::string& name) {
-  const Expected<CheckedPicture> checked = check_picture(bytes, name);
+Expected<MapImage> decode_png(std::string_view bytes, const std::string& name) {
+  const Expected<CheckedPng> checked = check_png(bytes, name);
   if (!checked) return tl::unexpected(checked.error());
   try {
     initialize_graphics_magick();
     Magick::Image picture;
     picture.quiet(true);  // warnings concern colour profiles and similar; errors still throw
     const Magick::Blob blob(checked->bytes.data(), checked->bytes.size());
-    // The format is set, so no name, environment or content can select another reader.
-    picture.read(blob, Magick::Geometry(), checked->format);
+    // The format is given, so no name, environment or content can choose another reader.
+    picture.read(blob, Magick::Geometry(), "PNG");
     if (picture.columns() != static_cast<unsigned>(checked->width) ||
         picture.rows() != static_cast<unsigned>(checked->height)) {
       return fail(fmt::format("{}: expected {} x {} pixels, found {} x {}", name, checked->width,
@@ -53,6 +54,25 @@ Expected<MapImage> decode_map_image(std::string_view bytes, const std::string& n
     return fail(fmt::format("{}: expected a picture, found one that cannot be decoded: {}", name,
                             error.what()));
   }
+}
+
+}  // namespace
+
+std::optional<std::string> wrong_size(std::int64_t width, std::int64_t height) {
+  constexpr std::int64_t kSide = OccupancyGrid::kMaxSide;
+  if (width >= 1 && height >= 1 && width <= kSide && height <= kSide &&
+      width * height <= kMaxMapCells) {
+    return std::nullopt;
+  }
+  return fmt::format("expected 1 to {} pixels a side and at most {} in all, found {} x {}", kSide,
+                     kMaxMapCells, width, height);
+}
+
+Expected<MapImage> decode_map_image(std::string_view bytes, const std::string& name) {
+  if (bytes.starts_with("P5") || bytes.starts_with("P2")) return decode_pgm(bytes, name);
+  if (bytes.starts_with(kPngSignature)) return decode_png(bytes, name);
+  return fail(fmt::format("{}: expected a PGM (P5 or P2) or PNG picture, found {}", name,
+                          bytes.empty() ? "an empty file" : "another format"));
 }
 
 }  // namespace fairway::io

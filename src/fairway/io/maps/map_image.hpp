@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,20 +11,22 @@
 
 namespace fairway::io {
 
-/// The picture of a map, top row first, with the values that map_server reads.
+/// The picture of a map, top row first, as map_server interprets it.
 struct MapImage {
-  static constexpr std::uint32_t kWhite = 3 * 65535;
-
   int width = 0;
   int height = 0;
-  std::vector<std::uint32_t> brightness;  ///< red + green + blue of 16 bits each, 0..kWhite
+  std::uint32_t white = 0;                ///< the brightness of white, at least 1
+  std::vector<std::uint32_t> brightness;  ///< per pixel, 0..white; of colours the sum of all three
   std::vector<bool> opaque;               ///< per pixel; empty when all are
 };
 
 /// Most cells of a map (10000 x 10000); a larger one is refused before memory is allocated.
 inline constexpr std::int64_t kMaxMapCells = 100'000'000;
 
-/// Decodes a PGM (P5 or P2) or PNG picture, identified by its first bytes.
+/// Says why a map cannot have this size; none if it can.
+[[nodiscard]] std::optional<std::string> wrong_size(std::int64_t width, std::int64_t height);
+
+/// Decodes a PGM (P5 or P2) or PNG picture, recognised by its first bytes and not by any name.
 ///
 /// Refuses an incomplete picture: a PGM with too few samples or a sample above its maximum, or a
 /// PNG with a missing or damaged chunk. `name` is the file in messages.

@@ -95,13 +95,14 @@ class Reader {
   Expected<void> message(std::string_view content) {
     ByteReader in(content);
     const auto id = in.number<std::uint16_t>();
-    static_cast<void>(in.number<std::uint32_t>());  // sequence number in the channel
+    const auto sequence = in.number<std::uint32_t>();
     const auto time = in.number<std::uint64_t>();
     static_cast<void>(in.number<std::uint64_t>());  // publish time
     const auto channel = channels_.find(id);
     if (!in.ok() || channel == channels_.end()) return damaged("message");
     return on_message_({.topic = channel->second.topic,
                         .schema_name = schemas_[channel->second.schema],
+                        .sequence = sequence,
                         .time = time,
                         .content = in.rest()});
   }

@@ -14,7 +14,8 @@ namespace fairway::io {
 struct McapMessage {
   std::string_view topic;
   std::string_view schema_name;
-  std::uint64_t time = 0;  ///< [ns]
+  std::uint32_t sequence = 0;  ///< number of the message in its channel, from 0 on
+  std::uint64_t time = 0;      ///< [ns]
   std::string_view content;
 };
 

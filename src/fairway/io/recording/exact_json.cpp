@@ -163,9 +163,7 @@ Plan to_plan(const Json& json) {
   plan.goal = to_goal(json.at("goal"));
   plan.margin = to_number(json.at("margin"));
   plan.stuck_at = to_number(json.at("stuck_at"));
-  if (plan.usable() && (plan.corridor.rectangles.empty() || plan.path.waypoints.empty())) {
-    throw std::invalid_argument("expected a path and a corridor in a plan that is usable");
-  }
+  if (const auto valid = validate(plan); !valid) throw std::invalid_argument(valid.error().message);
   return plan;
 }
 

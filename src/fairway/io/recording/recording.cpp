@@ -15,24 +15,21 @@ void Recording::write(std::uint16_t channel, std::uint64_t time, std::string_vie
   writer_.write(channel, time, message);
 }
 
-RecordingFile::RecordingFile(std::string path, std::ofstream stream)
-    : path_(std::move(path)),
-      stream_(std::move(stream)),
+RecordingFile::RecordingFile(std::unique_ptr<AsideFile> file)
+    : file_(std::move(file)),
       messages_(recording_),
       observer_(*this) {}
 
 Expected<std::unique_ptr<RecordingFile>> RecordingFile::create(const std::string& path) {
-  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-  if (!stream) return fail(path + ": expected a writable file");
-  return std::unique_ptr<RecordingFile>(new RecordingFile(path, std::move(stream)));
+  auto file = AsideFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  return std::unique_ptr<RecordingFile>(new RecordingFile(*std::move(file)));
 }
 
 Expected<void> RecordingFile::close() {
   recording_.finish();
-  stream_ << recording_.take();
-  stream_.close();
-  if (!stream_) return fail(path_ + ": expected a writable file, found a write error (disk full?)");
-  return {};
+  file_->write(recording_.take());
+  return file_->commit();
 }
 
 void RecordingFile::Spill::on_start(const Scenario& scenario) {
@@ -61,7 +58,7 @@ void RecordingFile::Spill::on_cycle(const NavigationCycle& cycle) {
 
 void RecordingFile::Spill::on_world(const WorldView& world) {
   file_.messages_.on_world(world);
-  file_.stream_ << file_.recording_.take();
+  file_.file_->write(file_.recording_.take());
 }
 
 }  // namespace fairway::io

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "fairway/base/error.hpp"
+#include "fairway/io/aside_file.hpp"
 #include "fairway/io/recording/run_messages.hpp"
 
 namespace fairway::io {
@@ -27,7 +27,8 @@ class Recording final : public MessageSink {
   McapWriter writer_;
 };
 
-/// Records a run into a file while it happens, for `--log FILE.mcap`:
+/// Records a run into a file while it happens, for `--log FILE.mcap`. The file is written aside and
+/// gets its name when it is whole; see AsideFile.
 ///
 ///     auto file = RecordingFile::create(path);        // an error if it cannot be written
 ///     run_episode(scenario, {.observer = &file->observer()});
@@ -38,7 +39,7 @@ class RecordingFile {
 
   [[nodiscard]] EpisodeObserver& observer() noexcept { return observer_; }
 
-  /// Writes the rest and the index. Without this call the file can be read only to its last chunk.
+  /// Writes the rest and the index, and names the file. Without it there is no file.
   [[nodiscard]] Expected<void> close();
 
  private:
@@ -60,10 +61,9 @@ class RecordingFile {
     RecordingFile& file_;
   };
 
-  RecordingFile(std::string path, std::ofstream stream);
+  explicit RecordingFile(std::unique_ptr<AsideFile> file);
 
-  std::string path_;
-  std::ofstream stream_;
+  std::unique_ptr<AsideFile> file_;
   Recording recording_;
   RunMessages messages_;
   Spill observer_;

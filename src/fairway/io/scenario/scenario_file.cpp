@@ -96,8 +96,11 @@ std::vector<MovingBody> read_bodies(YamlMapping& root) {
   return bodies;
 }
 
-// Recorded people walk through the scene and do not react to the robots.
-void add_pedestrians(YamlMapping& root, const std::filesystem::path& folder, Scenario& scenario) {
+// People who were recorded walk through the scene, whatever the robots do.
+void add_pedestrians(YamlMapping& root,
+                     const std::filesystem::path& folder,
+                     Scenario& scenario,
+                     FileNotes* notes) {
   std::optional<YamlMapping> mapping = root.mapping("pedestrians");
   if (!mapping) return;
   TracksFormat format;
@@ -108,8 +111,9 @@ void add_pedestrians(YamlMapping& root, const std::filesystem::path& folder, Sce
   const double from = mapping->number("from", {.min = -kLongestTime, .max = kLongestTime}, 0.0);
   mapping->finish();
   if (path.empty()) return;
-  const Expected<std::vector<MovingBody>> tracks =
-      read_tracks((path.is_absolute() ? path : folder / path).string(), format);
+  const std::string tracks_path = (path.is_absolute() ? path : folder / path).string();
+  if (notes != nullptr) notes->files.push_back(tracks_path);
+  const Expected<std::vector<MovingBody>> tracks = read_tracks(tracks_path, format);
   if (!tracks) {
     mapping->complain("tracks", tracks.error().message);
     return;
@@ -151,7 +155,7 @@ void read_models(YamlMapping& root, Scenario& scenario) {
 
 }  // namespace
 
-Expected<Scenario> read_scenario(const std::string& path, std::vector<std::string>* warnings) {
+Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes) {
   const Expected<std::string> text = read_whole_file(path, kLongestScenario);
   if (!text) return tl::unexpected(text.error());
   YamlFile file{.name = path, .error = {}, .warnings = {}};
@@ -161,13 +165,13 @@ Expected<Scenario> read_scenario(const std::string& path, std::vector<std::strin
   if (file.error) return tl::unexpected(*file.error);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const Expected<OccupancyGrid> map =
-      read_map((map_path.is_absolute() ? map_path : folder / map_path).string());
+      read_map((map_path.is_absolute() ? map_path : folder / map_path).string(), notes);
   if (!map) {
     root.complain("map", map.error().message);
     return tl::unexpected(*file.error);
   }
   scenario.map = *map;
-  scenario.name = root.text("name", std::filesystem::path(path).stem().string());
+  scenario.name = root.text("name", one_line(std::filesystem::path(path).stem().string()));
   scenario.time_limit = root.number(
       "time_limit", {.min = 0.0, .max = kLongestTime, .min_allowed = false}, scenario.time_limit);
   scenario.seed = static_cast<std::uint64_t>(root.integer("seed", {.min = 0.0}, 1));
@@ -179,11 +183,13 @@ Expected<Scenario> read_scenario(const std::string& path, std::vector<std::strin
   read_radio(root, scenario.radio);
   scenario.robots = read_robots(root, scenario.map);
   scenario.bodies = read_bodies(root);
-  if (!file.error) add_pedestrians(root, folder, scenario);
+  if (!file.error) add_pedestrians(root, folder, scenario, notes);
   root.finish();
   if (file.error) return tl::unexpected(*file.error);
-  if (warnings != nullptr)
-    warnings->insert(warnings->end(), file.warnings.begin(), file.warnings.end());
+  if (notes != nullptr) {
+    notes->files.push_back(path);
+    notes->old_names.insert(notes->old_names.end(), file.warnings.begin(), file.warnings.end());
+  }
   return scenario;
 }
 

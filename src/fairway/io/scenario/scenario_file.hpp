@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fairway/base/error.hpp"
+#include "fairway/io/file_notes.hpp"
 #include "fairway/simulation/scenario.hpp"
 
 namespace fairway::io {
@@ -31,8 +32,7 @@ namespace fairway::io {
 /// Only `map` and `robots` are required. Starts and goals must lie on the map; the run finds out
 /// whether the robot fits there.
 ///
-/// `warnings`, if given, receives the old names that parse_settings found.
-[[nodiscard]] Expected<Scenario> read_scenario(const std::string& path,
-                                               std::vector<std::string>* warnings = nullptr);
+/// Notes what read_map notes, the scenario's own files, and settings under their old names.
+[[nodiscard]] Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes = nullptr);
 
 }  // namespace fairway::io

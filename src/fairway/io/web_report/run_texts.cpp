@@ -79,8 +79,8 @@ std::string begin_text(const Scenario& scenario) {
                  {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
                  {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
                  {"statuses", texts(NavigationStatus::GaveUp)},
-                 {"limits", texts(LimitingFactor::SmallerPlan)},
-                 {"rows", texts(ConstraintKind::Barrier)},
+                 {"limits", texts(kLastLimitingFactor)},
+                 {"rows", texts(RowKind::Barrier)},
                  {"settings", settings_list(scenario.settings)}});
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/yaml/yaml_document.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include <fmt/core.h>
 #include <yaml-cpp/eventhandler.h>
+
+#include "fairway/base/utf8_text.hpp"
 
 namespace fairway::io {
 
@@ -56,6 +60,13 @@ void inspect(const std::string& text) {
 
 YamlMapping parse_yaml_mapping(YamlFile& file, const std::string& text) {
   const YamlMapping empty(file, YAML::Node(YAML::NodeType::Map));
+  if (const std::optional<std::size_t> at = first_not_utf8(text)) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(*at), '\n');
+    file.complain(static_cast<int>(line), "",
+                  fmt::format("expected text in UTF-8, found byte 0x{:02x}",
+                              static_cast<unsigned char>(text[*at])));
+    return empty;
+  }
   try {
     inspect(text);
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);

@@ -22,11 +22,12 @@ MapHeader header(MapMode mode, bool negate = false) {
           .mode = mode};
 }
 
-// The cell state for a grey level from 0 to 255.
-CellState state(int level, const MapHeader& header, bool opaque = true) {
+// The state that a grey level from 0 to 255 becomes.
+CellState state(int level, const MapHeader& header, bool opaque = true, int white = 255) {
   const MapImage image{.width = 1,
                        .height = 1,
-                       .brightness = {static_cast<std::uint32_t>(3 * 257 * level)},
+                       .white = static_cast<std::uint32_t>(white),
+                       .brightness = {static_cast<std::uint32_t>(level)},
                        .opaque = {opaque}};
   return make_grid(header, image, "m").value().at({0, 0});
 }
@@ -47,7 +48,21 @@ TEST(MapFile, ComparesWithBothThresholdsStrictly) {
   EXPECT_EQ(state(101, h), Occupied);  // 154 / 255 > 0.6
 }
 
-TEST(MapFile, InvertsLevelsWhenNegated) {
+// Brightness is sample / maximum, so that the middle of 0 to 100 is exactly a threshold of 0.5.
+TEST(MapFile, LeavesOnlyTheThresholdItselfUnknownWhereBothAreEqual) {
+  for (const MapMode mode : {MapMode::Trinary, MapMode::Raw}) {
+    MapHeader h = header(mode);
+    h.free_thresh = 0.5;
+    h.occupied_thresh = 0.5;
+    const bool raw = mode == MapMode::Raw;
+    const int white = raw ? 255 : 100;
+    EXPECT_EQ(state(raw ? 51 : 49, h, true, white), Occupied);
+    EXPECT_EQ(state(50, h, true, white), Unknown);
+    EXPECT_EQ(state(raw ? 49 : 51, h, true, white), Free);
+  }
+}
+
+TEST(MapFile, TurnsLevelsAroundWhenNegated) {
   EXPECT_EQ(state(254, header(MapMode::Trinary, true)), Occupied);
   EXPECT_EQ(state(0, header(MapMode::Trinary, true)), Free);
 }
@@ -99,7 +114,28 @@ TEST(MapFile, PutsTheTopRowHighestAndTurnsTheOrigin) {
   EXPECT_TRUE(grid.frame().center({0, 2}).isApprox(Eigen::Vector2d(1 - 1.25, 2 + 0.25), 1e-12));
 }
 
-TEST(MapFile, NamesAMissingFile) {
+TEST(MapFile, WarnsWhereTheUsualGreyOfUnknownIsFree) {
+  const TemporaryFolder folder;
+  const auto warnings_of = [&](const char* free_thresh, const char* pixels, const char* more = "") {
+    folder.write("m.pgm", pixels);
+    const std::string yaml = "image: m.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n" +
+                             std::string("occupied_thresh: 0.65\nfree_thresh: ") + free_thresh +
+                             "\n" + more;
+    FileNotes notes;
+    EXPECT_TRUE(read_map(folder.write("m.yaml", yaml), &notes));
+    return notes.warnings;
+  };
+  const std::vector<std::string> one{
+      folder.path("m.yaml") +
+      ": free_thresh: expected at most 0.196, found 0.25: grey 205, usually unknown, is free"};
+  EXPECT_EQ(warnings_of("0.25", "P2 2 1 255  254 205"), one);
+  EXPECT_EQ(warnings_of("0.25", "P2 2 1 65535  0 52685"), one);  // 205 x 257
+  EXPECT_TRUE(warnings_of("0.25", "P2 2 1 255  254 0").empty());
+  EXPECT_TRUE(warnings_of("0.196", "P2 2 1 255  254 205").empty());
+  EXPECT_TRUE(warnings_of("0.25", "P2 2 1 255  100 205", "mode: raw\n").empty());
+}
+
+TEST(MapFile, SaysWhichOfItsFilesIsMissing) {
   const TemporaryFolder folder;
   const std::string yaml = folder.write("m.yaml", kYaml);
   EXPECT_EQ(read_map(yaml).error().message, yaml + ": image: " + folder.path("m.pgm") +

@@ -44,7 +44,20 @@ TEST(MapHeader, IsTrinaryWithoutMode) {
   EXPECT_EQ(parse_map_header(header_with("mode", "mode: raw"), "m").value().mode, MapMode::Raw);
 }
 
-TEST(MapHeader, AcceptsNegateAsNumberOrWord) {
+TEST(MapHeader, MayHaveEqualThresholdsWhereNothingIsScaled) {
+  for (const char* mode : {"mode: trinary", "mode: raw"}) {
+    std::string text = header_with("free_thresh", "free_thresh: 0.65");
+    text.replace(text.find("mode: trinary"), 13, mode);
+    EXPECT_EQ(header_complaint(text), "none") << mode;
+  }
+}
+
+TEST(MapHeader, IsRefusedBeyondItsLimit) {
+  EXPECT_EQ(header_complaint(std::string(65537, ' ')),
+            "m.yaml: expected at most 65536 bytes, found 65537");
+}
+
+TEST(MapHeader, TakesNegateAsNumberOrWord) {
   EXPECT_TRUE(parse_map_header(header_with("negate", "negate: 1"), "m").value().negate);
   EXPECT_TRUE(parse_map_header(header_with("negate", "negate: true"), "m").value().negate);
 }
@@ -66,7 +79,12 @@ TEST(MapHeader, NamesFileLineKeyExpectedAndFound) {
             "m.yaml:7: 'mood': expected one of free_thresh, image, mode, negate, occupied_thresh, "
             "origin, resolution, found an unknown key");
   EXPECT_EQ(header_complaint(header_with("free_thresh", "free_thresh: 0.7")),
-            "m.yaml:6: free_thresh: expected less than occupied_thresh 0.65, found 0.7");
+            "m.yaml:6: free_thresh: expected at most occupied_thresh 0.65, found 0.7");
+  std::string scale = header_with("free_thresh", "free_thresh: 0.65");
+  scale.replace(scale.find("mode: trinary"), 13, "mode: scale");
+  EXPECT_EQ(header_complaint(scale),
+            "m.yaml:6: free_thresh: expected in mode scale less than occupied_thresh 0.65, found "
+            "0.65");
   EXPECT_EQ(header_complaint(header_with("origin", "origin: [0, nan, 0]")),
             "m.yaml:3: origin: expected a list of 3 numbers, found 'nan'");
   EXPECT_EQ(header_complaint(header_with("origin", "origin: [0, 0]")),

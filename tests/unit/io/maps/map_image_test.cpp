@@ -29,39 +29,74 @@ std::string image_complaint(const std::string& bytes) {
 
 using Levels = std::vector<std::uint32_t>;
 
+constexpr std::uint32_t kWhite = 3 * 65535;  // of a picture that is no PGM
+
 TEST(MapImage, ReadsBinaryPgm) {
   const auto image = decode_map_image(p5(2, 2, std::string("\x00\xff\xcd\x01", 4)), "m").value();
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 2);
-  EXPECT_EQ(image.brightness, (Levels{0, 3 * 65535, 3 * 257 * 0xcd, 3 * 257}));
+  EXPECT_EQ(image.white, 255U);
+  EXPECT_EQ(image.brightness, (Levels{0, 255, 0xcd, 1}));
   EXPECT_TRUE(image.opaque.empty());
 }
 
-TEST(MapImage, ReadsCommentsInTheHeader) {
-  const auto image = decode_map_image(p5(1, 1, "\xff", "# CREATOR: 3 3 map_saver\n"), "m");
-  EXPECT_EQ(image.value().brightness, Levels{MapImage::kWhite});
+// The smallest, those with a byte per sample, the step to two bytes, and the largest.
+TEST(MapImage, KeepsSamplesOfEveryMaximum) {
+  for (const int maximum : {1, 2, 3, 15, 100, 127, 254, 255, 256, 1000, 1023, 4095, 65535}) {
+    const int half = maximum / 2;
+    std::string pixels;
+    for (const int sample : {0, half, maximum}) {
+      if (maximum > 255) pixels += static_cast<char>(sample / 256);
+      pixels += static_cast<char>(sample % 256);
+    }
+    const std::string head = "3 1 " + std::to_string(maximum) + "\n";
+    const std::string text = "0 " + std::to_string(half) + " " + std::to_string(maximum);
+    for (const std::string& bytes : {"P5 " + head + pixels, "P2 " + head + text}) {
+      const auto image = decode_map_image(bytes, "m");
+      ASSERT_TRUE(image) << maximum << ": " << image.error().message;
+      EXPECT_EQ(image->white, static_cast<std::uint32_t>(maximum));
+      EXPECT_EQ(image->brightness,
+                (Levels{0, static_cast<std::uint32_t>(half), static_cast<std::uint32_t>(maximum)}));
+    }
+  }
 }
 
-TEST(MapImage, AcceptsAFirstPixelThatLooksLikeWhitespaceOrAComment) {
-  EXPECT_EQ(decode_map_image(p5(2, 1, "# "), "m").value().brightness,
-            (Levels{3 * 257 * '#', 3 * 257 * ' '}));
+TEST(MapImage, ReadsHeadersOfEveryStyle) {
+  for (const char* head :
+       {"P5\n2 1\n255\n", "P5 2 1 255 ", "P5\t2\v1\f255\r", "P5\r\n2 1\r\n255\r\n",
+        "P5#first\n#second 9 9\r\n2#width\n\n#height\n1#one\n255\n", "P5 2 1 255#comment\n",
+        "P5 002 +1 255\n", "P5 # CREATOR: 3 3 map_saver\n2 1\n255\n"}) {
+    const auto image = decode_map_image(std::string(head) + "\x0a#", "m");
+    if (std::string(head).find('+') != std::string::npos) {
+      EXPECT_FALSE(image) << head;
+      continue;
+    }
+    ASSERT_TRUE(image) << head << image.error().message;
+    EXPECT_EQ(image->brightness, (Levels{0x0a, '#'})) << head;
+  }
+}
+
+TEST(MapImage, TakesAFirstPixelThatLooksLikeABlankOrComment) {
+  EXPECT_EQ(decode_map_image(p5(2, 1, "# "), "m").value().brightness, (Levels{'#', ' '}));
+  // A line feed behind the carriage return is a pixel where the file is exactly as long as that.
+  EXPECT_EQ(decode_map_image("P5 2 1 255\r\n#", "m").value().brightness, (Levels{'\n', '#'}));
 }
 
 TEST(MapImage, ReadsTextPgm) {
   EXPECT_EQ(decode_map_image("P2 3 1 15\n0 #half\n 15\n5", "m").value().brightness,
-            (Levels{0, 3 * 65535, 65535}));
+            (Levels{0, 15, 5}));
 }
 
 TEST(MapImage, Reads16BitsPerSample) {
   EXPECT_EQ(decode_map_image("P5 2 1 65535\n" + std::string("\x12\x34\xff\xff", 4), "m")
                 .value()
                 .brightness,
-            (Levels{3 * 0x1234, 3 * 65535}));
+            (Levels{0x1234, 0xffff}));
 }
 
 TEST(MapImage, ReadsGreyAndColourPng) {
   EXPECT_EQ(decode_map_image(png(2, 1, "I", "\x10\xff"), "m").value().brightness,
-            (Levels{3 * 257 * 16, MapImage::kWhite}));
+            (Levels{3 * 257 * 16, kWhite}));
   EXPECT_EQ(decode_map_image(png(1, 1, "RGB", "\x01\x02\x03"), "m").value().brightness,
             (Levels{257 * 6}));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/recording/reading/message_values.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,7 @@ namespace {
 using exact::Json;
 
 constexpr int kMostBeams = 100'000;
+constexpr double kLargestBody = 100.0;  // [m]
 
 template <typename Enumeration>
 Enumeration checked(const Json& json, Enumeration last) {
@@ -78,6 +80,8 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
     scenario.robots.push_back({.name = task.at("name").get<std::string>(),
                                .start = exact::to_pose(task.at("start")),
                                .goal = exact::to_goal(task.at("goal"))});
+    if (!is_plausible(scenario.robots.back().start))
+      throw std::invalid_argument("expected a robot that starts at a plausible place");
   }
   for (const Json& item : json.at("bodies")) {
     MovingBody body{.name = item.at("name").get<std::string>(),
@@ -85,9 +89,16 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
                     .key_frames = {},
                     .loop = item.at("loop").get<bool>(),
                     .passing = item.value("passing", false)};
-    for (const Json& frame : item.at("key_frames"))
-      body.key_frames.push_back(
-          {.time = exact::to_number(frame.at(0)), .position = exact::to_point(frame.at(1))});
+    for (const Json& frame : item.at("key_frames")) {
+      const MovingBody::KeyFrame next{.time = exact::to_number(frame.at(0)),
+                                      .position = exact::to_point(frame.at(1))};
+      const bool later = body.key_frames.empty() || next.time > body.key_frames.back().time;
+      if (!std::isfinite(next.time) || !later || !is_plausible(next.position))
+        throw std::invalid_argument("expected key frames at plausible places, in order of time");
+      body.key_frames.push_back(next);
+    }
+    if (body.key_frames.empty() || !(body.radius > 0.0 && body.radius <= kLargestBody))
+      throw std::invalid_argument("expected a body with a radius up to 100 m and a key frame");
     scenario.bodies.push_back(std::move(body));
   }
   scenario.time_limit = exact::to_number(json.at("time_limit"));
@@ -117,6 +128,6 @@ std::vector<MovingObstacle> to_obstacles(const Json& list) {
 
 NavigationStatus to_status(const Json& number) { return checked(number, NavigationStatus::GaveUp); }
 
-LimitingFactor to_limit(const Json& number) { return checked(number, LimitingFactor::SmallerPlan); }
+LimitingFactor to_limit(const Json& number) { return checked(number, kLastLimitingFactor); }
 
 }  // namespace fairway::io

@@ -33,6 +33,11 @@ class Player {
     const bool is_map = message.topic == "/map" && message.schema_name == "foxglove.Grid";
     const bool is_scan = message.schema_name == "foxglove.LaserScan";
     if (!is_map && !is_scan && !message.schema_name.starts_with("fairway.")) return {};
+    std::uint32_t& next = next_[std::string(message.topic)];
+    if (message.sequence != next++) {
+      return fail(name_ + ": " + std::string(message.topic) + ": expected message " +
+                  std::to_string(next - 1) + ", found " + std::to_string(message.sequence));
+    }
     try {
       const Json json = Json::parse(message.content);
       if (is_map) {
@@ -202,6 +207,7 @@ class Player {
 
   std::string name_;
   EpisodeObserver& observer_;
+  std::map<std::string, std::uint32_t> next_;  // number of the next message of a topic
   Json map_message_;
   std::map<int, BitGrid> grids_;
   GridFrame frame_;  // of the scenario's map
