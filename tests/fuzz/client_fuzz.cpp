@@ -6,7 +6,7 @@
 #include <string>
 
 #include "server/live_command.hpp"
-#include "server/uploaded_map.hpp"
+#include "server/uploads/uploaded_map.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);

@@ -14,7 +14,6 @@
 
 #include "fairway/io/web_report/viewer_page.hpp"
 #include "server/socket_session.hpp"
-#include "server/uploaded_map.hpp"
 
 namespace fairway::app {
 
@@ -123,14 +122,26 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
     const std::string_view type = view(parser_->get()[http::field::content_type]);
     // Other types could be sent by a page of any site without asking first.
     if (type != "application/json") return refuse(http::status::unsupported_media_type);
-    Expected<UploadedMap> uploaded = read_uploaded_map(parser_->get().body());
-    if (!uploaded) {
-      return answer(http::status::unprocessable_entity, "text/plain; charset=utf-8",
-                    uploaded.error().message);
-    }
-    if (!context_.world.use_map(std::move(uploaded->name), std::move(uploaded->map)))
-      return refuse(http::status::service_unavailable);
-    answer(http::status::ok, "text/plain; charset=utf-8", "");
+    stream_.expires_never();  // decoding has bounds of its own
+    const auto executor = stream_.get_executor();
+    // The thread hands the session back whole: it must end in the network's.
+    const auto done = [self = shared_from_this(), executor](MapUploads::Outcome outcome,
+                                                            std::string reason) mutable {
+      boost::asio::post(executor,
+                        [self = std::move(self), outcome, reason = std::move(reason)]() mutable {
+                          self->stream_.expires_after(kPatience);
+                          self->answer_upload(outcome, std::move(reason));
+                        });
+    };
+    if (!context_.uploads.add(std::move(parser_->get().body()), done))
+      refuse(http::status::service_unavailable);
+  }
+
+  void answer_upload(MapUploads::Outcome outcome, std::string reason) {
+    if (outcome == MapUploads::Outcome::Busy) return refuse(http::status::service_unavailable);
+    answer(outcome == MapUploads::Outcome::Used ? http::status::ok
+                                                : http::status::unprocessable_entity,
+           "text/plain; charset=utf-8", std::move(reason));
   }
 
   void open_socket() {

@@ -10,12 +10,14 @@
 #include "server/live_world.hpp"
 #include "server/origin_check.hpp"
 #include "server/page_dialogue.hpp"
+#include "server/uploads/map_uploads.hpp"
 
 namespace fairway::app {
 
 /// What requests are answered from. Lives as long as the network's loop.
 struct HttpContext {
   LiveWorld& world;
+  MapUploads& uploads;
   PageDialogue& pages;
   FoxgloveDialogue& viewers;
   OriginCheck check;

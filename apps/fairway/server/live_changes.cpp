@@ -17,6 +17,21 @@ constexpr std::size_t kMostStrokeCells = 500'000;  // of one stroke
 constexpr std::size_t kMostBodies = 100;
 constexpr std::size_t kMostRobots = 50;
 
+// Cells from `first` to `last` of one side of the map.
+struct CellRange {
+  int first = 0;
+  int last = -1;
+};
+
+// Those between two coordinates, widened by `radius`; clamped before they become integers, since a
+// stroke may lie anywhere.
+CellRange cells_between(double a, double b, double radius, int side) {
+  const double low = std::floor(std::min(a, b) - radius);
+  const double high = std::ceil(std::max(a, b) + radius);
+  return {.first = static_cast<int>(std::clamp(low, 0.0, static_cast<double>(side))),
+          .last = static_cast<int>(std::clamp(high, -1.0, side - 1.0))};
+}
+
 // The cells whose centres are at most `radius` from the stroke's line.
 std::vector<CellIndex> cells_of(const PaintCommand& stroke, const GridFrame& frame) {
   std::vector<CellIndex> cells;
@@ -25,14 +40,10 @@ std::vector<CellIndex> cells_of(const PaintCommand& stroke, const GridFrame& fra
   // A brush finer than the cells still paints the cell under it.
   const double radius = std::max(stroke.radius / frame.resolution, 0.5);
   const OrientedRectangle line = segment_rectangle(from, to);
-  const auto low = [&](double a, double b) {
-    return static_cast<int>(std::floor(std::max(std::min(a, b) - radius, 0.0)));
-  };
-  const auto high = [&](double a, double b, int side) {
-    return static_cast<int>(std::ceil(std::clamp(std::max(a, b) + radius, -1.0, side - 1.0)));
-  };
-  for (int y = low(from.y(), to.y()); y <= high(from.y(), to.y(), frame.height); ++y) {
-    for (int x = low(from.x(), to.x()); x <= high(from.x(), to.x(), frame.width); ++x) {
+  const CellRange rows = cells_between(from.y(), to.y(), radius, frame.height);
+  const CellRange columns = cells_between(from.x(), to.x(), radius, frame.width);
+  for (int y = rows.first; y <= rows.last; ++y) {
+    for (int x = columns.first; x <= columns.last; ++x) {
       const Eigen::Vector2d center(x + 0.5, y + 0.5);
       if ((line.nearest(center) - center).norm() > radius) continue;
       if (cells.size() == kMostStrokeCells) return cells;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/live_server.hpp"
 
-#include <csignal>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,13 +8,14 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include "server/foxglove_dialogue.hpp"
 #include "server/http_session.hpp"
 #include "server/live_world.hpp"
 #include "server/page_dialogue.hpp"
+#include "server/stop_signal.hpp"
+#include "server/uploads/map_uploads.hpp"
 
 namespace fairway::app {
 
@@ -30,13 +30,17 @@ constexpr int kMostConnections = 32;
 class LiveServer {
  public:
   LiveServer(std::vector<MapChoice> maps, OriginCheck check)
-      : acceptor_(loop_),
+      : stop_signal_([this] { loop_.stop(); }),
+        acceptor_(loop_),
         pause_(loop_),
-        signals_(loop_, SIGINT, SIGTERM),
         world_(std::move(maps), listener()),
         pages_(world_),
-        context_{.world = world_, .pages = pages_, .viewers = viewers_, .check = std::move(check)} {
-  }
+        uploads_([this](Scenario scenario) { return world_.use_map(std::move(scenario)); }),
+        context_{.world = world_,
+                 .uploads = uploads_,
+                 .pages = pages_,
+                 .viewers = viewers_,
+                 .check = std::move(check)} {}
 
   Expected<void> listen(const ServerSettings& settings) {
     error_code error;
@@ -62,7 +66,6 @@ class LiveServer {
   }
 
   void run() {
-    signals_.async_wait([this](error_code, int) { loop_.stop(); });
     accept();
     loop_.run();
   }
@@ -113,11 +116,12 @@ class LiveServer {
   int connections_ = 0;
   FoxgloveDialogue viewers_;
   asio::io_context loop_{1};
+  StopSignal stop_signal_;  // before all other threads
   tcp::acceptor acceptor_;
   asio::steady_timer pause_;
-  asio::signal_set signals_;
   LiveWorld world_;
   PageDialogue pages_;
+  MapUploads uploads_;
   HttpContext context_;
 };
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "experiments/clocks.hpp"
+#include "fairway/base/utf8_text.hpp"
 #include "fairway/io/recording/scenario_archive.hpp"
 #include "fairway/io/web_report/report.hpp"
 #include "fairway/simulation/recorded/observer_list.hpp"
@@ -22,7 +24,7 @@ constexpr std::size_t kMostUploads = 8;                 // maps; the oldest make
 constexpr std::size_t kMostRecords = 64U << 20U;        // for a report [bytes]
 constexpr double kBeginningPeriod = 60.0;  // who joins late sees at least as much of the past [s]
 constexpr std::size_t kBeginningBytes = 8U << 20U;  // or so much of it
-constexpr double kMostLate = 0.2;                   // for what is asked between two cycles [s]
+constexpr double kServing = 0.05;                   // of a cycle, however late it is [s]
 constexpr double kFarBehind = 0.5;                  // then it does not try to catch up [s]
 
 }  // namespace
@@ -34,6 +36,7 @@ LiveWorld::LiveWorld(std::vector<MapChoice> choices, LiveListener listener)
   for (const MapChoice& choice : choices_)
     state_.maps.push_back(choice.name);
   scenario_ = choices_.front().make();
+  good_settings_ = scenario_.settings;
   thread_ = std::jthread([this] { run(); });
 }
 
@@ -47,8 +50,8 @@ LiveWorld::~LiveWorld() {
 
 void LiveWorld::ask(ClientCommand command) { enqueue(std::move(command), kMostWaitingCommands); }
 
-bool LiveWorld::use_map(std::string name, OccupancyGrid map) {
-  return enqueue(UseMap{.name = std::move(name), .map = std::move(map)}, kMostMapsWaiting);
+bool LiveWorld::use_map(Scenario scenario) {
+  return enqueue(UseMap{.scenario = std::move(scenario)}, kMostMapsWaiting);
 }
 
 void LiveWorld::download(Download what, std::function<void(std::string)> done) {
@@ -69,7 +72,11 @@ void LiveWorld::run() {
   std::uint32_t next_channel = 0;
   for (bool stopping = false; !stopping;) {
     messages_ = std::make_unique<LiveMessages>(next_channel);
-    run_once();
+    try {
+      run_once();
+    } catch (const std::exception& error) {
+      recover(error.what());
+    }
     next_channel = messages_->next_channel();
     const std::lock_guard lock(mutex_);
     stopping = stopping_;
@@ -98,22 +105,47 @@ void LiveWorld::run_once() {
                              .play = [this](EpisodeControl& control) { return play(control); }}));
 }
 
-// Between two cycles: hands out what is new, does what is asked, and waits until the next is due.
+// Whatever a run ended with, the world goes on: with the settings of the last run that began, then
+// with the first choice, then when something is asked.
+void LiveWorld::recover(const std::string& reason) {
+  listener_.on_notice("The run has ended: " + one_line(reason));
+  ++failures_;
+  if (failures_ == 1) scenario_.settings = good_settings_;
+  if (failures_ == 2) {
+    scenario_ = choices_.front().make();
+    state_.map = 0;
+  }
+  if (failures_ <= 2) return;
+  std::unique_lock lock(mutex_);
+  wake_.wait(lock, [this] { return stopping_ || !requests_.empty(); });
+  requests_.clear();
+}
+
+// Between two cycles: publishes what is new, serves requests, and waits until the next is due.
 bool LiveWorld::play(EpisodeControl& control) {
+  failures_ = 0;
+  good_settings_ = scenario_.settings;
   publish();
   tell_beginning(control.world().time());
   due_ = std::max(due_ + scenario_.settings.navigation.control_period / state_.speed,
                   steady_seconds() - kFarBehind);
-  while (std::optional<Request> request = next_request()) {
+  serve_requests(control);
+  if (again_) return false;
+  const std::lock_guard lock(mutex_);
+  return !stopping_;
+}
+
+// However late the world is, requests are served in every cycle; however many there are, the world
+// goes on.
+void LiveWorld::serve_requests(EpisodeControl& control) {
+  const double least = steady_seconds() + kServing;
+  while (std::optional<Request> request = next_request(std::max(due_, least))) {
     carry_out(control, *request);
     stream_.tell_true_map(control.world().time(), control.world().obstacles());
     publish();
     tell_beginning(control.world().time());
-    if (again_) return false;
-    if (std::exchange(step_, false)) return true;
+    if (again_ || std::exchange(step_, false)) return;
   }
-  const std::lock_guard lock(mutex_);
-  return !stopping_;
 }
 
 // So that the past which late comers are sent is bounded, also where the world is paused and
@@ -125,8 +157,9 @@ void LiveWorld::tell_beginning(double time) {
   listener_.on_beginning(stream_.beginning(time));
 }
 
-// Waits for somebody to ask for something; none when the next cycle is due, or at the end.
-std::optional<LiveWorld::Request> LiveWorld::next_request() {
+// Waits for a request; none when the next cycle is due, at the end, or when serving has lasted
+// `until` [s].
+std::optional<LiveWorld::Request> LiveWorld::next_request(double until) {
   std::unique_lock lock(mutex_);
   const auto asked = [this] { return stopping_ || !requests_.empty(); };
   if (state_.paused) {
@@ -134,9 +167,8 @@ std::optional<LiveWorld::Request> LiveWorld::next_request() {
   } else {
     wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
   }
-  // However much is asked, the world goes on.
-  const bool late = !state_.paused && steady_seconds() > due_ + kMostLate;
-  if (stopping_ || requests_.empty() || late) return std::nullopt;
+  const bool enough = !state_.paused && steady_seconds() > until;
+  if (stopping_ || requests_.empty() || enough) return std::nullopt;
   Request request = std::move(requests_.front());
   requests_.pop_front();
   return request;
@@ -175,9 +207,10 @@ void LiveWorld::carry_out(EpisodeControl& control, Request& request) {
       choices_.erase(choices_.begin() + oldest);
       state_.maps.erase(state_.maps.begin() + oldest);
     }
-    const auto make = [grid = map->map, name = map->name] { return scenario_on(name, grid); };
-    choices_.push_back({.name = map->name, .make = make});
-    state_.maps.push_back(map->name);
+    const std::string name = map->scenario.name;
+    choices_.push_back(
+        {.name = name, .make = [scenario = std::move(map->scenario)] { return scenario; }});
+    state_.maps.push_back(name);
     apply(control, ChooseMapCommand{.index = choices_.size() - 1});
   }
 }

@@ -58,15 +58,14 @@ class LiveWorld {
   /// Asks for something; safe from any thread. Where too much is waiting already, it is dropped.
   void ask(ClientCommand command);
 
-  /// Adds a map to the choices and begins with it; false where too much is waiting already.
-  [[nodiscard]] bool use_map(std::string name, OccupancyGrid map);
+  /// Adds a scenario to the choices and begins with it; false where too much is waiting already.
+  [[nodiscard]] bool use_map(Scenario scenario);
 
   void download(Download what, std::function<void(std::string)> done);
 
  private:
   struct UseMap {
-    std::string name;
-    OccupancyGrid map;
+    Scenario scenario;
   };
   struct Save {
     Download what;
@@ -77,8 +76,10 @@ class LiveWorld {
   bool enqueue(Request request, std::size_t most_waiting);
   void run();
   void run_once();
+  void recover(const std::string& reason);
+  void serve_requests(EpisodeControl& control);
   bool play(EpisodeControl& control);
-  [[nodiscard]] std::optional<Request> next_request();
+  [[nodiscard]] std::optional<Request> next_request(double until);
   void publish();
   void tell_beginning(double time);
   void tell_state();
@@ -106,10 +107,12 @@ class LiveWorld {
   std::size_t num_given_;
   LiveListener listener_;
   LiveState state_;
-  Scenario scenario_;   // as it would be saved: with everything that was changed
-  bool again_ = false;  // begin a new run
-  bool step_ = false;   // one cycle although paused
-  double due_ = 0.0;    // when the next cycle is [s]
+  Scenario scenario_;       // as it would be saved: with everything that was changed
+  Settings good_settings_;  // a run has begun with these
+  int failures_ = 0;        // runs in a row that ended in their first cycle
+  bool again_ = false;      // begin a new run
+  bool step_ = false;       // one cycle although paused
+  double due_ = 0.0;        // when the next cycle is [s]
   double told_beginning_ = 0.0;
   std::size_t told_since_ = 0;  // then [bytes]
   bool fresh_ = true;           // nothing of this run has been told

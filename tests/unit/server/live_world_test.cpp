@@ -29,7 +29,20 @@ std::string downloaded(LiveWorld& world, LiveWorld::Download what) {
   return promise.get_future().get();
 }
 
-TEST(LiveMaps, GiveEveryRobotAPath) {
+std::string default_of(const std::string& setting) {
+  std::string text;
+  const Settings settings;
+  visit_settings(settings, [&](const char* group, auto&& visit_fields) {
+    visit_fields([&](const auto& value, const SettingInfo& info) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+        if (std::string(group) + '.' + info.name == setting) text = std::to_string(value);
+      }
+    });
+  });
+  return text;
+}
+
+TEST(LiveMaps, GiveEveryRobotAWay) {
   Planner planner;
   for (const MapChoice& choice : built_in_maps()) {
     const Scenario scenario = choice.make();
@@ -66,6 +79,60 @@ TEST(LiveWorld, GoesStepByStepWhilePaused) {
   EXPECT_EQ(told, before + 3);
 }
 
+// A setting that is allowed alone must not end anything, whatever the others are.
+TEST(LiveWorld, GoesOnWithEverySettingAtTheEndOfItsRange) {
+  std::vector<std::string> ends;
+  const Settings settings;
+  visit_settings(settings, [&](const char* group, auto&& visit_fields) {
+    visit_fields([&](const auto& value, const SettingInfo& info) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+        for (const double end : {info.min, info.max})
+          ends.push_back(std::string(group) + '.' + info.name + '=' + std::to_string(end));
+      }
+    });
+  });
+  LiveWorld world({built_in_maps().back()}, deaf());
+  world.ask(PauseCommand{.paused = true});
+  world.ask(SenseCommand{.sensing = Sensing::Lidar, .noise = SensorNoise::None});
+  for (const std::string& end : ends) {
+    world.ask(SettingCommand{.assignment = end});
+    world.ask(StepCommand{});
+    static_cast<void>(downloaded(world, LiveWorld::Download::Scenario));
+    const std::string name = end.substr(0, end.find('='));
+    world.ask(SettingCommand{.assignment = name + "=" + default_of(name)});
+  }
+  EXPECT_FALSE(downloaded(world, LiveWorld::Download::Scenario).empty());
+}
+
+TEST(LiveWorld, ClampsAStrokeToTheMap) {
+  LiveWorld world({built_in_maps().back()}, deaf());
+  world.ask(PauseCommand{.paused = true});
+  const OccupancyGrid fine(
+      GridFrame{.width = 60, .height = 60, .resolution = 0.0001, .origin = {}});
+  ASSERT_TRUE(world.use_map(scenario_on("fine", fine)));
+  for (const double far : {-1e6, 1e6})
+    world.ask(PaintCommand{.from = {far, far}, .to = {far, far}, .radius = 5.0, .blocked = true});
+  world.ask(PaintCommand{.from = {-50, 0}, .to = {50, 0}, .radius = 1e-9, .blocked = true});
+  EXPECT_FALSE(downloaded(world, LiveWorld::Download::Scenario).empty());
+}
+
+// A world that cannot keep up with its speed serves what it is asked for all the same.
+TEST(LiveWorld, ServesRequestsHoweverLateItIs) {
+  std::atomic<bool> paused = false;
+  LiveListener listener = deaf();
+  listener.on_state = [&](const LiveState& state) { paused = state.paused; };
+  LiveWorld world(built_in_maps(), listener);
+  world.ask(SenseCommand{.sensing = Sensing::Lidar, .noise = SensorNoise::Standard});
+  for (int i = 0; i < 8; ++i)
+    world.ask(AddRobotCommand{.pose = {.position = {2.0 + i, 2.0}, .heading = 0.0}});
+  world.ask(SpeedCommand{.factor = 100.0});
+  for (int i = 0; i < 5; ++i)
+    static_cast<void>(downloaded(world, LiveWorld::Download::Scenario));
+  world.ask(PauseCommand{.paused = true});
+  static_cast<void>(downloaded(world, LiveWorld::Download::Scenario));
+  EXPECT_TRUE(paused);
+}
+
 TEST(LiveWorld, KeepsTheNewestUploads) {
   LiveState state;  // the last state; read after the world has answered
   LiveListener listener = deaf();
@@ -73,7 +140,7 @@ TEST(LiveWorld, KeepsTheNewestUploads) {
   LiveWorld world({built_in_maps().back()}, listener);
   const OccupancyGrid map(GridFrame{.width = 100, .height = 100, .resolution = 0.05, .origin = {}});
   for (int i = 0; i < 20; ++i)
-    while (!world.use_map("map " + std::to_string(i), map))
+    while (!world.use_map(scenario_on("map " + std::to_string(i), map)))
       std::this_thread::yield();
   // One run for each, and one more answer from the last run.
   for (int i = 0; i < 21; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/uploaded_map.hpp"
+#include "server/uploads/uploaded_map.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +43,41 @@ TEST(UploadedMap, RefusesInvalidMaps) {
   EXPECT_FALSE(read_uploaded_map(json.dump()));
 }
 
-TEST(UploadedMap, RefusesAHugePictureBeforeItIsDecoded) {
+// What a hostile client can have built before it is refused is bounded by the first wrong value.
+TEST(UploadedMap, RefusesValuesThatNoMapHas) {
+  for (const std::string& text :
+       {R"({"name":"a","image":[)" + std::string(100'000, '['), std::string(100'000, '['),
+        R"({"name":{"a":1}})" + std::string(), R"({"name":"a","more":"b"})" + std::string(),
+        R"({"name":"a","image":"AAAA","yaml":7})" + std::string(),
+        R"({"name":"a","image":"AAAA","resolution":null})" + std::string(),
+        R"({"name":"a","image":"AAAA","resolution":true})" + std::string()}) {
+    const auto uploaded = read_uploaded_map(text);
+    ASSERT_FALSE(uploaded) << text.substr(0, 60);
+    EXPECT_NE(uploaded.error().message.find("expected"), std::string::npos);
+  }
+}
+
+TEST(UploadedMap, RefusesAYamlBeyondTheLimitOfMapFiles) {
+  std::string yaml =
+      "image: x\nresolution: 0.2\norigin: [1, 2, 0.5]\nnegate: 0\noccupied_thresh: 0.65\n"
+      "free_thresh: 0.196\nmore: [";
+  for (int i = 0; i < 40'000; ++i)
+    yaml += "1,";
+  const nlohmann::json json{{"name", "b"}, {"image", kPicture}, {"yaml", yaml + "1]\n"}};
+  const auto uploaded = read_uploaded_map(json.dump());
+  ASSERT_FALSE(uploaded);
+  EXPECT_NE(uploaded.error().message.find("at most 65536 bytes"), std::string::npos);
+}
+
+TEST(UploadedMap, CutsALongNameBetweenTwoCharacters) {
+  std::string name;
+  for (int i = 0; i < 50; ++i)
+    name += "\xc3\xa4";  // two bytes each
+  const nlohmann::json json{{"name", "x" + name}, {"image", kPicture}, {"resolution", 0.1}};
+  EXPECT_EQ(read_uploaded_map(json.dump()).value().name, "x" + name.substr(0, 78));
+}
+
+TEST(UploadedMap, RefusesAPictureThatPromisesTooMuchBeforeItIsDecoded) {
   const std::string header("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\xEA\x60\0\0\xEA\x60", 24);
   const nlohmann::json json{{"name", "a"}, {"image", io::to_base64(header)}, {"resolution", 0.1}};
   const auto uploaded = read_uploaded_map(json.dump());
