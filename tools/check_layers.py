@@ -13,7 +13,7 @@ import sys
 # targets that it links.
 TARGETS = [
     ("fairway", [], [
-        "base", "geometry", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc",
+        "base", "geometry", "monitor", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc",
         "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
         "mpc/interior_point", "planning", "tracking", "safety", "fleet", "perception", "navigation",
         "navigation/facade", ""]),

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/monitor/safety_monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "support/allocation_guard.hpp"
+#include "support/random_world.hpp"
+
+namespace fairway {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Polygon box(double back, double front, double half_width) {
+  return {{back, -half_width}, {front, -half_width}, {front, half_width}, {back, half_width}};
+}
+
+// A body from -0.3 to 0.3 m that is 0.4 m wide.
+MonitorSettings plain() { return {.footprint = {box(-0.3, 0.3, 0.2)}}; }
+
+MonitorVerdict verdict_of(const MonitorSettings& settings,
+                          const std::vector<Vector2d>& points,
+                          const Twist2& current,
+                          const Twist2& command) {
+  SafetyMonitor monitor(settings);
+  EXPECT_TRUE(monitor.see(0.0, points));
+  return monitor.check(0.0, {}, current, command);
+}
+
+// Straight on at 1 m/s towards a point so far in front of the body.
+MonitorVerdict ahead(const MonitorSettings& settings, double distance, double delay_speed = 1.0) {
+  return verdict_of(settings, {{0.3 + distance, 0.0}}, {.linear = delay_speed}, {.linear = 1.0});
+}
+
+TEST(SafetyMonitor, LetsACommandPassInTheOpen) {
+  const MonitorVerdict verdict = verdict_of(plain(), {}, {}, {.linear = 0.8, .angular = -0.5});
+  EXPECT_EQ(verdict.fraction, 1.0);
+  EXPECT_EQ(verdict.command.linear, 0.8);
+  EXPECT_EQ(verdict.command.angular, -0.5);
+  EXPECT_EQ(verdict.reason, MonitorReason::None);
+}
+
+// 1 m/s for 0.15 s, then braking at 1 m/s2 over 0.5 m, and 0.01 m of margin: 0.66 m, and at most
+// one step of the simulation (0.01 m) more.
+TEST(SafetyMonitor, NeedsHoldBrakingDistanceAndMargin) {
+  EXPECT_EQ(ahead(plain(), 0.675).fraction, 1.0);
+  EXPECT_LT(ahead(plain(), 0.655).fraction, 1.0);
+  EXPECT_EQ(ahead(plain(), 0.655).reason, MonitorReason::Obstacle);
+}
+
+// The hold is rounded up to whole steps of 0.01 m: 0.16 m here, so 0.67 m with braking and margin.
+TEST(SafetyMonitor, SimulatesInStepsOfACentimetre) {
+  MonitorSettings settings = plain();
+  settings.hold = 0.155;
+  EXPECT_EQ(ahead(settings, 0.671).fraction, 1.0);
+  EXPECT_EQ(ahead(settings, 0.6675).fraction, 31.0 / 32.0);
+}
+
+TEST(SafetyMonitor, EverySettingOfTheMotionCounts) {
+  const auto needs = [](const MonitorSettings& settings, double distance) {
+    EXPECT_EQ(ahead(settings, distance + 0.015).fraction, 1.0) << distance;
+    EXPECT_LT(ahead(settings, distance - 0.005).fraction, 1.0) << distance;
+  };
+  MonitorSettings settings = plain();
+  settings.linear_acceleration = 2.0;
+  needs(settings, 0.15 + 0.25 + 0.01);
+  settings = plain();
+  settings.delay = 0.2;
+  needs(settings, 0.2 + 0.15 + 0.5 + 0.01);
+  settings = plain();
+  settings.hold = 0.5;
+  needs(settings, 0.5 + 0.5 + 0.01);
+  settings = plain();
+  settings.margin = 0.2;
+  needs(settings, 0.15 + 0.5 + 0.2);
+}
+
+TEST(SafetyMonitor, KnowsHowFastATurnEnds) {
+  // The corner of the body, 0.36 m from its centre, turns into a point beside it.
+  const auto turning = [](double acceleration) {
+    MonitorSettings settings = plain();
+    settings.angular_acceleration = acceleration;
+    return verdict_of(settings, {{0.18, 0.30}}, {.angular = 1.0}, {.angular = 1.0}).fraction;
+  };
+  EXPECT_EQ(turning(20.0), 1.0);
+  EXPECT_LT(turning(0.6), 1.0);
+}
+
+// While the base does not follow yet it goes on as it did.
+TEST(SafetyMonitor, CountsTheOldCommandDuringTheDelay) {
+  MonitorSettings settings = plain();
+  settings.delay = 0.5;
+  settings.linear_acceleration = 20.0;
+  EXPECT_EQ(ahead(settings, 0.24, 0.0).fraction, 1.0);
+  EXPECT_EQ(ahead(settings, 0.24, 1.0).fraction, 0.0);
+  EXPECT_EQ(ahead(settings, 0.24, 1.0).reason, MonitorReason::Obstacle);
+}
+
+TEST(SafetyMonitor, GivesTheLargestOf32Fractions) {
+  const MonitorVerdict verdict = ahead(plain(), 0.6);
+  EXPECT_GT(verdict.fraction, 0.0);
+  EXPECT_LT(verdict.fraction, 1.0);
+  EXPECT_EQ(verdict.fraction * 32.0, std::round(verdict.fraction * 32.0));
+  EXPECT_EQ(verdict.command.linear, verdict.fraction);
+  // One 32nd more would not stop in time, all else being equal.
+  const double more = verdict.fraction + 1.0 / 32.0;
+  EXPECT_LT(verdict_of(plain(), {{0.9, 0.0}}, {.linear = 1.0}, {.linear = more}).fraction, 1.0);
+  EXPECT_EQ(
+      verdict_of(plain(), {{0.9, 0.0}}, {.linear = 1.0}, {.linear = verdict.fraction}).fraction,
+      1.0);
+}
+
+TEST(SafetyMonitor, ReversesAndTurnsByTheSameRule) {
+  EXPECT_LT(verdict_of(plain(), {{-0.6, 0.0}}, {.linear = -1.0}, {.linear = -1.0}).fraction, 1.0);
+  EXPECT_EQ(verdict_of(plain(), {{0.9, 0.0}}, {.linear = -1.0}, {.linear = -1.0}).fraction, 1.0);
+  EXPECT_LT(verdict_of(plain(), {{0.0, 0.3}}, {.angular = 2.0}, {.angular = 2.0}).fraction, 1.0);
+}
+
+// A robot that stands too near already may leave, but come no nearer.
+TEST(SafetyMonitor, LeavesAPointThatIsNearerThanTheMargin) {
+  MonitorSettings settings = plain();
+  settings.margin = 0.1;
+  const std::vector<Vector2d> wall{{0.34, 0.0}};
+  EXPECT_EQ(verdict_of(settings, wall, {}, {.linear = -0.5}).fraction, 1.0);
+  EXPECT_EQ(verdict_of(settings, wall, {}, {.linear = 0.5}).fraction, 0.0);
+  const std::vector<Vector2d> inside{{0.25, 0.0}};
+  EXPECT_EQ(verdict_of(settings, inside, {}, {.linear = -0.1}).fraction, 1.0);
+  EXPECT_EQ(verdict_of(settings, inside, {}, {.linear = 0.1}).fraction, 0.0);
+}
+
+TEST(SafetyMonitor, TakesTheBodyForTheUnionOfItsPolygons) {
+  MonitorSettings settings = plain();
+  settings.footprint.push_back(box(0.2, 0.8, 0.05));  // a fork
+  EXPECT_LT(verdict_of(settings, {{1.1, 0.0}}, {.linear = 1.0}, {.linear = 1.0}).fraction, 1.0);
+  EXPECT_EQ(verdict_of(plain(), {{1.1, 0.0}}, {.linear = 1.0}, {.linear = 1.0}).fraction, 1.0);
+}
+
+// Outside of the notch of an L, though within its bounding box.
+TEST(SafetyMonitor, TakesPolygonsThatAreNotConvex) {
+  const MonitorSettings settings{
+      .footprint = {{{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.0}, {0.0, 0.0}, {0.0, 0.3}, {-0.3, 0.3}}}};
+  EXPECT_EQ(verdict_of(settings, {{0.2, 0.2}}, {}, {.linear = -0.1}).fraction, 1.0);
+  EXPECT_LT(verdict_of(settings, {{0.2, 0.2}}, {.linear = 0.8}, {.linear = 0.8}).fraction, 1.0);
+}
+
+TEST(SafetyMonitor, StopsForAPointInTheStopZone) {
+  MonitorSettings settings = plain();
+  settings.stop_zone = box(0.3, 1.0, 0.5);
+  const MonitorVerdict verdict = verdict_of(settings, {{0.9, 0.4}}, {}, {.linear = -0.1});
+  EXPECT_EQ(verdict.reason, MonitorReason::StopZone);
+  EXPECT_EQ(verdict.fraction, 0.0);
+  EXPECT_EQ(verdict.command.linear, 0.0);
+  EXPECT_EQ(verdict_of(settings, {{0.9, 0.6}}, {}, {.linear = -0.1}).fraction, 1.0);
+}
+
+TEST(SafetyMonitor, SlowsDownForAPointInTheSlowZone) {
+  MonitorSettings settings = plain();
+  settings.slow_zone = box(0.3, 3.0, 1.0);
+  const std::vector<Vector2d> point{{2.5, 0.9}};
+  const MonitorVerdict verdict = verdict_of(settings, point, {}, {.linear = 1.0, .angular = 0.5});
+  EXPECT_EQ(verdict.reason, MonitorReason::SlowZone);
+  EXPECT_DOUBLE_EQ(verdict.command.linear, 0.3);
+  EXPECT_DOUBLE_EQ(verdict.command.angular, 0.15);
+  EXPECT_EQ(verdict_of(settings, point, {}, {.linear = -0.3}).reason, MonitorReason::None);
+  EXPECT_EQ(verdict_of(settings, {{2.5, 1.1}}, {}, {.linear = 1.0}).reason, MonitorReason::None);
+  settings.slow_speed = 0.5;
+  EXPECT_DOUBLE_EQ(verdict_of(settings, point, {}, {.linear = -1.0}).command.linear, -0.5);
+  // An obstacle counts within it.
+  const MonitorVerdict near = verdict_of(settings, {{0.32, 0.0}}, {}, {.linear = 1.0});
+  EXPECT_EQ(near.reason, MonitorReason::Obstacle);
+  EXPECT_LT(near.command.linear, 0.5);
+}
+
+// A mast, or the lidar's own housing, is seen inside the body.
+TEST(SafetyMonitor, TakesNoPartOfTheBodyForAnIntruder) {
+  MonitorSettings settings = plain();
+  settings.stop_zone = box(-1.0, 1.0, 1.0);
+  settings.slow_zone = box(-1.0, 1.0, 1.0);
+  EXPECT_EQ(verdict_of(settings, {{0.0, 0.0}}, {}, {.angular = 0.1}).fraction, 1.0);
+}
+
+TEST(SafetyMonitor, StopsWithoutNewPoints) {
+  SafetyMonitor monitor(plain());
+  EXPECT_EQ(monitor.check(0.0, {}, {}, {.linear = 1.0}).reason, MonitorReason::Stale);
+  EXPECT_TRUE(monitor.see(10.0, {}));
+  for (const double time : {10.0, 10.5, 9.5})
+    EXPECT_EQ(monitor.check(time, {}, {}, {.linear = 1.0}).fraction, 1.0) << time;
+  for (const double time : {10.51, 9.49, kNan, kInfinity}) {
+    const MonitorVerdict verdict = monitor.check(time, {}, {}, {.linear = 1.0});
+    EXPECT_EQ(verdict.reason, MonitorReason::Stale) << time;
+    EXPECT_EQ(verdict.command.linear, 0.0) << time;
+  }
+}
+
+TEST(SafetyMonitor, StopsOnWhatIsNotFiniteOrAbsurd) {
+  SafetyMonitor monitor(plain());
+  EXPECT_TRUE(monitor.see(0.0, {}));
+  const auto reason = [&](const Pose2& pose, const Twist2& current, const Twist2& command) {
+    const MonitorVerdict verdict = monitor.check(0.0, pose, current, command);
+    EXPECT_TRUE(is_finite(verdict.command));
+    return verdict.reason;
+  };
+  const Twist2 slow{.linear = 0.1};
+  for (const double bad : {kNan, kInfinity, 1.01e7, -1.01e7}) {
+    EXPECT_EQ(reason({.position = {bad, 0}}, slow, slow), MonitorReason::InvalidInput);
+    EXPECT_EQ(reason({.position = {0, bad}}, slow, slow), MonitorReason::InvalidInput);
+  }
+  EXPECT_EQ(reason({.position = {0.99e7, -0.99e7}}, slow, slow), MonitorReason::None);
+  EXPECT_EQ(reason({.heading = kNan}, slow, slow), MonitorReason::InvalidInput);
+  for (const double bad : {kNan, -kInfinity, 20.1, -20.1}) {
+    EXPECT_EQ(reason({}, {.linear = bad}, slow), MonitorReason::InvalidInput);
+    EXPECT_EQ(reason({}, {.angular = bad}, slow), MonitorReason::InvalidInput);
+    EXPECT_EQ(reason({}, slow, {.linear = bad}), MonitorReason::InvalidInput);
+    EXPECT_EQ(reason({}, slow, {.angular = bad}), MonitorReason::InvalidInput);
+  }
+  EXPECT_EQ(reason({}, slow, {.linear = 19.9, .angular = -19.9}), MonitorReason::None);
+}
+
+TEST(SafetyMonitor, KeepsTheOlderPointsWhereNewOnesAreRefused) {
+  SafetyMonitor monitor(plain());
+  const std::vector<Vector2d> wall{{0.35, 0.0}};
+  EXPECT_TRUE(monitor.see(0.0, wall));
+  for (const double bad : {kNan, kInfinity, 1.01e7})
+    EXPECT_FALSE(monitor.see(1.0, std::vector<Vector2d>{{0.0, bad}}));
+  EXPECT_FALSE(monitor.see(kNan, {}));
+  EXPECT_FALSE(monitor.see(1.0, std::vector<Vector2d>(8193, Vector2d::Zero())));
+  EXPECT_LT(monitor.check(0.0, {}, {.linear = 1.0}, {.linear = 1.0}).fraction, 1.0);
+  EXPECT_EQ(monitor.check(1.0, {}, {}, {.linear = 1.0}).reason, MonitorReason::Stale);
+  EXPECT_TRUE(monitor.see(1.0, std::vector<Vector2d>(8192, Vector2d(0.99e7, 0.0))));
+}
+
+TEST(SafetyMonitor, PutsPointsIntoTheFrameOfTheRobot) {
+  SafetyMonitor monitor(plain());
+  EXPECT_TRUE(monitor.see(0.0, std::vector<Vector2d>{{5.0, 7.5}}));
+  const Pose2 facing{.position = {5.0, 7.0}, .heading = std::acos(0.0)};
+  const Pose2 beside{.position = {5.0, 7.0}, .heading = 0.0};
+  EXPECT_LT(monitor.check(0.0, facing, {.linear = 1.0}, {.linear = 1.0}).fraction, 1.0);
+  EXPECT_EQ(monitor.check(0.0, beside, {.linear = 1.0}, {.linear = 1.0}).fraction, 1.0);
+}
+
+TEST(SafetyMonitor, DoesNotAllocateWhileTheRobotDrives) {
+  SafetyMonitor monitor(plain());
+  const std::vector<Vector2d> points(8192, Vector2d(0.6, 0.1));
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  const test::AllocationGuard guard;
+  const bool taken = monitor.see(0.0, points);
+  const MonitorVerdict verdict = monitor.check(0.0, {}, {.linear = 1.0}, {.linear = 1.0});
+  EXPECT_EQ(guard.count(), 0U);
+  EXPECT_TRUE(taken);
+  EXPECT_LT(verdict.fraction, 1.0);
+}
+
+// An oracle of another kind: the base is driven in fine steps with what the monitor let pass.
+TEST(SafetyMonitor, WhatItLetsPassStopsInTimeOnTheBase) {
+  test::Random random(5);
+  for (int trial = 0; trial < 300; ++trial) {
+    MonitorSettings settings = plain();
+    settings.delay = random.uniform(0.0, 0.4);
+    settings.hold = random.uniform(0.02, 0.3);
+    settings.linear_acceleration = random.uniform(0.3, 3.0);
+    settings.angular_acceleration = random.uniform(0.5, 5.0);
+    const Twist2 before{.linear = random.uniform(-0.3, 0.3), .angular = random.uniform(-0.5, 0.5)};
+    const Twist2 wanted{.linear = random.uniform(-2.0, 2.0), .angular = random.uniform(-2.0, 2.0)};
+    std::vector<Vector2d> points;
+    for (int i = 0; i < 5; ++i) {
+      const double angle = random.uniform(-3.14, 3.14);
+      points.push_back(random.uniform(0.6, 1.5) * direction(angle));
+    }
+    const MonitorVerdict verdict = verdict_of(settings, points, before, wanted);
+    if (verdict.fraction == 0.0) continue;
+    constexpr double kStep = 1e-3;  // [s]
+    Twist2 twist = before;
+    Pose2 pose;
+    for (int i = 0; i < 6000; ++i) {
+      const double t = i * kStep;
+      const Twist2 target = t < settings.delay                   ? before
+                            : t < settings.delay + settings.hold ? verdict.command
+                                                                 : Twist2{};
+      const auto ramp = [&](double from, double to, double rate) {
+        return from + std::clamp(to - from, -rate * kStep, rate * kStep);
+      };
+      twist.linear = ramp(twist.linear, target.linear, settings.linear_acceleration);
+      twist.angular = ramp(twist.angular, target.angular, settings.angular_acceleration);
+      pose.position += kStep * twist.linear * direction(pose.heading);
+      pose.heading += kStep * twist.angular;
+      for (const Vector2d& point : points) {
+        const Vector2d local = inverse_transform(pose, point);
+        const double outside = Vector2d(std::max(0.0, std::abs(local.x()) - 0.3),
+                                        std::max(0.0, std::abs(local.y()) - 0.2))
+                                   .norm();
+        // Less than half a step of the simulation and half of the margin.
+        ASSERT_GT(outside, 0.5 * settings.margin) << "trial " << trial << " after " << t << " s";
+      }
+    }
+  }
+}
+
+TEST(SafetyMonitor, HasTheseDefaults) {
+  const MonitorSettings settings;
+  EXPECT_EQ(settings.slow_speed, 0.3);
+  EXPECT_EQ(settings.linear_acceleration, 1.0);
+  EXPECT_EQ(settings.angular_acceleration, 2.0);
+  EXPECT_EQ(settings.delay, 0.0);
+  EXPECT_EQ(settings.hold, 0.15);
+  EXPECT_EQ(settings.margin, 0.01);
+  EXPECT_EQ(settings.max_age, 0.5);
+}
+
+TEST(MonitorSettings, HaveTheirNumbersInRange) {
+  struct Range {
+    double MonitorSettings::*number;
+    double least;
+    double most;
+  };
+  for (const Range& range :
+       {Range{&MonitorSettings::slow_speed, 0.01, 10.0},
+        Range{&MonitorSettings::linear_acceleration, 0.2, 20.0},
+        Range{&MonitorSettings::angular_acceleration, 0.2, 100.0},
+        Range{&MonitorSettings::delay, 0.0, 1.0}, Range{&MonitorSettings::hold, 0.01, 1.0},
+        Range{&MonitorSettings::margin, 0.0, 1.0}, Range{&MonitorSettings::max_age, 0.01, 10.0}}) {
+    MonitorSettings settings = plain();
+    const auto is_valid_at = [&](double value) {
+      settings.*range.number = value;
+      return validate(settings).has_value();
+    };
+    EXPECT_TRUE(is_valid_at(range.least) && is_valid_at(range.most)) << range.most;
+    EXPECT_FALSE(is_valid_at(range.least - 1e-6)) << range.most;
+    EXPECT_FALSE(is_valid_at(range.most + 1e-6)) << range.most;
+    EXPECT_FALSE(is_valid_at(kNan)) << range.most;
+  }
+}
+
+TEST(MonitorSettings, HavePolygonsThatCanBeOnes) {
+  const auto is_valid_with = [](const Polygon& polygon) {
+    MonitorSettings body = plain();
+    body.footprint = {polygon};
+    MonitorSettings stop = plain();
+    stop.stop_zone = polygon;
+    MonitorSettings slow = plain();
+    slow.slow_zone = polygon;
+    EXPECT_EQ(validate(stop).has_value(), validate(slow).has_value());
+    EXPECT_TRUE(polygon.empty() || validate(stop).has_value() == validate(body).has_value());
+    return validate(stop).has_value();
+  };
+  EXPECT_TRUE(is_valid_with({}));
+  EXPECT_TRUE(is_valid_with({{0, 0}, {1, 0}, {0, 1}}));
+  EXPECT_TRUE(is_valid_with({{0, 0}, {100, 0}, {0, -100}}));
+  EXPECT_FALSE(is_valid_with({{0, 0}, {100.1, 0}, {0, 1}}));
+  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}}));
+  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}, {1, 0}, {0, 1}}));
+  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}, {0, 1}, {0, 0}}));
+  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}, {0, kNan}}));
+  EXPECT_FALSE(validate(MonitorSettings{}));
+  EXPECT_THROW(SafetyMonitor{MonitorSettings{}}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fairway
