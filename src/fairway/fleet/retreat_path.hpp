@@ -9,7 +9,10 @@
 
 namespace fairway {
 
-/// A path to a place where a robot lets oncoming robots pass.
+/// The least clearance of a retreat path to static obstacles [m].
+inline constexpr double kLeastRetreatClearance = 0.01;
+
+/// A path to a place where a robot lets others pass that come towards it in a narrow place.
 struct RetreatPath {
   static constexpr int kMaxPoints = ReferencePath::kMaxPoints - 1;
   int count = 0;                                   ///< 0: there is no path
@@ -24,25 +27,9 @@ struct RetreatPath {
   [[nodiscard]] double length(const Eigen::Vector2d& position) const noexcept;
 };
 
-/// Finds the shortest path from `position` to a place where all robots in `passing` can pass.
-///
-/// The path comes no closer to the passing robots, does not pass their goals, and avoids all robots
-/// that are not driving. It is empty if there is no such place within 12 m to each side.
-///
-/// The search is breadth first on a lattice of 0.2 m about the position; the path is then
-/// straightened. The robot keeps 0.2 m from static obstacles or, if there is no such path, 0.1,
-/// 0.05 or 0.01 m. Robots that drive in the same direction do not block the path, because they
-/// retreat too. If some of them will retreat after this one, the place leaves space for them, if
-/// possible.
-///
-/// The search needs about 45 kB of stack. If there is no place, it covers the whole lattice up to
-/// eight times, which takes tens of milliseconds: do not call it in every cycle.
-[[nodiscard]] RetreatPath find_retreat_path(const Eigen::Vector2d& position,
-                                            const PassingEnvironment& around) noexcept;
-
-/// Drops the points of a retreat path that a robot at `position` has passed: the robot drives
-/// straight to the furthest point that it can reach without touching static obstacles.
-void shorten(RetreatPath& path,
+/// Drops the points of a way back that a robot at `position` has passed: goes straight to the
+/// furthest point that it can reach without touching what stands.
+void shorten(RetreatPath& way,
              const Eigen::Vector2d& position,
              const BitGrid& obstacles,
              double radius) noexcept;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/fleet/retreat_path.hpp"
-
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "fairway/fleet/retreat_search.hpp"
 #include "fairway/map/free_space.hpp"
 
 namespace fairway {
