@@ -29,8 +29,8 @@ class AnyNavigator {
   void set_map(const OccupancyGrid& map) {
     if (auto* const with_map = std::get_if<MapNavigator>(&navigator_)) with_map->set_map(map);
   }
-  void observe(const LidarScan& scan, const Eigen::Vector2d& position) {
-    visit([&](auto& navigator) { navigator.observe(scan, position); });
+  [[nodiscard]] bool observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+    return visit([&](auto& navigator) { return navigator.observe(scan, position); });
   }
   void set_goal(const Goal& goal) {
     visit([&](auto& navigator) { navigator.set_goal(goal); });

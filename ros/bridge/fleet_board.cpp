@@ -15,13 +15,15 @@ std::uint32_t robot_number(std::string_view name) noexcept {
   return hash;
 }
 
-void FleetBoard::hear(const std::string& name, const SharedMotion& motion) {
+bool FleetBoard::receive(const std::string& name, const SharedMotion& motion, double now) {
+  if (!is_plausible(motion) || !(motion.time <= now + kMostAhead)) return false;
   const auto known = told_.find(name);
   if (known == told_.end()) {
     told_.emplace(name, motion);
   } else if (motion.time >= known->second.time) {
     known->second = motion;
   }
+  return true;
 }
 
 Fleet FleetBoard::around(const Eigen::Vector2d& position, double time) {
@@ -29,7 +31,6 @@ Fleet FleetBoard::around(const Eigen::Vector2d& position, double time) {
   for (const auto& [name, motion] : told_) {
     const double unseen = std::max(0.0, time - motion.time);
     const double away = (motion.position - position).norm();
-    // Values that are not finite pass this comparison, so that the navigator refuses them.
     if (away > kRange + motion.speed_max * unseen) continue;
     around_.push_back({.motion = &motion, .unseen = unseen});
   }

@@ -25,8 +25,13 @@ class FleetBoard {
   /// [m].
   static constexpr double kRange = 15.0;
 
-  /// Stores a robot's published motion, in the frame of this robot; older messages are ignored.
-  void hear(const std::string& name, const SharedMotion& motion);
+  /// Messages may be stamped so far in the future, since clocks differ [s].
+  static constexpr double kMostAhead = 0.5;
+
+  /// Takes in what a robot publishes, in the frame of this one, at `now` [s].
+  /// @return whether the message was plausible and not from the future. One that was not is
+  ///     forgotten; the next good one counts. Older ones than the newest are ignored.
+  bool receive(const std::string& name, const SharedMotion& motion, double now);
 
   /// Removes a robot that announced its departure.
   void forget(const std::string& name) { told_.erase(name); }

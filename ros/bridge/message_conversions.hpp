@@ -112,11 +112,14 @@ void set_twist(const Twist2& twist, TwistMessage& message) noexcept {
     return fail("map: info.width, info.height: expected 1 to " + std::to_string(kMost) +
                 ", found " + std::to_string(width) + " x " + std::to_string(height));
   }
-  if (!(frame.resolution > 0.0) || !std::isfinite(frame.resolution)) {
-    return fail("map: info.resolution: expected a positive number, found " +
+  constexpr double kFinest = 1e-4;      // [m]
+  constexpr double kCoarsest = 1000.0;  // [m]
+  if (!(frame.resolution >= kFinest && frame.resolution <= kCoarsest)) {
+    return fail("map: info.resolution: expected a number from 0.0001 to 1000, found " +
                 std::to_string(frame.resolution));
   }
-  if (!is_finite(frame.origin)) return fail("map: info.origin: expected a finite pose");
+  if (!is_plausible(frame.origin))
+    return fail("map: info.origin: expected a pose within 10000 km and 64 rad");
   if (cells != width * height) {
     return fail("map: data: expected " + std::to_string(width * height) + " cells, found " +
                 std::to_string(cells));

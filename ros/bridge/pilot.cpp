@@ -49,7 +49,7 @@ void Pilot::make_navigator() {
   if (options_.use_map) {
     navigator_.emplace(MapNavigator(with_options(settings_)));
     if (map_) navigator_->set_map(*map_);
-  } else if (!odometry_.empty() && is_finite(odometry_.pose())) {
+  } else if (!odometry_.empty() && is_plausible(odometry_.pose())) {
     navigator_.emplace(MaplessNavigator(with_options(settings_), odometry_.pose().position));
   }
 }
@@ -92,14 +92,13 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
   if (!first || !last) return false;
   scan.first_pose = in_world(compose(*first, sensor_on_robot));
   scan.last_pose = in_world(compose(*last, sensor_on_robot));
-  if (options_.use_map && !map_) return true;  // there is no map to change
-  navigator_->observe(scan, in_world(*last).position);
-  scanned_ = true;
-  return true;
+  if (options_.use_map && !map_) return true;  // there is nothing to add it to
+  const bool taken = navigator_->observe(scan, in_world(*last).position);
+  scanned_ = scanned_ || taken;
+  return taken;
 }
 
 void Pilot::set_goal(const Goal& goal) {
-  FAIRWAY_EXPECTS(is_finite(goal.position));
   goal_ = goal;
   fresh_goal_ = true;
 }

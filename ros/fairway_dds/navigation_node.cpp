@@ -147,7 +147,9 @@ void NavigationNode::take_robot(const fairway_msgs_msg_dds__SharedMotion_& messa
   if (message.leaving) {
     pilot_.fleet().forget(name);
   } else if (frame) {
-    pilot_.fleet().hear(name, to_motion(message, *frame));
+    if (!pilot_.fleet().receive(name, to_motion(message, *frame), wall_time()))
+      std::fprintf(stderr, "fairway: %s: expected a plausible message with a time that has been\n",
+                   one_line(name).c_str());
   }
 }
 

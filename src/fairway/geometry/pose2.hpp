@@ -32,7 +32,20 @@ struct Twist2 {
   return std::isfinite(twist.linear) && std::isfinite(twist.angular);
 }
 
-/// Returns the unit vector in direction `heading`.
+/// Whether a place can be meant: finite, and so near to the origin that a double still resolves
+/// nanometres. Arithmetic on others overflows in a grid's indices.
+[[nodiscard]] inline bool is_plausible(const Eigen::Vector2d& point) noexcept {
+  constexpr double kFurthest = 1e7;  // [m]
+  return std::abs(point.x()) <= kFurthest && std::abs(point.y()) <= kFurthest;
+}
+
+/// The same of a pose, whose heading must not be more turns than a robot makes in a drive: degrees.
+[[nodiscard]] inline bool is_plausible(const Pose2& pose) noexcept {
+  constexpr double kMostHeading = 64.0;  // [rad]
+  return is_plausible(pose.position) && std::abs(pose.heading) <= kMostHeading;
+}
+
+/// Unit vector in direction `heading`.
 [[nodiscard]] inline Eigen::Vector2d direction(double heading) noexcept {
   return {std::cos(heading), std::sin(heading)};
 }

@@ -8,13 +8,8 @@ namespace fairway {
 LimitingFactor check_input(const NavigationInput& input,
                            const SafetySettings& settings,
                            DeadReckoning& reckoning) noexcept {
-  // A greater heading is probably in degrees; no robot turns that often in a run.
-  constexpr double kMostHeading = 64.0;  // [rad]
-  if (!is_finite(input.pose) || !std::isfinite(input.time) ||
-      std::abs(input.pose.heading) > kMostHeading) {
-    return LimitingFactor::InvalidPose;
-  }
-  // This form also treats a non-finite stamp as stale. A stamp in the future is stale too.
+  if (!is_plausible(input.pose) || !std::isfinite(input.time)) return LimitingFactor::InvalidPose;
+  // Written so that a stamp that is not finite is stale. A stamp from the future is no better.
   const auto fresh = [&](double stamp, double timeout) {
     return std::abs(input.time - stamp) <= timeout;
   };
@@ -24,17 +19,14 @@ LimitingFactor check_input(const NavigationInput& input,
   if (input.map == nullptr || !fresh(input.map_time, settings.map_timeout))
     return LimitingFactor::StaleMap;
   for (const MovingObstacle& obstacle : input.obstacles) {
-    if (!is_finite(obstacle.position) || !is_finite(obstacle.velocity) ||
-        !(obstacle.radius >= 0.0 && std::isfinite(obstacle.radius))) {
-      return LimitingFactor::InvalidTracks;
-    }
+    if (!is_plausible(obstacle)) return LimitingFactor::InvalidTracks;
   }
   if ((input.obstacles_due || !input.obstacles.empty()) &&
       !fresh(input.obstacles_time, settings.tracks_timeout)) {
     return LimitingFactor::StaleTracks;
   }
   for (const FleetMember& member : input.fleet) {
-    if (!is_finite(*member.motion)) return LimitingFactor::InvalidTracks;
+    if (!is_plausible(*member.motion)) return LimitingFactor::InvalidTracks;
     if (!fresh(member.motion->time, settings.tracks_timeout)) return LimitingFactor::StaleTracks;
   }
   return LimitingFactor::None;

@@ -76,11 +76,10 @@ enum class LimitingFactor : std::uint8_t {
   InvalidGoal,  ///< the goal is not finite, or its heading is not in radians
   InvalidTime,  ///< the times of the cycles are not in seconds
   SmallerPlan,  ///< the plan was made for a smaller robot
+  InvalidScan,  ///< the last scan was refused: not finite, or absurd
 };
 
-/// How many there are.
-inline constexpr std::size_t kLimitingFactors =
-    static_cast<std::size_t>(LimitingFactor::SmallerPlan) + 1;
+inline constexpr LimitingFactor kLastLimitingFactor = LimitingFactor::InvalidScan;
 
 [[nodiscard]] constexpr const char* to_text(LimitingFactor limit) noexcept {
   switch (limit) {
@@ -120,6 +119,8 @@ inline constexpr std::size_t kLimitingFactors =
       return "times are not in seconds";
     case LimitingFactor::SmallerPlan:
       return "plan for a smaller robot";
+    case LimitingFactor::InvalidScan:
+      return "invalid scan";
   }
   return "unknown";
 }

@@ -20,6 +20,12 @@ namespace {
 constexpr double kStandingLinear = 0.02;  // [m/s]; slower is a standstill
 constexpr double kNoticeable = 1e-3;      // [m]; smaller violations are within the plan's margin
 
+// From the begin of a predicted motion straight to its end [m].
+double length_of(const MpcSolution& plan) noexcept {
+  const auto last = static_cast<std::size_t>(plan.horizon);
+  return (plan.poses[last].position - plan.poses[0].position).norm();
+}
+
 }  // namespace
 
 NavigationStep Navigator::update(const NavigationInput& input) noexcept {
@@ -189,17 +195,20 @@ NavigationStep Navigator::stop_or_evade(const NavigationInput& input) noexcept {
 
 // Looks whether the robot stands still where it should drive, and does something about it.
 NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep step) noexcept {
-  const RecoveryStep recovery =
-      next_step(recovery_, {.remaining = corridor_.remaining(),
-                            .command = step.command,
-                            .pose = input.pose,
-                            .path = way_,
-                            .chord_length = settings_.tracking.chord_length,
-                            .obstacles = *input.map,
-                            .body = body_,
-                            .robot = settings_.robot,
-                            .period = period_,
-                            .patience = settings_.navigation.stall_timeout});
+  const RecoveryStep recovery = next_step(
+      recovery_,
+      {.remaining = corridor_.remaining(),
+       .command = step.command,
+       .planned = step.plan != nullptr ? length_of(*step.plan) : 0.0,
+       .reach = settings_.robot.linear_max * settings_.mpc.horizon * settings_.mpc.step_length,
+       .pose = input.pose,
+       .path = way_,
+       .chord_length = settings_.tracking.chord_length,
+       .obstacles = *input.map,
+       .body = body_,
+       .robot = settings_.robot,
+       .period = period_,
+       .patience = settings_.navigation.stall_timeout});
   if (recovery.action == RecoveryAction::None) return step;
   if (recovery.action == RecoveryAction::Plan) step.wants_plan = true;
   if (recovery.stays()) {
@@ -210,8 +219,11 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
   StopSituation now = situation(input);
   now.around.margin_where_it_stands = recovery.action == RecoveryAction::TurnToClearance;
   const bool moves = recovery.wanted.linear != 0.0 || recovery.wanted.angular != 0.0;
-  if (moves && stop_.take(now, {&command, 1})) {
-    return {.command = command, .status = NavigationStatus::Recovering, .limit = step.limit};
+  const bool stays = recovery.action == RecoveryAction::Stay;
+  if ((moves || stays) && stop_.take(now, {&command, 1})) {
+    return {.command = command,
+            .status = stays ? NavigationStatus::Blocked : NavigationStatus::Recovering,
+            .limit = step.limit};
   }
   recovery_.refuse();
   step.status = NavigationStatus::Blocked;

@@ -28,7 +28,9 @@ Navigator::Navigator(const Settings& settings, ControlSolver& solver)
 
 void Navigator::follow(Plan plan) {
   plan_ = std::move(plan);
-  plan_is_too_small_ = plan_.usable() && !fits(plan_, settings_.robot.radius);
+  if (!validate(plan_)) plan_.corridor_status = CorridorStatus::InvalidInput;
+  plan_is_too_small_ =
+      plan_.usable() && !fits(plan_, settings_.robot.radius, body_.inscribed_radius());
   corridor_ = plan_.usable() && !plan_is_too_small_
                   ? CorridorFollower(plan_.corridor, plan_.goal.position, settings_.tracking)
                   : CorridorFollower();

@@ -11,64 +11,91 @@
 
 namespace fairway {
 
-/// Action of a robot that is at standstill although it should drive.
+/// What to try when the robot stands still although it should drive.
 enum class RecoveryAction : std::uint8_t {
-  None,             ///< the robot drives, or has not been at standstill for long
+  None,             ///< it drives, or has not stood still for long
   Turn,             ///< turn on the spot towards the reference path
-  Plan,             ///< request a new path and corridor from here
-  Back,             ///< reverse, if the limits allow it
+  Plan,             ///< ask for a new path and corridor from here
+  DriveOff,         ///< drive forward to where the body can turn
+  Back,             ///< back out, where the limits allow to reverse
   TurnToClearance,  ///< turn to where the body has more clearance
-  Wait,             ///< all actions have been tried: blocked, until something changes
+  Wait,             ///< a round of attempts has failed: blocked for a moment
+  Stay,  ///< all rounds have failed: blocked until the controller has a plan that leads on
 };
 
-/// Detects that the robot makes no progress and selects recovery actions.
+/// What a RecoveryBehaviour is decided from in a cycle.
+struct RecoveryView {
+  double remaining = 0.0;    ///< length of the path to the goal [m]; less than ever is progress
+  double turn = 0.0;         ///< between the heading and the path, unsigned [rad]; likewise
+  bool still = false;        ///< whether the command is (nearly) zero
+  bool can_reverse = false;  ///< whether the limits allow to reverse
+  bool cannot_turn = false;  ///< whether the body would touch something if it turned on the spot
+  bool leads_on = false;     ///< whether the controller's plan leads away from here
+  double dt = 0.0;           ///< length of a cycle [s]
+  double patience = 0.0;     ///< standstill before a recovery begins [s]
+};
+
+/// Watches whether the robot makes progress, and goes through what can be done where it does not:
+/// turn, plan, drive off, back, turn to clearance, wait, and the next round.
 ///
-/// The actions are, in this order: turn, plan, back, turn to clearance, and wait; then they start
-/// again. A standstill is detected after `patience`, and motion without progress towards the goal
-/// after five times that.
+/// A standstill is noticed after the patience; motion without progress after five times that. A
+/// robot that turns towards its path makes progress, however slowly. After kRounds attempts it
+/// stays, facing its path: turning back and forth in front of a goal that is taken helps no one.
 class RecoveryBehaviour {
  public:
-  /// Starts again, as for a robot that makes progress.
+  static constexpr int kRounds = 4;        ///< attempts before it stays
+  static constexpr double kAligned = 0.2;  ///< the controller drives curves from here on [rad]
+
   void reset() noexcept { *this = RecoveryBehaviour(); }
 
-  /// Signals that the path to the goal has changed and became longer by `longer` [m]. The change
-  /// counts neither as progress nor as lack of it.
-  void path_changed(double longer) noexcept {
+  /// Notes another path whose length jumped by `longer` [m], which is neither progress nor the lack
+  /// of it. One that is clearly another path deserves all attempts again.
+  void change_way(double longer) noexcept {
+    constexpr double kOtherPath = 0.3;  // [m]
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
+    if (!(std::abs(longer) > kOtherPath)) return;
+    rounds_ = 0;
+    least_turn_ = std::numeric_limits<double>::infinity();
+    if (action_ == RecoveryAction::Stay) again();
   }
 
-  /// Signals that the action was not safe in this cycle. After three such cycles the next action is
-  /// tried.
+  /// Notes that the action could not be taken safely in this cycle; after three such cycles the
+  /// next one is tried.
   void refuse() noexcept { ++refused_; }
 
-  /// @param remaining  Length of the path to the goal [m]; a new minimum is progress.
-  /// @param stopped   Whether the command is (nearly) zero.
-  /// @param aligned    Whether the robot's heading already is along the reference path.
-  /// @param can_back   Whether the limits allow reversing.
-  [[nodiscard]] RecoveryAction update(double remaining,
-                                      bool stopped,
-                                      bool aligned,
-                                      bool can_back,
-                                      double dt,
-                                      double patience) noexcept {
-    constexpr double kProgress = 0.05;  // [m]
-    if (remaining < least_ - kProgress) {
-      *this = RecoveryBehaviour();
-      least_ = remaining;
-    }
-    stalled_ += dt;
-    stopped_for_ = stopped ? stopped_for_ + dt : 0.0;
-    elapsed_ += dt;
-    if (action_ == RecoveryAction::None) {
-      if (stalled_ >= 5.0 * patience) return enter(RecoveryAction::Plan);
-      if (stopped_for_ >= patience)
-        return enter(aligned ? RecoveryAction::Plan : RecoveryAction::Turn);
-      return RecoveryAction::None;
-    }
-    return enter(next(stopped, aligned, can_back, patience));
+  [[nodiscard]] RecoveryAction update(const RecoveryView& view) noexcept {
+    note_progress(view);
+    stalled_ += view.dt;
+    standing_ = view.still ? standing_ + view.dt : 0.0;
+    elapsed_ += view.dt;
+    if (action_ != RecoveryAction::None) return enter(next(view));
+    if (stalled_ >= 5.0 * view.patience) return enter(RecoveryAction::Plan);
+    if (standing_ < view.patience) return RecoveryAction::None;
+    return enter(view.turn < kAligned ? RecoveryAction::Plan : RecoveryAction::Turn);
   }
 
  private:
+  void note_progress(const RecoveryView& view) noexcept {
+    constexpr double kProgress = 0.05;      // [m]
+    constexpr double kTurnProgress = 0.05;  // [rad]
+    if (view.remaining < least_ - kProgress) {
+      // Driving off is not over because it leads towards the goal, too.
+      const RecoveryAction action = action_;
+      const double elapsed = elapsed_;
+      *this = RecoveryBehaviour();
+      least_ = view.remaining;
+      if (action == RecoveryAction::DriveOff) {
+        action_ = action;
+        elapsed_ = elapsed;
+      }
+    }
+    if (view.turn < least_turn_ - kTurnProgress) {
+      least_turn_ = view.turn;
+      stalled_ = 0.0;
+      if (action_ == RecoveryAction::Turn) elapsed_ = 0.0;
+    }
+  }
+
   RecoveryAction enter(RecoveryAction action) noexcept {
     if (action != action_) {
       elapsed_ = 0.0;
@@ -78,55 +105,81 @@ class RecoveryBehaviour {
     return action;
   }
 
-  [[nodiscard]] RecoveryAction next(bool stopped,
-                                    bool aligned,
-                                    bool can_back,
-                                    double patience) noexcept {
-    constexpr double kTurnTime = 4.0;  // [s] of turning until it counts as failed
-    constexpr double kBackTime = 1.5;  // [s]
-    constexpr double kFreeTime = 1.5;  // [s]
-    constexpr int kRefused = 3;        // cycles in which the action was not safe
-    const bool refused = refused_ >= kRefused;
+  [[nodiscard]] RecoveryAction next(const RecoveryView& view) noexcept {
+    constexpr double kTurnTime = 4.0;       // [s] of turning without progress
+    constexpr double kDriveOffTime = 15.0;  // [s]
+    constexpr double kBackTime = 1.5;       // [s]
+    constexpr double kClearTime = 1.5;      // [s]
+    constexpr int kRefused = 3;             // cycles in which it could not be taken
+    const bool hopeless = refused_ >= kRefused;
     switch (action_) {
       case RecoveryAction::None:
         return RecoveryAction::None;
       case RecoveryAction::Turn:
-        if (aligned) return resume();  // the controller tries from here
-        return elapsed_ > kTurnTime || refused ? RecoveryAction::Plan : RecoveryAction::Turn;
+        if (view.turn < kAligned) return attempt_failed_or_again();
+        if (elapsed_ <= kTurnTime && !hopeless) return RecoveryAction::Turn;
+        return rounds_ >= kRounds ? RecoveryAction::Stay : RecoveryAction::Plan;
       case RecoveryAction::Plan:
-        if (can_back) return RecoveryAction::Back;
-        return stopped ? RecoveryAction::TurnToClearance : RecoveryAction::Wait;
+        if (view.cannot_turn) return RecoveryAction::DriveOff;
+        return after_driving_off(view);
+      case RecoveryAction::DriveOff:
+        if (!view.cannot_turn) return again();
+        if (elapsed_ <= kDriveOffTime && !hopeless) return RecoveryAction::DriveOff;
+        return after_driving_off(view);
       case RecoveryAction::Back:
         if (elapsed_ > kBackTime) return RecoveryAction::Wait;
         return refused ? RecoveryAction::TurnToClearance : RecoveryAction::Back;
       case RecoveryAction::TurnToClearance:
-        return elapsed_ > kFreeTime || refused ? RecoveryAction::Wait
-                                               : RecoveryAction::TurnToClearance;
+        return elapsed_ > kClearTime || hopeless ? RecoveryAction::Wait
+                                                 : RecoveryAction::TurnToClearance;
       case RecoveryAction::Wait:
-        return elapsed_ > patience ? resume() : RecoveryAction::Wait;
+        if (elapsed_ <= view.patience) return RecoveryAction::Wait;
+        stalled_ = 0.0;
+        if (rounds_ + 1 >= kRounds && view.turn >= kAligned) {
+          rounds_ = kRounds;  // the last turn: a robot that faces its path sees when it is free
+          return RecoveryAction::Turn;
+        }
+        return attempt_failed_or_again();
+      case RecoveryAction::Stay:
+        if (!view.leads_on) return RecoveryAction::Stay;
+        rounds_ = kRounds - 1;
+        return again();
     }
     return RecoveryAction::None;
   }
 
-  // Returns to the controller, for as long as before the first recovery.
-  RecoveryAction resume() noexcept {
-    stopped_for_ = 0.0;
-    if (action_ == RecoveryAction::Wait) stalled_ = 0.0;
+  [[nodiscard]] static RecoveryAction after_driving_off(const RecoveryView& view) noexcept {
+    if (view.can_reverse) return RecoveryAction::Back;
+    return view.still ? RecoveryAction::TurnToClearance : RecoveryAction::Wait;
+  }
+
+  [[nodiscard]] RecoveryAction attempt_failed_or_again() noexcept {
+    return ++rounds_ >= kRounds ? RecoveryAction::Stay : again();
+  }
+
+  // Gives the controller another chance, as long as before the first recovery.
+  RecoveryAction again() noexcept {
+    standing_ = 0.0;
+    action_ = RecoveryAction::None;
     return RecoveryAction::None;
   }
 
   RecoveryAction action_ = RecoveryAction::None;
-  double least_ = std::numeric_limits<double>::infinity();
-  double stalled_ = 0.0;  // time since the last progress or the last round [s]
-  double stopped_for_ = 0.0;
-  double elapsed_ = 0.0;  // time in the present action [s]
-  int refused_ = 0;       // cycles of the present action in which it was not safe
+  double least_ = std::numeric_limits<double>::infinity();       // [m]
+  double least_turn_ = std::numeric_limits<double>::infinity();  // [rad]
+  double stalled_ = 0.0;  // since the last progress, or the last round [s]
+  double standing_ = 0.0;
+  double elapsed_ = 0.0;  // in the present action [s]
+  int refused_ = 0;       // cycles of the present action
+  int rounds_ = 0;        // attempts since the last progress
 };
 
 /// Input of a recovery, after the controller computed its command in a cycle.
 struct RecoveryInput {
   double remaining = 0.0;  ///< length of the path to the goal [m]
-  const Twist2& command;   ///< command of the controller
+  const Twist2& command;   ///< of the controller
+  double planned = 0.0;    ///< how far from here the controller's plan ends [m]; 0 without one
+  double reach = 0.0;      ///< how far from here a plan can end [m]
   const Pose2& pose;
   const ReferencePath& path;  ///< path to follow, from the robot on
   double chord_length = 0.0;  ///< look-ahead for the direction to turn to [m]
@@ -140,15 +193,15 @@ struct RecoveryInput {
 /// Recovery action of a cycle.
 struct RecoveryStep {
   RecoveryAction action = RecoveryAction::None;
-  Twist2 wanted;  ///< twist of Turn, Back and TurnToClearance; zero for the others
+  Twist2 wanted;  ///< of the actions that move; zero for the others
 
-  /// Returns whether the robot does not move.
+  /// Whether the controller's own command is sent meanwhile.
   [[nodiscard]] bool stays() const noexcept {
     return action == RecoveryAction::Plan || action == RecoveryAction::Wait;
   }
 };
 
-/// Advances `recovery` by one cycle and returns what to do.
+/// Moves `recovery` on by one cycle and says what to try.
 [[nodiscard]] RecoveryStep next_step(RecoveryBehaviour& recovery,
                                      const RecoveryInput& input) noexcept;
 

@@ -85,7 +85,10 @@ void visit_settings(S& s, GroupVisitor&& group) {
 
 /// Returns the part of the settings that a plan depends on.
 [[nodiscard]] inline PlannerSettings planner_settings(const Settings& settings) {
-  return {.radius = settings.robot.radius, .path = settings.path, .corridor = settings.corridor};
+  return {.radius = settings.robot.radius,
+          .inner_radius = footprint_of(settings.robot).inscribed_radius(),
+          .path = settings.path,
+          .corridor = settings.corridor};
 }
 
 /// Returns the settings of Table I of the paper; docs/paper_notes.md explains what the table omits.

@@ -3,10 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "fairway/geometry/angle.hpp"
 
 namespace fairway {
+
+bool is_plausible(const LidarScan& scan, const Eigen::Vector2d& position) noexcept {
+  constexpr double kMostAngle = 4.0 * std::numbers::pi;  // [rad], of a beam or of all of them
+  constexpr double kFurthestMount = 100.0;               // from the robot's position [m]
+  constexpr double kMostMinRange = 1000.0;               // [m]
+  const double swept = static_cast<double>(scan.ranges.size()) * scan.angle_step;
+  const auto is_near = [&](const Pose2& sensor) {
+    return is_plausible(sensor) && (sensor.position - position).norm() <= kFurthestMount;
+  };
+  return std::isfinite(scan.time) && is_plausible(position) && is_near(scan.first_pose) &&
+         is_near(scan.last_pose) && std::abs(scan.first_angle) <= kMostAngle &&
+         std::abs(scan.angle_step) <= kMostAngle && std::abs(swept) <= kMostAngle &&
+         scan.min_range >= 0.0 && scan.min_range <= kMostMinRange &&
+         scan.max_range > scan.min_range;
+}
 
 void lay_beams(const LidarScan& scan, double reach, std::vector<Beam>& beams) {
   const std::size_t count = scan.ranges.size();

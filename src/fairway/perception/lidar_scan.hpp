@@ -24,7 +24,12 @@ struct LidarScan {
   std::span<const float> ranges;
 };
 
-/// What a beam shows about its end.
+/// Whether a scan can be one: times, angles, distances and poses are finite and not absurd. Single
+/// ranges may be anything; they only lose their beam.
+/// @param position  Of the robot that carries the sensor, in the frame of the poses [m].
+[[nodiscard]] bool is_plausible(const LidarScan& scan, const Eigen::Vector2d& position) noexcept;
+
+/// What a beam tells about where it ends.
 enum class BeamEnd : std::uint8_t {
   Hit,      ///< there is an obstacle
   Open,     ///< the beam is free up to there

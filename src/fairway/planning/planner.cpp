@@ -38,13 +38,17 @@ double corridor_radius(const PreparedMap& map,
   return std::max(0.0, std::min(desired, clearance - 4.0 * kFreeSpaceSkin));
 }
 
-// Returns the radius to plan for. If the robot's estimated position is slightly inside an obstacle,
-// the plan uses as much of the robot as fits, so that it can leave. The commands are still checked
-// with the whole robot.
-double radius_that_fits(const PreparedMap& map, const Eigen::Vector2d& start, double radius) {
+// A robot that estimates itself slightly inside an obstacle, or whose body is parallel to a wall
+// where the disc about it touches, has to leave all the same: plan for as much of it as fits. What
+// it then does is still checked with all of it.
+double radius_that_fits(const PreparedMap& map,
+                        const Eigen::Vector2d& start,
+                        double radius,
+                        double inner_radius) {
   constexpr double kLeast = 0.9;  // share; a start with less clearance is blocked
+  const double least = std::min(kLeast * radius, inner_radius);
   const double clearance = distance_to_blocked(map.obstacles, start, radius + 1.0);
-  return clearance > radius ? radius : std::max(kLeast * radius, clearance - 4.0 * kFreeSpaceSkin);
+  return clearance > radius ? radius : std::max(least, clearance - 4.0 * kFreeSpaceSkin);
 }
 
 // Adds the duration of a stage to `sum`.
@@ -96,7 +100,7 @@ Plan Planner::plan(const PreparedMap& map,
   const bool in_workspace = settings.corridor.space == CorridorSpace::Workspace;
   const double body =
       in_workspace ? std::max(settings.radius, settings.corridor.inward_offset) : settings.radius;
-  const double radius = radius_that_fits(map, start, body);
+  const double radius = radius_that_fits(map, start, body, settings.inner_radius);
   const bool may_shrink = settings.path.margin > 0.0 && !hooks.fixed_margin;
   for (const double margin_share : kMarginShares) {
     PathSettings path_settings = settings.path;

@@ -43,6 +43,8 @@ class PathPlanner;
 /// The settings that determine a plan.
 struct PlannerSettings {
   double radius = 0.25;  ///< of the disc that is kept free [m]
+  /// Of a disc inside the body, which is enough where the start has no more clearance [m].
+  double inner_radius = std::numeric_limits<double>::infinity();
   PathSettings path;
   CorridorSettings corridor;
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include <Eigen/Core>
 
 #include "fairway/base/setting.hpp"
+#include "fairway/geometry/pose2.hpp"
 
 namespace fairway {
 
@@ -15,6 +17,15 @@ struct MovingObstacle {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s]
   double radius = 0.0;                                 ///< of the body [m]
 };
+
+/// Whether an obstacle can be one: nothing that moves is faster or larger.
+[[nodiscard]] inline bool is_plausible(const MovingObstacle& obstacle) noexcept {
+  constexpr double kFastest = 1000.0;  // [m/s]
+  constexpr double kLargest = 1000.0;  // [m]
+  return is_plausible(obstacle.position) && std::abs(obstacle.velocity.x()) <= kFastest &&
+         std::abs(obstacle.velocity.y()) <= kFastest && obstacle.radius >= 0.0 &&
+         obstacle.radius <= kLargest;
+}
 
 using MovingObstacles = std::span<const MovingObstacle>;
 

@@ -1,27 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/prediction/shared_motion.hpp"
 
+#include "fairway/geometry/pose2.hpp"
+
 namespace fairway {
 
 namespace {
 
-bool all_finite(const SampledMotion& motion) noexcept {
-  if (!std::isfinite(motion.start) || !(motion.interval > 0.0) || motion.count < 1 ||
-      motion.count > SampledMotion::kMaxSamples) {
-    return false;
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(motion.count); ++i) {
-    if (!motion.positions[i].allFinite()) return false;
-  }
-  return std::isfinite(motion.interval);
+constexpr double kLargest = 20.0;       // radius of a robot [m]
+constexpr double kFastest = 100.0;      // [m/s] and [m/s^2]
+constexpr double kMostTurning = 100.0;  // [rad/s]
+constexpr double kWidest = 100.0;       // roundabout [m]
+constexpr double kLongestStep = 10.0;   // between two samples [s]
+
+// Written so that NaN is outside.
+bool is_within(double value, double least, double most) noexcept {
+  return value >= least && value <= most;
 }
 
-bool all_finite(const UpcomingWaypoints& way) noexcept {
-  if (way.count < 0 || way.count > UpcomingWaypoints::kMaxPoints) return false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(way.count); ++i) {
-    if (!way.points[i].allFinite()) return false;
+template <typename Points>
+bool are_plausible(const Points& points, int count) noexcept {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    if (!is_plausible(points[i])) return false;
   }
   return true;
+}
+
+bool is_plausible(const SampledMotion& motion) noexcept {
+  return std::isfinite(motion.start) && motion.interval > 0.0 && motion.interval <= kLongestStep &&
+         motion.count >= 1 && motion.count <= SampledMotion::kMaxSamples &&
+         are_plausible(motion.positions, motion.count);
+}
+
+bool is_plausible(const UpcomingWaypoints& way) noexcept {
+  return way.count >= 0 && way.count <= UpcomingWaypoints::kMaxPoints &&
+         are_plausible(way.points, way.count);
 }
 
 // Divided last, so that the result is the number nearest to a short decimal one.
@@ -47,14 +60,16 @@ SharedMotion rounded(SharedMotion motion) noexcept {
   return motion;
 }
 
-bool is_finite(const SharedMotion& motion) noexcept {
-  return std::isfinite(motion.time) && motion.position.allFinite() && std::isfinite(motion.speed) &&
-         std::isfinite(motion.radius) && std::isfinite(motion.speed_max) &&
-         std::isfinite(motion.turn_max) && motion.acceleration > 0.0 &&
-         std::isfinite(motion.acceleration) && all_finite(motion.plan) && all_finite(motion.stop) &&
-         all_finite(motion.way) && !std::isnan(motion.distance_to_bottleneck) &&
-         !std::isnan(motion.retreat_length) && motion.roundabout.center.allFinite() &&
-         std::isfinite(motion.roundabout.radius);
+bool is_plausible(const SharedMotion& motion) noexcept {
+  return std::isfinite(motion.time) && is_plausible(motion.position) &&
+         is_within(motion.speed, 0.0, kFastest) && is_within(motion.radius, 0.0, kLargest) &&
+         is_within(motion.speed_max, 0.0, kFastest) &&
+         is_within(motion.turn_max, 0.0, kMostTurning) && motion.acceleration > 0.0 &&
+         motion.acceleration <= kFastest && is_plausible(motion.plan) &&
+         is_plausible(motion.stop) && is_plausible(motion.way) &&
+         !std::isnan(motion.distance_to_bottleneck) && !std::isnan(motion.retreat_length) &&
+         is_plausible(motion.roundabout.center) &&
+         is_within(motion.roundabout.radius, 0.0, kWidest);
 }
 
 }  // namespace fairway

@@ -74,8 +74,8 @@ struct SharedMotion {
   Roundabout roundabout{};  ///< that it goes round
 };
 
-/// Whether all that a robot tells is finite and makes sense.
-[[nodiscard]] bool is_finite(const SharedMotion& motion) noexcept;
+/// Whether a message can be true: all of it is finite, and within bounds that no robot exceeds.
+[[nodiscard]] bool is_plausible(const SharedMotion& motion) noexcept;
 
 /// What robots tell of places is rounded to this, so that it is short to send and to keep [m].
 inline constexpr double kToldQuantum = 1e-3;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/navigation/recovery_behaviour.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -11,15 +12,22 @@ namespace {
 constexpr double kCycleTime = 0.1;
 constexpr double kPatience = 0.4;
 
-TEST(RecoveryBehaviour, IsIdleWhileTheRobotMakesProgressOrHasJustStopped) {
+RecoveryView view(double remaining, bool still, bool aligned, bool can_reverse) {
+  return {.remaining = remaining,
+          .turn = aligned ? 0.0 : 1.0,
+          .still = still,
+          .can_reverse = can_reverse,
+          .dt = kCycleTime,
+          .patience = kPatience};
+}
+
+TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 100; ++i) {
-    EXPECT_EQ(recovery.update(20.0 - 0.1 * i, false, false, true, kCycleTime, kPatience),
-              RecoveryAction::None);
+    EXPECT_EQ(recovery.update(view(20.0 - 0.1 * i, false, false, true)), RecoveryAction::None);
   }
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(recovery.update(10.1, true, false, true, kCycleTime, kPatience),
-              RecoveryAction::None);
+    EXPECT_EQ(recovery.update(view(10.1, true, false, true)), RecoveryAction::None);
   }
 }
 
@@ -28,7 +36,7 @@ TEST(RecoveryBehaviour, StandstillLeadsThroughAllActions) {
     RecoveryBehaviour recovery;
     std::set<RecoveryAction> seen;
     for (int i = 0; i < 200; ++i) {
-      seen.insert(recovery.update(5.0, true, false, can_back, kCycleTime, kPatience));
+      seen.insert(recovery.update(view(5.0, true, false, can_back)));
     }
     EXPECT_TRUE(seen.contains(RecoveryAction::Turn));
     EXPECT_TRUE(seen.contains(RecoveryAction::Plan));
@@ -43,7 +51,7 @@ TEST(RecoveryBehaviour, ARefusedActionIsSoonFollowedByTheNext) {
   std::set<RecoveryAction> seen;
   int cycles = 0;
   for (; !seen.contains(RecoveryAction::Wait) && cycles < 100; ++cycles) {
-    const RecoveryAction action = recovery.update(5.0, true, false, true, kCycleTime, kPatience);
+    const RecoveryAction action = recovery.update(view(5.0, true, false, true));
     seen.insert(action);
     if (action != RecoveryAction::None) recovery.refuse();
   }
@@ -56,28 +64,27 @@ TEST(RecoveryBehaviour, ARefusedActionIsSoonFollowedByTheNext) {
 TEST(RecoveryBehaviour, TwoRefusalsDoNotEndAnAction) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 5; ++i)
-    (void)recovery.update(5.0, true, false, true, kCycleTime, kPatience);
+    (void)recovery.update(view(5.0, true, false, true));
   recovery.refuse();
   recovery.refuse();
   for (int i = 0; i < 20; ++i) {
-    EXPECT_EQ(recovery.update(5.0, false, false, true, kCycleTime, kPatience),
-              RecoveryAction::Turn);
+    EXPECT_EQ(recovery.update(view(5.0, false, false, true)), RecoveryAction::Turn);
   }
 }
 
 TEST(RecoveryBehaviour, AnAlignedRobotAtStandstillPlansAtOnce) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 3; ++i)
-    (void)recovery.update(5.0, true, true, false, kCycleTime, kPatience);
-  EXPECT_EQ(recovery.update(5.0, true, true, false, kCycleTime, kPatience), RecoveryAction::Plan);
+    (void)recovery.update(view(5.0, true, true, false));
+  EXPECT_EQ(recovery.update(view(5.0, true, true, false)), RecoveryAction::Plan);
 }
 
 TEST(RecoveryBehaviour, OscillationOnTheSpotIsNoProgress) {
   RecoveryBehaviour recovery;
   int plans = 0;
   for (int i = 0; i < 100; ++i) {
-    plans += recovery.update(5.0 + 0.01 * (i % 2), false, false, false, kCycleTime, kPatience) ==
-             RecoveryAction::Plan;
+    plans +=
+        recovery.update(view(5.0 + 0.01 * (i % 2), false, false, false)) == RecoveryAction::Plan;
   }
   EXPECT_GE(plans, 3);
 }
@@ -94,10 +101,8 @@ TEST(RecoveryBehaviour, AChangeOfPathLengthIsNeitherProgressNorItsLack) {
         remaining += longer;
       }
       remaining -= step;
-      actions += recovery.update(remaining, false, false, false, kCycleTime, kPatience) !=
-                         RecoveryAction::None
-                     ? 1
-                     : 0;
+      actions +=
+          recovery.update(view(remaining, false, false, false)) != RecoveryAction::None ? 1 : 0;
     }
     EXPECT_EQ(actions > 0, step == 0.0);
   }
@@ -106,8 +111,99 @@ TEST(RecoveryBehaviour, AChangeOfPathLengthIsNeitherProgressNorItsLack) {
 TEST(RecoveryBehaviour, ProgressEndsIt) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 6; ++i)
-    (void)recovery.update(5.0, true, false, false, kCycleTime, kPatience);
-  EXPECT_EQ(recovery.update(4.8, false, false, false, kCycleTime, kPatience), RecoveryAction::None);
+    (void)recovery.update(view(5.0, true, false, false));
+  EXPECT_EQ(recovery.update(view(4.8, false, false, false)), RecoveryAction::None);
+}
+
+// In front of a goal that is taken the controller turns one way and the recovery the other: after a
+// few rounds the robot faces its path and stays.
+TEST(RecoveryBehaviour, StaysOnceAllRoundsHaveFailed) {
+  for (const bool can_reverse : {false, true}) {
+    RecoveryBehaviour recovery;
+    double turn = 1.0;
+    double first_stay = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      RecoveryView now = view(5.0, true, false, can_reverse);
+      now.turn = turn;
+      now.still = i % 7 != 0;
+      const RecoveryAction action = recovery.update(now);
+      // The recovery turns the robot to its path, the controller away from it.
+      turn += action == RecoveryAction::Turn ? -0.2 : action == RecoveryAction::None ? 0.1 : 0.0;
+      turn = std::max(turn, 0.0);
+      if (action == RecoveryAction::Stay && first_stay == 0.0) first_stay = i * kCycleTime;
+      if (first_stay > 0.0) {
+        EXPECT_EQ(action, RecoveryAction::Stay);
+      }
+    }
+    EXPECT_GT(first_stay, 1.0);
+    EXPECT_LT(first_stay, 25.0);
+    EXPECT_LT(turn, RecoveryBehaviour::kAligned) << "it faces its path";
+  }
+}
+
+TEST(RecoveryBehaviour, LeavesItsStayWhenThereIsReason) {
+  const auto staying = [] {
+    RecoveryBehaviour recovery;
+    for (int i = 0; i < 1000; ++i)
+      (void)recovery.update(view(5.0, true, true, false));
+    return recovery;
+  };
+  const RecoveryView still = view(5.0, true, true, false);
+  RecoveryBehaviour recovery = staying();
+  EXPECT_EQ(recovery.update(still), RecoveryAction::Stay);
+  RecoveryView free = still;
+  free.leads_on = true;
+  EXPECT_EQ(recovery.update(free), RecoveryAction::None) << "the controller has a way on";
+  recovery = staying();
+  recovery.change_way(0.1);
+  EXPECT_EQ(recovery.update(still), RecoveryAction::Stay) << "nearly the same path";
+  recovery.change_way(2.0);
+  EXPECT_EQ(recovery.update(still), RecoveryAction::None) << "another path";
+  recovery = staying();
+  EXPECT_EQ(recovery.update(view(4.9, false, true, false)), RecoveryAction::None) << "progress";
+}
+
+// At 0.04 rad/s half a turn takes 80 s, in which the robot comes no nearer to its goal.
+TEST(RecoveryBehaviour, TurningHoweverSlowlyIsProgress) {
+  RecoveryBehaviour recovery;
+  for (double turn = 3.14; turn > RecoveryBehaviour::kAligned; turn -= 0.04 * kCycleTime) {
+    RecoveryView now = view(5.0, false, false, true);
+    now.turn = turn;
+    EXPECT_EQ(recovery.update(now), RecoveryAction::None) << turn;
+  }
+}
+
+TEST(RecoveryBehaviour, ATurnOfItsOwnMayLastAsLongAsItMakesProgress) {
+  RecoveryBehaviour recovery;
+  double turn = 3.14;
+  for (int i = 0; i < 700 && turn > RecoveryBehaviour::kAligned; ++i) {
+    RecoveryView now = view(5.0, i < 5, false, true);
+    now.turn = turn;
+    const RecoveryAction action = recovery.update(now);
+    if (i > 5) {
+      EXPECT_EQ(action, RecoveryAction::Turn) << i;
+    }
+    if (action == RecoveryAction::Turn) turn -= 0.05 * kCycleTime;
+  }
+  EXPECT_LT(turn, 0.2);
+}
+
+TEST(RecoveryBehaviour, DrivesOffWhereTheBodyCannotTurn) {
+  RecoveryBehaviour recovery;
+  RecoveryView now = view(5.0, true, false, false);
+  now.cannot_turn = true;
+  std::set<RecoveryAction> seen;
+  for (int i = 0; i < 30; ++i) {
+    const RecoveryAction action = recovery.update(now);
+    seen.insert(action);
+    if (action == RecoveryAction::Turn) recovery.refuse();
+  }
+  EXPECT_EQ(seen, (std::set{RecoveryAction::None, RecoveryAction::Turn, RecoveryAction::Plan,
+                            RecoveryAction::DriveOff}));
+  now.remaining = 4.5;
+  EXPECT_EQ(recovery.update(now), RecoveryAction::DriveOff) << "progress does not end it";
+  now.cannot_turn = false;
+  EXPECT_EQ(recovery.update(now), RecoveryAction::None) << "clearance to turn does";
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ TEST(Planner, FindsAPathAndItsCorridor) {
   const Plan plan = Planner().plan(room(), {1, 1}, {.position = {4, 3}}, {});
   EXPECT_TRUE(plan.usable());
   EXPECT_TRUE(plan.whole);
-  EXPECT_TRUE(fits(plan, 0.25));
-  EXPECT_FALSE(fits(plan, 0.4)) << "it was made for a smaller robot";
+  EXPECT_TRUE(fits(plan, 0.25, 0.25));
+  EXPECT_FALSE(fits(plan, 0.4, 0.4)) << "it was made for a smaller robot";
 }
 
 TEST(Planner, ReportsStartsAndGoalsThatAreNotFinite) {

@@ -25,20 +25,34 @@ TEST(SampledMotion, IsLinearBetweenSamplesAndConstantOutside) {
   EXPECT_EQ(motion.at(99.0), Vector2d(3, 0));
 }
 
-TEST(SharedMotion, IsNotFiniteAsSoonAsOneNumberIsNot) {
+TEST(SharedMotion, IsNotPlausibleAsSoonAsOneNumberIsNot) {
   SharedMotion motion{.acceleration = 1.0};
   motion.plan.add({0, 0});
   motion.stop.add({0, 0});
-  EXPECT_TRUE(is_finite(motion));
+  EXPECT_TRUE(is_plausible(motion));
   SharedMotion bad = motion;
   bad.stop.positions[0].x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(is_finite(bad));
+  EXPECT_FALSE(is_plausible(bad));
   bad = motion;
   bad.plan.interval = 0.0;
-  EXPECT_FALSE(is_finite(bad));
+  EXPECT_FALSE(is_plausible(bad));
   bad = motion;
   bad.acceleration = 0.0;
-  EXPECT_FALSE(is_finite(bad));
+  EXPECT_FALSE(is_plausible(bad));
+  for (const double absurd : {-1.0, 1e3, 1e300}) {
+    bad = motion;
+    bad.radius = absurd;
+    EXPECT_FALSE(is_plausible(bad)) << absurd;
+    bad = motion;
+    bad.speed_max = absurd;
+    EXPECT_FALSE(is_plausible(bad)) << absurd;
+    bad = motion;
+    bad.roundabout.radius = absurd;
+    EXPECT_FALSE(is_plausible(bad)) << absurd;
+  }
+  bad = motion;
+  bad.plan.positions[0].y() = 1e308;
+  EXPECT_FALSE(is_plausible(bad));
 }
 
 // A robot publishes its stop, then drives arbitrarily for some cycles and stops. It never deviates

@@ -44,7 +44,10 @@ class LocalPlanning {
 
   [[nodiscard]] bool busy() const noexcept { return !worker_.idle(); }
 
-  /// Makes a plan, or starts the thread that makes it. @pre not busy.
+  /// Whether a thread works on a plan now.
+  [[nodiscard]] bool runs() const noexcept { return !worker_.idle() && !worker_.finished(); }
+
+  /// Makes a plan, or has it made. @pre not busy.
   void start(const BitGrid& seen, const LocalRequest& request);
 
   /// Returns the plan once it is made.

@@ -61,8 +61,8 @@ void MapNavigator::update_map(const OccupancyGrid& map, CellIndex first, CellInd
 
 void MapNavigator::map_changed() { state_->change(kNoCells); }
 
-void MapNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
-  state_->observe(scan, position);
+bool MapNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+  return state_->observe(scan, position);
 }
 
 void MapNavigator::set_goal(const Goal& goal) { state_->set_task(task_of(goal)); }

@@ -39,23 +39,27 @@ MapNavigator::State::State(const Settings& given,
       shared_planner_(shared_planner) {
   constexpr std::size_t kManyObstacles = 256;
   moving_.reserve(kManyObstacles);
-  make_parts();
-}
-
-void MapNavigator::State::make_parts() {
-  navigator = solver_ != nullptr ? std::make_unique<Navigator>(settings, *solver_)
-                                 : std::make_unique<Navigator>(settings);
+  make_navigator();
   planning = shared_map_ != nullptr
                  ? std::make_unique<MapPlanning>(settings, *shared_map_, *shared_planner_)
                  : std::make_unique<MapPlanning>(settings);
-  planning->lend_clock(clock);
+}
+
+void MapNavigator::State::make_navigator() {
+  navigator = solver_ != nullptr ? std::make_unique<Navigator>(settings, *solver_)
+                                 : std::make_unique<Navigator>(settings);
 }
 
 void MapNavigator::State::set_settings(const Settings& given) {
   settings = checked(given);
-  make_parts();
+  make_navigator();
   navigator->reset(sent_);
-  if (perception) perception.emplace(settings.perception, input.pose.position);
+  planning->set_settings(settings);  // a plan that is being made ends first, and is not used
+  const Eigen::Vector2d& here = input.pose.position;
+  if (perception) {
+    perception.emplace(settings.perception,
+                       is_plausible(here) ? here : Eigen::Vector2d(Eigen::Vector2d::Zero()));
+  }
   if (task.task()) set_task(NavigationTask(*task.task()));
 }
 
@@ -74,11 +78,16 @@ void MapNavigator::State::change(const CellWindow& window, bool moved) {
   if (perception && map) overlay_scans();
 }
 
-void MapNavigator::State::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+bool MapNavigator::State::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+  scan_refused_ = !is_plausible(scan, position);
+  if (scan_refused_ && !perception)
+    perception.emplace(settings.perception, Eigen::Vector2d::Zero());
+  if (scan_refused_) return false;
   if (!perception) perception.emplace(settings.perception, position);
   perception->observe(scan, position, settings.robot.radius);
   scans_changed_ = true;
   if (map) overlay_scans();
+  return true;
 }
 
 void MapNavigator::State::overlay_scans() {
@@ -96,7 +105,7 @@ const BitGrid* MapNavigator::State::obstacles() const noexcept {
 }
 
 bool MapNavigator::State::pose_is_known(const Measurements& m) const noexcept {
-  return is_finite(m.pose) && std::isfinite(m.time) &&
+  return is_plausible(m.pose) && std::isfinite(m.time) &&
          std::abs(m.time - m.pose_time.value_or(m.time)) <= settings.safety.pose_timeout;
 }
 
@@ -123,19 +132,28 @@ void MapNavigator::State::check_plan() {
   scans_changed_ = false;
 }
 
-// The policy: plan at once for a new goal or if the map blocks the plan; in all other cases at most
-// once per `retry_period`.
-bool MapNavigator::State::needs_plan(double time, bool at_once) {
+// The policy: at once for a new goal or a map that blocks the plan; everything else not more often
+// than `retry_period`.
+bool MapNavigator::State::needs_plan(const Measurements& m, bool at_once) {
+  const double time = m.time;
   if (!task.can_be_done() || planning->busy() || obstacles() == nullptr) return false;
   if (task_is_new_) return true;
   check_plan();
   if (blocked_by_map_ && navigator->plan().usable()) return true;
   const bool just_tried = time - plan_time_ < settings.planning.retry_period && time >= plan_time_;
   if (just_tried && !at_once) return false;
+  asked_ = asked_ || (tight_start_ && has_clearance(m.pose.position));
   return !navigator->plan().usable() || asked_ || blocked_ || may_be_better_;
 }
 
+// Whether the disc that covers the robot fits there.
+bool MapNavigator::State::has_clearance(const Eigen::Vector2d& position) const noexcept {
+  const double radius = settings.robot.radius;
+  return distance_to_blocked(*obstacles(), position, radius) > radius;
+}
+
 void MapNavigator::State::start_plan(const Measurements& m) {
+  tight_start_ = !has_clearance(m.pose.position);
   asked_number_ = task_number_;
   plan_time_ = m.time;
   task_is_new_ = false;
@@ -190,15 +208,18 @@ void MapNavigator::State::set_input(const Measurements& m) {
 NavigationStep MapNavigator::State::judged(const NavigationStep& step) {
   const CorridorFollower& corridor = navigator->corridor();
   const bool driven_on = plan_is_current && corridor.reference_path().count > 0;
-  const NavigationStep answer =
+  NavigationStep answer =
       task.judge(step, {.time = input.time,
                         .plan_is_current = plan_is_current,
                         .leads_to_goal = navigator->plan().whole,
                         .new_path = follows_new_plan,
                         .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
+                        .turn = driven_on ? turn_left(*navigator, input.pose) : 0.0,
                         .patience = settings.navigation.patience});
-  // An unusable plan is kept, because it explains why there is none.
+  // An unusable plan stays: it says why there is none.
   if (answer.status == NavigationStatus::GaveUp && navigator->plan().usable()) navigator->cancel();
+  if (scan_refused_ && answer.limit == LimitingFactor::StaleMap)
+    answer.limit = LimitingFactor::InvalidScan;
   return answer;
 }
 
@@ -206,7 +227,7 @@ void MapNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   follows_new_plan = false;
   planned = false;
   take_plan();
-  if (!pose_is_known(m) || !needs_plan(m.time, at_once)) return;
+  if (!pose_is_known(m) || !needs_plan(m, at_once)) return;
   start_plan(m);
   if (!settings.planning.background) take_plan();
 }

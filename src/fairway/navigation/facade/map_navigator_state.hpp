@@ -21,7 +21,7 @@ struct MapNavigator::State {
 
   void set_settings(const Settings& given);
   void set_task(NavigationTask given);
-  void observe(const LidarScan& scan, const Eigen::Vector2d& position);
+  [[nodiscard]] bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
 
   /// Records that the map has changed inside a window. @param moved  Whether its frame has changed.
   void change(const CellWindow& window, bool moved = false);
@@ -46,11 +46,12 @@ struct MapNavigator::State {
   std::function<double()> clock;
 
  private:
-  void make_parts();
+  void make_navigator();
   void overlay_scans();
   [[nodiscard]] bool pose_is_known(const Measurements& measurements) const noexcept;
-  [[nodiscard]] bool needs_plan(double time, bool at_once);
-  void check_plan();
+  [[nodiscard]] bool needs_plan(const Measurements& measurements, bool at_once);
+  [[nodiscard]] bool has_clearance(const Eigen::Vector2d& position) const noexcept;
+  void look_at_changes();
   void start_plan(const Measurements& measurements);
   void take_plan();
   [[nodiscard]] bool is_clearly_shorter(const Path& path) const noexcept;
@@ -64,18 +65,20 @@ struct MapNavigator::State {
   BitGrid seen_;                   // obstacles of the map and of scans
   CellWindow scanned_ = kNoCells;  // cells of the map under the window of the scans
   std::vector<MovingObstacle> moving_;
+  bool scan_refused_ = false;  // the last one
   Twist2 sent_;
   double plan_time_ = -std::numeric_limits<double>::infinity();
   int task_number_ = 0;
-  int asked_number_ = 0;         // task for which the last plan was requested
-  bool task_is_new_ = false;     // no plan was requested for the task yet
-  bool map_moved_ = false;       // since the last check of the plan
-  bool map_changed_ = false;     // since the last check of the plan
-  bool scans_changed_ = false;   // since the last check of the plan
-  bool blocked_ = false;         // the plan is blocked
-  bool blocked_by_map_ = false;  // by the map, and not only by scans, which may be wrong
-  bool may_be_better_ = false;   // the map has changed since the last plan
-  bool asked_ = false;           // the navigator requested a plan
+  int asked_number_ = 0;         // the task of the plan that was asked for last
+  bool task_is_new_ = false;     // no plan was asked for since
+  bool map_moved_ = false;       // since the plan was looked at
+  bool map_changed_ = false;     // since the plan was looked at
+  bool scans_changed_ = false;   // since the plan was looked at
+  bool blocked_ = false;         // the plan, somewhere
+  bool blocked_by_map_ = false;  // not only by what scans have shown, which may be wrong
+  bool may_be_better_ = false;   // the map has changed elsewhere since the last plan
+  bool asked_ = false;           // by the navigator
+  bool tight_start_ = false;     // the plan begins where the covering disc does not fit
 };
 
 }  // namespace fairway

@@ -7,7 +7,7 @@
 namespace fairway {
 
 MapPlanning::MapPlanning(const Settings& settings)
-    : settings_(planner_settings(settings)),
+    : wanted_(planner_settings(settings)),
       background_(settings.planning.background),
       own_map_(std::make_unique<PreparedMap>()),
       own_planner_(std::make_unique<Planner>()) {
@@ -16,12 +16,18 @@ MapPlanning::MapPlanning(const Settings& settings)
 }
 
 MapPlanning::MapPlanning(const Settings& settings, const PreparedMap& map, Planner& planner)
-    : settings_(planner_settings(settings)),
+    : wanted_(planner_settings(settings)),
       background_(false),
       map_(&map),
       planner_(&planner) {}
 
+void MapPlanning::set_settings(const Settings& settings) {
+  wanted_ = planner_settings(settings);
+  background_ = settings.planning.background && own_map_ != nullptr;
+}
+
 void MapPlanning::start(const BitGrid& obstacles, PlanRequest request) {
+  settings_ = wanted_;
   request_ = std::move(request);
   made_.reset();
   const CellWindow changed = std::exchange(changed_, kNoCells);
@@ -50,7 +56,7 @@ void MapPlanning::make() {
 }
 
 std::optional<Plan> MapPlanning::take() {
-  if (background_) {
+  if (!worker_.idle()) {
     if (!worker_.finished()) return std::nullopt;
     worker_.collect();
   }

@@ -32,6 +32,9 @@ class MapPlanning {
   /// Records that the obstacles also differ from those of the last plan inside `changed`.
   void note_change(const CellWindow& changed) noexcept { changed_ = united(changed_, changed); }
 
+  /// Makes the next plans with other settings. One that is being made keeps its own.
+  void set_settings(const Settings& settings);
+
   [[nodiscard]] bool busy() const noexcept { return !worker_.idle(); }
 
   /// Makes a plan, or starts the thread that makes it. @pre not busy.
@@ -50,15 +53,17 @@ class MapPlanning {
  private:
   void make();
 
+  PlannerSettings wanted_;  // of the next plan
+  bool background_;         // for the next plan
   PlannerSettings settings_;
-  bool background_;
   const PreparedMap* map_;
   Planner* planner_;
   std::unique_ptr<PreparedMap> own_map_;
   std::unique_ptr<Planner> own_planner_;
   CellWindow changed_ = kNoCells;
-  PlanRequest request_;  // used by the worker while it runs, like all members above except changed_
-  std::optional<Plan> made_;  // used by the worker while it runs
+  // The worker's while it runs, like settings_, maps and planners above.
+  PlanRequest request_;
+  std::optional<Plan> made_;  // the worker's while it runs
   std::function<double()> clock_;
   double seconds_ = 0.0;
   BackgroundWorker worker_;  // last member: its job ends before the others are destroyed

@@ -19,8 +19,8 @@ MaplessNavigator::MaplessNavigator(MaplessNavigator&&) noexcept = default;
 MaplessNavigator& MaplessNavigator::operator=(MaplessNavigator&&) noexcept = default;
 MaplessNavigator::~MaplessNavigator() = default;
 
-void MaplessNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
-  state_->observe(scan, position);
+bool MaplessNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+  return state_->observe(scan, position);
 }
 
 void MaplessNavigator::set_goal(const Goal& goal) { state_->set_task(task_of(goal)); }
@@ -42,8 +42,7 @@ void MaplessNavigator::reset(const Twist2& actual) noexcept { state_->navigator.
 
 void MaplessNavigator::set_settings(const Settings& settings) {
   auto next = std::make_unique<State>(settings, state_->solver, state_->input.pose.position);
-  next->navigator.reset(state_->sent);
-  if (state_->task.task()) next->set_task(*state_->task.task());
+  next->continue_from(*state_);
   state_ = std::move(next);
 }
 

@@ -41,9 +41,10 @@ class MaplessNavigator {
   MaplessNavigator& operator=(MaplessNavigator&&) noexcept;
   ~MaplessNavigator();
 
-  /// Processes one scan; several scans may come between two cycles.
-  /// @param position  Position of the robot at the scan's time [m].
-  void observe(const LidarScan& scan, const Eigen::Vector2d& position);
+  /// Takes in one scan; several may come between two cycles.
+  /// @param position  Of the robot at the scan's time [m].
+  /// @return whether it was taken in, as MapNavigator::observe.
+  bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
 
   /// Sets the goal, as MapNavigator::set_goal does.
   void set_goal(const Goal& goal);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "fairway/map/free_space.hpp"
@@ -17,12 +18,21 @@ using Eigen::Vector2d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A cell of the map may become occupied although the obstacle lies at its far side. The margins are
-// larger by that amount, so that the robot then still has its required clearance.
+// Moves a setting into its range.
+constexpr auto limit_to_range = [](auto& value, const SettingInfo& info) {
+  if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, double>)
+    value = std::clamp(value, info.min, info.max);
+};
+
+// A cell of the map may turn out occupied although what is in it lies at its far side: wherever
+// there is room, keep so much more that the robot still has its own room then.
 Settings with_margins(const Settings& settings) {
   Settings wider = settings;
   wider.path.margin += settings.perception.resolution;
   wider.safety.stop_margin += 0.5 * settings.perception.resolution;
+  // Settings at the end of their range are allowed without a map, too: then there is no more.
+  visit_path(wider.path, limit_to_range);
+  visit_safety(wider.safety, limit_to_range);
   return wider;
 }
 
@@ -39,7 +49,7 @@ MaplessNavigator::State::State(const Settings& given,
     : settings(given),
       solver(given_solver),
       wider(with_margins(given)),
-      perception(given.perception, position),
+      perception(given.perception, is_plausible(position) ? position : Vector2d(Vector2d::Zero())),
       navigator(solver != nullptr ? Navigator(wider, *solver) : Navigator(wider)),
       planning(std::make_unique<LocalPlanning>(wider, perception.grid().occupied())) {}
 
@@ -54,17 +64,27 @@ void MaplessNavigator::State::set_task(NavigationTask given) {
   if (!task.can_be_done()) navigator.cancel();
 }
 
-void MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& position) {
+// The thread of a plan that is being made ends on its own: nothing waits for it here.
+void MaplessNavigator::State::continue_from(State& older) {
+  navigator.reset(older.sent);
+  ending_ = std::move(older.ending_);
+  ending_.push_back(std::move(older.planning));
+  if (older.task.task()) set_task(*older.task.task());
+}
+
+bool MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& position) {
+  scan_refused_ = !is_plausible(scan, position);
+  if (scan_refused_) return false;
   perception.observe(scan, position, wider.robot.radius);
   rolled_ = rolled_ || perception.grid().rolled();
   planning->note_change(perception.grid().changed());
+  return true;
 }
 
-// Returns whether to plan now. If the robot is about to meet a new obstacle, it plans at once; in
-// other cases at most once per kRetryAfter.
-bool MaplessNavigator::State::needs_plan(double time) const noexcept {
-  constexpr double kRetryAfter = 0.25;  // [s]; without a path, or to extend the corridor
-  constexpr double kSoon = 1.0;         // [m] beyond the braking distance
+// At once where the robot is about to drive into something new; else not more often than that pays.
+bool MaplessNavigator::State::needs_plan(double time, const Vector2d& position) const noexcept {
+  constexpr double kRetryAfter = 0.25;  // [s]; without a way, or when a longer corridor is wanted
+  constexpr double kSoon = 1.0;         // [m], beyond the braking distance
   if (!task.can_be_done() || planning->busy()) return false;
   const CorridorFollower& corridor = navigator.corridor();
   const bool driven_on = navigator.plan().usable() && corridor.reference_path().count > 0;
@@ -77,12 +97,18 @@ bool MaplessNavigator::State::needs_plan(double time) const noexcept {
   if (search_narrow_ || (driven_on && !is_free_for(braking_distance(wider.robot) + kSoon)))
     return true;
   if (time - plan_time_ < kRetryAfter) return false;
-  if (!driven_on || asked_for_plan_) return true;
+  if (!driven_on || asked_for_plan_ || (tight_start_ && has_clearance(position))) return true;
   if (!leads_to_goal_ && corridor.remaining() < reach_of_horizon(wider)) return true;
   return !is_free_for(kInfinity) || !path_is_free();
 }
 
-// Returns whether the path beyond the corridor is still free, so that a dead end is detected early.
+// Whether the disc that covers the robot fits there.
+bool MaplessNavigator::State::has_clearance(const Vector2d& position) const noexcept {
+  const double radius = wider.robot.radius;
+  return distance_to_blocked(perception.grid().occupied(), position, radius) > radius;
+}
+
+// Whether the path is still free beyond the corridor, so that a dead end is noticed from afar.
 bool MaplessNavigator::State::path_is_free() const noexcept {
   const Plan& now = navigator.plan();
   if (now.whole) return true;
@@ -101,6 +127,7 @@ void MaplessNavigator::State::start_plan(double time, const Pose2& pose) {
   constexpr double kNarrow = 0.05;  // share of the margin kept in the narrowest places
   planned = true;
   plan_time_ = time;
+  tight_start_ = !has_clearance(pose.position);
   asked_number_ = task_number_;
   const double desired = wider.path.margin;
   const bool narrow = std::exchange(search_narrow_, false);
@@ -141,15 +168,18 @@ void MaplessNavigator::State::take_plan() {
 NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
   const CorridorFollower& corridor = navigator.corridor();
   const bool driven_on = plan_is_current && corridor.reference_path().count > 0;
-  const NavigationStep answer =
+  NavigationStep answer =
       task.judge(step, {.time = input.time,
                         .plan_is_current = plan_is_current,
                         .leads_to_goal = leads_to_goal_,
                         .new_path = follows_new_plan,
                         .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
+                        .turn = driven_on ? turn_left(navigator, input.pose) : 0.0,
                         .patience = settings.navigation.patience});
-  // An unusable plan is kept, because it explains why there is none.
+  // An unusable plan stays: it says why there is none.
   if (answer.status == NavigationStatus::GaveUp && navigator.plan().usable()) navigator.cancel();
+  if (scan_refused_ && answer.limit == LimitingFactor::StaleMap)
+    answer.limit = LimitingFactor::InvalidScan;
   return answer;
 }
 
@@ -157,12 +187,14 @@ NavigationStep MaplessNavigator::State::update(const Measurements& m) {
   planned = false;
   follows_new_plan = false;
   take_plan();
-  const bool pose_known = is_finite(m.pose) && std::isfinite(m.time);
+  std::erase_if(ending_, [](const auto& older) { return !older->runs(); });
+  const bool pose_known = is_plausible(m.pose) && std::isfinite(m.time);
   if (rolled_) {
     // The whole map has changed, which without a thread is enough work for one cycle.
     planning->refresh(perception.grid().occupied());
     rolled_ = false;
-  } else if (pose_known && std::isfinite(perception.time()) && needs_plan(m.time)) {
+  } else if (pose_known && std::isfinite(perception.time()) &&
+             needs_plan(m.time, m.pose.position)) {
     start_plan(m.time, m.pose);
     if (!settings.planning.background) take_plan();
   }

@@ -17,8 +17,11 @@ namespace fairway {
 struct MaplessNavigator::State {
   State(const Settings& given, ControlSolver* solver, const Eigen::Vector2d& position);
 
+  /// Takes over motion, task and plans that are being made from the state with older settings.
+  void continue_from(State& older);
+
   void set_task(NavigationTask given);
-  void observe(const LidarScan& scan, const Eigen::Vector2d& position);
+  [[nodiscard]] bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
   [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
 
@@ -36,7 +39,8 @@ struct MaplessNavigator::State {
   Twist2 sent;
 
  private:
-  [[nodiscard]] bool needs_plan(double time) const noexcept;
+  [[nodiscard]] bool needs_plan(double time, const Eigen::Vector2d& position) const noexcept;
+  [[nodiscard]] bool has_clearance(const Eigen::Vector2d& position) const noexcept;
   [[nodiscard]] bool path_is_free() const noexcept;
   void start_plan(double time, const Pose2& pose);
   void take_plan();
@@ -44,12 +48,15 @@ struct MaplessNavigator::State {
   [[nodiscard]] NavigationStep judged(const NavigationStep& step);
 
   std::vector<MovingObstacle> moving_;
+  std::vector<std::unique_ptr<LocalPlanning>> ending_;  // of older settings, until they are idle
+  bool scan_refused_ = false;                           // the last one
   int task_number_ = 0;
   int asked_number_ = 0;  // task for which the last plan was requested
   bool rolled_ = true;    // whether the window has moved since the map was refreshed
   bool asked_for_plan_ = true;
-  bool leads_to_goal_ = false;  // whether the present corridor does
-  bool search_narrow_ = false;  // for the next plan: the present one is a long detour
+  bool tight_start_ = false;      // the plan begins where the covering disc does not fit
+  bool leads_to_goal_ = false;    // the present corridor
+  bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
   double plan_time_ = 0.0;
   // Margin of the last usable plan [m].
   double last_margin_ = std::numeric_limits<double>::infinity();

@@ -14,14 +14,15 @@ namespace fairway {
 /// The task of a navigator: reach a goal, or follow a path to its end.
 struct NavigationTask {
   Goal goal;
-  std::optional<GivenPath> along{};  ///< a path to follow; the goal is then its end
-  bool valid = true;                 ///< whether it is finite, with a heading in radians
+  std::optional<GivenPath> along{};  ///< a path to follow; then the goal is its end
+  bool valid = true;                 ///< plausible places, with a heading in radians
 };
 
 /// Returns whether the goal is finite. A heading beyond 2 pi is rejected as given in degrees.
 [[nodiscard]] inline bool is_valid(const Goal& goal) noexcept {
   constexpr double kMostHeading = 2.0 * std::numbers::pi;
-  return is_finite(goal.position) && !(goal.heading && !(std::abs(*goal.heading) <= kMostHeading));
+  return is_plausible(goal.position) &&
+         !(goal.heading && !(std::abs(*goal.heading) <= kMostHeading));
 }
 
 [[nodiscard]] inline NavigationTask task_of(const Goal& goal) {
@@ -33,7 +34,7 @@ struct NavigationTask {
   const Goal end{.position = path.waypoints.back(), .heading = goal_heading};
   bool valid = is_valid(end);
   for (const Eigen::Vector2d& point : path.waypoints)
-    valid = valid && is_finite(point);
+    valid = valid && is_plausible(point);
   return {.goal = end,
           .along = GivenPath{.path = std::move(path), .goal_heading = goal_heading},
           .valid = valid};

@@ -1,32 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
 namespace fairway {
 
-/// Measures the time for which a robot has made no progress towards its goal.
+/// Measures for how long a robot has made no progress towards its goal: neither come nearer than
+/// ever, nor turned nearer than ever to where it has to look.
 class ProgressWatch {
  public:
   /// Starts for a new goal: the time counts from the next update on.
   void reset() noexcept { *this = ProgressWatch(); }
 
-  /// @param remaining  Length of the path to the goal [m]; none if it is unknown.
-  /// @param new_path    Whether the path is not the one of the last update.
+  /// @param remaining  Length of the path to the goal [m]; none where it is not known.
+  /// @param turn       How far it still has to turn, without sign [rad].
+  /// @param new_way    Whether the path is another one than in the last update.
   /// @return The time since the last progress on this path [s].
-  [[nodiscard]] double update(double time, const std::optional<double>& remaining, bool new_path) {
-    constexpr double kProgress = 0.05;  // [m]; less is noise of the pose
+  [[nodiscard]] double update(double time,
+                              const std::optional<double>& remaining,
+                              double turn,
+                              bool new_way) {
+    constexpr double kProgress = 0.05;  // [m], [rad]; less is noise of the pose
     if (!since_) since_ = time;
-    if (remaining && (new_path || *remaining < least_ - kProgress)) {
-      if (!new_path || *remaining < least_ - kProgress) since_ = time;
-      least_ = *remaining;
-    }
+    const bool nearer = remaining && *remaining < least_ - kProgress;
+    if (nearer) least_turn_ = turn;  // from a new place the robot may have to turn again
+    if (nearer || (remaining && turn < least_turn_ - kProgress)) since_ = time;
+    if (nearer || (remaining && new_way)) least_ = *remaining;
+    least_turn_ = std::min(least_turn_, turn);
     return time - *since_;
   }
 
  private:
-  double least_ = std::numeric_limits<double>::infinity();
+  double least_ = std::numeric_limits<double>::infinity();       // [m]
+  double least_turn_ = std::numeric_limits<double>::infinity();  // [rad]
   std::optional<double> since_;
 };
 

@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/navigation/facade/task_status.hpp"
 
+#include <cmath>
 #include <utility>
 
+#include "fairway/geometry/angle.hpp"
+#include "fairway/navigation/navigator.hpp"
+
 namespace fairway {
+
+double turn_left(const Navigator& navigator, const Pose2& pose) noexcept {
+  const Plan& plan = navigator.plan();
+  const NavigationSettings& settings = navigator.settings().navigation;
+  const double away = (pose.position - plan.goal.position).norm();
+  if (away <= settings.goal_tolerance) {
+    return plan.goal.heading ? std::abs(shortest_turn(pose.heading, *plan.goal.heading)) : 0.0;
+  }
+  const ReferencePath& path = navigator.corridor().reference_path();
+  const Eigen::Vector2d chord = path.at(navigator.settings().tracking.chord_length) - path.at(0.0);
+  if (chord.norm() < 1e-6) return 0.0;
+  return std::abs(shortest_turn(pose.heading, std::atan2(chord.y(), chord.x())));
+}
 
 void TaskStatus::begin(NavigationTask task) {
   task_ = std::move(task);
@@ -33,7 +50,7 @@ NavigationStep TaskStatus::judge(NavigationStep step, const TaskView& view) {
     step.limit = LimitingFactor::NoPath;
     step.wants_plan = true;
   }
-  const double stalled = progress_.update(view.time, view.remaining, view.new_path);
+  const double stalled = progress_.update(view.time, view.remaining, view.turn, view.new_way);
   if (view.patience > 0.0 && stalled >= view.patience) {
     task_.reset();
     gave_up_ = true;
