@@ -35,6 +35,12 @@ Pilot::Pilot(const Settings& settings, const PilotOptions& options)
     : settings_(settings),
       options_(options) {
   if (options_.use_map) make_navigator();
+  make_guard();
+}
+
+void Pilot::make_guard() {
+  guard_.reset();
+  if (options_.use_monitor && options_.use_scan) guard_.emplace(settings_);
 }
 
 Settings Pilot::with_options(const Settings& settings) const {
@@ -56,6 +62,7 @@ void Pilot::make_navigator() {
 
 void Pilot::set_settings(const Settings& settings) {
   settings_ = settings;
+  make_guard();
   if (!navigator_) return;
   navigator_->set_settings(with_options(settings));
   navigator_->reset(sent_);
@@ -90,6 +97,11 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
   const std::optional<Pose2> first = odometry_.at(scan.time - duration);
   const std::optional<Pose2> last = odometry_.at(scan.time);
   if (!first || !last) return false;
+  if (guard_) {
+    scan.first_pose = compose(*first, sensor_on_robot);
+    scan.last_pose = compose(*last, sensor_on_robot);
+    guard_->observe(scan);
+  }
   scan.first_pose = in_world(compose(*first, sensor_on_robot));
   scan.last_pose = in_world(compose(*last, sensor_on_robot));
   if (options_.use_map && !map_) return true;  // there is nothing to add it to
@@ -162,13 +174,25 @@ PilotStep Pilot::cycle(double time) {
   answer.pose_time = *measured.pose_time;
   answer.new_plan = navigator_ && navigator_->follows_new_plan();
   has_planned_ = has_planned_ || answer.new_plan;
-  sent_ = step.command;
+  guard(time, answer);
+  sent_ = answer.command;
   if (state_ == PilotState::Driving) {
     judge(step, answer);
   } else if (is_zero(step.command) && --zeros_left_ <= 0) {
     state_ = PilotState::Idle;
   }
   return answer;
+}
+
+// The last check of a command. The navigator goes on from what was really sent.
+void Pilot::guard(double time, PilotStep& answer) {
+  if (!guard_ || odometry_.empty()) return;
+  const Pose2 pose = odometry_.at(time).value_or(odometry_.pose());
+  const MonitorVerdict verdict = guard_->check(time, pose, sent_, answer.command);
+  answer.monitor = verdict.reason;
+  if (verdict.reason == MonitorReason::None) return;
+  answer.command = verdict.command;
+  if (navigator_) navigator_->reset(verdict.command);
 }
 
 // Decides whether the drive has ended, and how.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bridge/any_navigator.hpp"
+#include "bridge/command_guard.hpp"
 #include "bridge/fleet_board.hpp"
 #include "bridge/obstacle_board.hpp"
 #include "bridge/pose_history.hpp"
@@ -14,6 +15,7 @@ namespace fairway::bridge {
 struct PilotOptions {
   bool use_map = true;                ///< drive on a map; otherwise on the cells seen by the scans
   bool use_scan = true;               ///< scans are needed, and their age is checked
+  bool use_monitor = true;            ///< check every command with a SafetyMonitor; needs scans
   bool plan_in_background = true;     ///< false: the cycle waits for plans, and is deterministic
   std::size_t max_beams = 4096;       ///< only the first beams of a scan are used
   double patience = 20.0;             ///< a goal is given up after this time without progress [s]
@@ -46,6 +48,7 @@ struct PilotStep {
   const MpcSolution* plan = nullptr;  ///< predicted trajectory; valid until the next cycle; may be
                                       ///< null
   double pose_time = 0.0;             ///< time of the pose that was used [s]
+  MonitorReason monitor = MonitorReason::None;  ///< why the safety monitor reduced the command
 };
 
 /// The part of a node that does not depend on the middleware. It receives measurements with their
@@ -113,6 +116,8 @@ class Pilot {
 
  private:
   void make_navigator();
+  void make_guard();
+  void guard(double time, PilotStep& answer);
   [[nodiscard]] Settings with_options(const Settings& settings) const;
   [[nodiscard]] Pose2 in_world(const Pose2& pose) const;
   [[nodiscard]] Measurements measure(double time);
@@ -136,6 +141,7 @@ class Pilot {
   bool has_planned_ = false;
   bool fresh_goal_ = false;  // set since the last cycle
   Twist2 sent_;
+  std::optional<CommandGuard> guard_;
 };
 
 }  // namespace fairway::bridge

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> assignments;
   bool no_map = false;
   bool no_scan = false;
+  bool no_monitor = false;
   app.add_option("--domain", options.domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
   app.add_option("--namespace", options.space,
                  "Namespace of the robot's topics, without slashes around it");
@@ -54,6 +55,8 @@ int main(int argc, char** argv) {
                  "Time without progress after which a goal is given up [s]");
   app.add_flag("--no-map", no_map, "Drive without a map, on the cells seen by the lidar");
   app.add_flag("--no-scan", no_scan, "Drive without a lidar, on the map only");
+  app.add_flag("--no-monitor", no_monitor,
+               "Do not check every command with the safety monitor, which needs a lidar");
   app.add_flag("--stamped", options.stamped, "Publish commands as TwistStamped");
   try {
     app.parse(argc, argv);
@@ -64,6 +67,7 @@ int main(int argc, char** argv) {
   }
   options.pilot.use_map = !no_map;
   options.pilot.use_scan = !no_scan;
+  options.pilot.use_monitor = !no_monitor;
   const Expected<Settings> settings = read_settings(file, assignments);
   if (!settings) return fail_with(settings.error().message);
   if (const auto valid = bridge::validate(options.pilot); !valid) {

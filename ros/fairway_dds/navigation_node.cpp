@@ -160,6 +160,8 @@ void NavigationNode::run_cycle(double now) {
     send(step.command);
     std::string text = to_text(step.status);
     if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
+    if (step.monitor != MonitorReason::None)
+      text += std::string(", safety monitor: ") + bridge::to_text(step.monitor);
     if (step.end == bridge::GoalEnd::GivenUp) text = "goal given up: " + step.reason;
     if (step.end == bridge::GoalEnd::Reached || text != told_) tell_status(text);
   }

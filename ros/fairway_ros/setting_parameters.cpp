@@ -58,6 +58,7 @@ Expected<void> assign_option(const std::string& key,
   };
   for (const auto& [name, flag] : {std::pair{"use_map", &options.pilot.use_map},
                                    std::pair{"use_scan", &options.pilot.use_scan},
+                                   std::pair{"use_monitor", &options.pilot.use_monitor},
                                    std::pair{"cancel_with_client", &options.cancel_with_client}}) {
     if (key != name) continue;
     if (text != "true" && text != "false") return expected("true or false");
@@ -81,9 +82,9 @@ Expected<void> assign_option(const std::string& key,
     return {};
   }
   return fail(key +
-              ": expected a group of settings, or one of preset, use_map, use_scan, patience, "
-              "localisation_timeout, map_frame, base_frame, cancel_with_client, found an unknown "
-              "parameter");
+              ": expected a group of settings, or one of preset, use_map, use_scan, use_monitor, "
+              "patience, localisation_timeout, map_frame, base_frame, cancel_with_client, found an "
+              "unknown parameter");
 }
 
 Config config_of(const Settings& settings) {

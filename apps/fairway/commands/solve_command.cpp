@@ -121,6 +121,8 @@ Expected<int> SolveCommand::run() const {
   note_input(warm_file);
   if (const auto apart = check_apart({{"--out", out}, {"--json", json}}); !apart)
     return tl::unexpected(apart.error());
+  const Expected<Settings> chosen = load();
+  if (!chosen) return tl::unexpected(chosen.error());
   const auto instances = io::read_ocp_instances(instances_file);
   if (!instances) return tl::unexpected(instances.error());
   std::vector<OcpResult> warm;

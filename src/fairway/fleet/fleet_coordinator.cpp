@@ -17,19 +17,22 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFurthestTime = 8.0;      // [s] ahead that meetings are looked for
-constexpr double kMeetingClearance = 0.3;  // [m] between bodies that do not meet
-constexpr double kLane = 0.15;             // [m] between bodies on a roundabout
-constexpr double kNoticeable = 0.02;       // of a radius
-constexpr double kPatience = 1.0;          // [s] of standing, before a roundabout is made wider
-constexpr double kGrowth = 1.25;           // then
-constexpr double kWidest = 8.0;            // [m]
-constexpr std::size_t kMostMet = 8;        // robots in narrow places that are minded
-constexpr double kLongestWait = 20.0;      // [s]
-constexpr double kTrying = 4.0;            // [s] of going on after that
-constexpr double kComing = 0.1;            // [m/s] of somebody who need not be waited for in vain
-constexpr double kSearchPeriod = 0.5;      // [s] between searches that find no retreat path
-constexpr double kHeadOn = -0.5;           // cosine between two ways; below it they are head-on
+constexpr double kFurthestTime = 8.0;      // [s] ahead in which meetings are detected
+constexpr double kMeetingClearance = 0.3;  // [m] between bodies that count as not meeting
+constexpr double kLaneGap = 0.15;          // [m] between bodies on a roundabout
+// Share of the radius: smaller differences between roundabouts are ignored.
+constexpr double kNoticeable = 0.02;
+constexpr double kPatience = 1.0;      // [s] of standstill until a roundabout is enlarged
+constexpr double kGrowth = 1.25;       // factor by which it is enlarged
+constexpr double kWidest = 8.0;        // [m]
+constexpr std::size_t kMostMet = 8;    // number of robots considered in narrow places
+constexpr double kLongestWait = 20.0;  // [s] of waiting for robots that do not move
+constexpr double kTryingTime = 4.0;    // [s] of driving after that
+// [m/s]; a faster robot is approaching, and the waiting time does not count.
+constexpr double kApproaching = 0.1;
+constexpr double kSearchPeriod = 0.5;  // [s] between unsuccessful searches for a retreat path
+// Cosine of the angle between two paths; below it they are head-on.
+constexpr double kHeadOn = -0.5;
 
 // Motion at constant velocity along a line, to its end.
 struct StraightMotion {
@@ -100,15 +103,15 @@ void FleetCoordinator::adopt_if_larger(const Roundabout& other) noexcept {
   if (other.radius > (1.0 + kNoticeable) * roundabout_.radius) roundabout_ = other;
 }
 
-// Keeps the retreat path while it leads aside. Else searches for one, a part per cycle, and not too
-// often where there is none.
-void FleetCoordinator::look_back(const Vector2d& here,
-                                 const PassingEnvironment& around,
-                                 double dt) noexcept {
-  shorten(back_, here, *around.obstacles, around.radius);
-  if (leads_aside(back_, here, around)) return search_.stop();
-  const bool had_one = back_.exists();
-  back_ = {};
+// Keeps the retreat path while it is valid. Otherwise searches another one, a part per cycle, and
+// pauses where there is none.
+void FleetCoordinator::update_retreat(const Vector2d& here,
+                                      const PassingEnvironment& around,
+                                      double dt) noexcept {
+  shorten(retreat_, here, *around.obstacles, around.radius);
+  if (is_still_valid(retreat_, here, around)) return search_.stop();
+  const bool had_one = retreat_.exists();
+  retreat_ = {};
   since_search_ += dt;
   if (!search_.running()) {
     if (!had_one && since_search_ < kSearchPeriod) return;
@@ -117,9 +120,9 @@ void FleetCoordinator::look_back(const Vector2d& here,
   }
   std::optional<RetreatPath> found = search_.advance(around);
   if (!found) return;
-  // Meanwhile the robot may have moved, and the others too.
+  // The robots have moved since the search began.
   shorten(*found, here, *around.obstacles, around.radius);
-  if (leads_aside(*found, here, around)) back_ = *found;
+  if (is_still_valid(*found, here, around)) retreat_ = *found;
 }
 
 // Returns the cost of retreating: the length of the own retreat path, or that of a following robot,

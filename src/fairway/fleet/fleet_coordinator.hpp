@@ -74,11 +74,11 @@ class FleetCoordinator {
 
   Roundabout roundabout_;
   ReferencePath path_;
-  double standing_ = 0.0;      // on the way round [s]
-  RetreatPath back_;           // to where it waits, or would
-  bool waits_ = false;         // it is on it, or at its end
+  double stopped_for_ = 0.0;   // time at standstill on the roundabout [s]
+  RetreatPath retreat_;        // path to the place where it waits, or would wait
+  bool waits_ = false;         // whether it follows that path, or waits at its end
   RetreatSearch search_;       // for such a path, a part per cycle
-  double since_search_ = 1e9;  // since the last one began [s]
+  double since_search_ = 1e9;  // time since the last search began [s]
   double retreat_length_ = 0.0;
   double distance_to_bottleneck_ = std::numeric_limits<double>::infinity();
   bool can_step_aside_ = true;

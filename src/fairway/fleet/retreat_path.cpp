@@ -20,12 +20,12 @@ double RetreatPath::length(const Vector2d& position) const noexcept {
   return sum;
 }
 
-void shorten(RetreatPath& way,
+void shorten(RetreatPath& path,
              const Vector2d& position,
              const BitGrid& obstacles,
              double radius) noexcept {
-  int seen = way.count - 1;
-  while (seen > 0 && !is_free(obstacles, position, way.points[static_cast<std::size_t>(seen)],
+  int seen = path.count - 1;
+  while (seen > 0 && !is_free(obstacles, position, path.points[static_cast<std::size_t>(seen)],
                               radius + kLeastRetreatClearance)) {
     --seen;
   }

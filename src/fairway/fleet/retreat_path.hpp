@@ -12,7 +12,7 @@ namespace fairway {
 /// The least clearance of a retreat path to static obstacles [m].
 inline constexpr double kLeastRetreatClearance = 0.01;
 
-/// A path to a place where a robot lets others pass that come towards it in a narrow place.
+/// A path to a place where a robot lets oncoming robots pass.
 struct RetreatPath {
   static constexpr int kMaxPoints = ReferencePath::kMaxPoints - 1;
   int count = 0;                                   ///< 0: there is no path
@@ -27,9 +27,9 @@ struct RetreatPath {
   [[nodiscard]] double length(const Eigen::Vector2d& position) const noexcept;
 };
 
-/// Drops the points of a way back that a robot at `position` has passed: goes straight to the
-/// furthest point that it can reach without touching what stands.
-void shorten(RetreatPath& way,
+/// Drops the points of a retreat path that a robot at `position` has passed: the robot drives
+/// straight to the furthest point that it can reach without touching static obstacles.
+void shorten(RetreatPath& path,
              const Eigen::Vector2d& position,
              const BitGrid& obstacles,
              double radius) noexcept;

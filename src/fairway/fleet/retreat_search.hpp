@@ -13,7 +13,7 @@ namespace fairway {
 ///
 /// Breadth first on a lattice of 0.2 m about the position at the begin, then pulled straight, for
 /// one clearance after another. The robots around may move meanwhile: each part uses those of its
-/// own cycle, and whoever takes the result checks it with `leads_aside`.
+/// own cycle, and the caller checks the result with `is_still_valid`.
 class RetreatSearch {
  public:
   /// Starts at `position`; forgets an earlier search.
@@ -69,15 +69,16 @@ class RetreatSearch {
   std::array<std::uint16_t, kNodes> queue_{};
 };
 
-/// The shortest path from `position` to a place where all that pass can be let pass, which comes no
-/// nearer to them, does not go past their goals, and keeps off all robots that are not under way.
-/// None if there is none within 12 m to each side.
+/// Finds the shortest path from `position` to a place where all robots in `passing` can pass.
 ///
-/// It keeps 0.2 m from static obstacles or, if there is none such, 0.1, 0.05 or 0.01 m. Robots that
-/// go the same way do not block it, since they will go back, too. Where some of them come after
-/// this one, the place leaves clearance for them in front of it, if there is such a place.
+/// The path comes no closer to the passing robots, does not pass their goals, and avoids all robots
+/// that are not driving. It is empty if there is no such place within 12 m to each side.
 ///
-/// Searches to the end, which may take tens of milliseconds: not for a control cycle.
+/// The robot keeps 0.2 m from static obstacles or, if there is no such path, 0.1, 0.05 or 0.01 m.
+/// Robots that drive in the same direction do not block the path, because they retreat too. If some
+/// of them will retreat after this one, the place leaves space for them, if possible.
+///
+/// The search runs to its end, which takes tens of milliseconds: do not call it in a control cycle.
 [[nodiscard]] RetreatPath find_retreat_path(const Eigen::Vector2d& position,
                                             const PassingEnvironment& around) noexcept;
 

@@ -81,6 +81,9 @@ enum class LimitingFactor : std::uint8_t {
 
 inline constexpr LimitingFactor kLastLimitingFactor = LimitingFactor::InvalidScan;
 
+/// How many there are.
+inline constexpr std::size_t kLimitingFactors = static_cast<std::size_t>(kLastLimitingFactor) + 1;
+
 [[nodiscard]] constexpr const char* to_text(LimitingFactor limit) noexcept {
   switch (limit) {
     case LimitingFactor::None:

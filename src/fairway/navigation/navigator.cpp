@@ -20,12 +20,6 @@ namespace {
 constexpr double kStandingLinear = 0.02;  // [m/s]; slower is a standstill
 constexpr double kNoticeable = 1e-3;      // [m]; smaller violations are within the plan's margin
 
-// From the begin of a predicted motion straight to its end [m].
-double length_of(const MpcSolution& plan) noexcept {
-  const auto last = static_cast<std::size_t>(plan.horizon);
-  return (plan.poses[last].position - plan.poses[0].position).norm();
-}
-
 }  // namespace
 
 NavigationStep Navigator::update(const NavigationInput& input) noexcept {
@@ -199,7 +193,7 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
       recovery_,
       {.remaining = corridor_.remaining(),
        .command = step.command,
-       .planned = step.plan != nullptr ? length_of(*step.plan) : 0.0,
+       .plan = step.plan,
        .reach = settings_.robot.linear_max * settings_.mpc.horizon * settings_.mpc.step_length,
        .pose = input.pose,
        .path = way_,
@@ -212,7 +206,7 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
   if (recovery.action == RecoveryAction::None) return step;
   if (recovery.action == RecoveryAction::Plan) step.wants_plan = true;
   if (recovery.stays()) {
-    step.status = NavigationStatus::Blocked;
+    if (recovery.still) step.status = NavigationStatus::Blocked;
     return step;
   }
   const Twist2 command = limited_change(sent_, recovery.wanted, settings_.robot, period_);
@@ -221,9 +215,7 @@ NavigationStep Navigator::recover(const NavigationInput& input, NavigationStep s
   const bool moves = recovery.wanted.linear != 0.0 || recovery.wanted.angular != 0.0;
   const bool stays = recovery.action == RecoveryAction::Stay;
   if ((moves || stays) && stop_.take(now, {&command, 1})) {
-    return {.command = command,
-            .status = stays ? NavigationStatus::Blocked : NavigationStatus::Recovering,
-            .limit = step.limit};
+    return {.command = command, .status = recovery.status(), .limit = step.limit};
   }
   recovery_.refuse();
   step.status = NavigationStatus::Blocked;

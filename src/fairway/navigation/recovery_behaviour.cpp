@@ -87,27 +87,45 @@ Twist2 drive_off(const RecoveryInput& in) noexcept {
   return best;
 }
 
+// Whether a plan covers less than a radian of turning: the controller then does not see what
+// turning is good for, and drives wide circles.
+bool turns_slowly(const RecoveryInput& in) noexcept {
+  return in.robot.angular_max * in.reach < 1.0 * in.robot.linear_max;
+}
+
+// Whether the controller's plan ends clearly nearer to the path ahead than it begins. In front of a
+// goal that is taken it may lead sideways without end.
+bool leads_on(const RecoveryInput& in) noexcept {
+  constexpr double kNearer = 0.2;  // [m]
+  constexpr double kShare = 0.5;   // of what a slow robot can reach, or of what is left
+  if (in.plan == nullptr) return false;
+  const Eigen::Vector2d ahead = in.path.at(in.reach);
+  const auto last = static_cast<std::size_t>(in.plan->horizon);
+  const double nearer =
+      (in.plan->poses[0].position - ahead).norm() - (in.plan->poses[last].position - ahead).norm();
+  return nearer >= std::min({kNearer, kShare * in.reach, kShare * in.remaining});
+}
+
 }  // namespace
 
 RecoveryStep next_step(RecoveryBehaviour& recovery, const RecoveryInput& input) noexcept {
-  constexpr double kLeadsOn = 0.2;     // [m]; a plan that ends nearer is none that leads on
-  constexpr double kReachShare = 0.5;  // of what a plan can reach, for a slow robot
   const Eigen::Vector2d chord = input.path.at(input.chord_length) - input.path.at(0.0);
   const double turn = chord.norm() > 1e-6
                           ? shortest_turn(input.pose.heading, std::atan2(chord.y(), chord.x()))
                           : 0.0;
   const RobotSettings& robot = input.robot;
   RecoveryStep step;
-  step.action =
-      recovery.update({.remaining = input.remaining,
-                       .turn = std::abs(turn),
-                       .still = is_still(input.command, robot),
-                       .can_reverse = robot.linear_min < 0.0,
-                       .cannot_turn = cannot_turn(input),
-                       .leads_on = input.planned >= std::min(kLeadsOn, kReachShare * input.reach),
-                       .dt = input.period,
-                       .patience = input.patience});
-  if (step.action == RecoveryAction::Turn) {
+  step.still = is_still(input.command, robot);
+  step.action = recovery.update({.remaining = input.remaining,
+                                 .turn = std::abs(turn),
+                                 .still = step.still,
+                                 .can_reverse = robot.linear_min < 0.0,
+                                 .cannot_turn = cannot_turn(input),
+                                 .turns_slowly = turns_slowly(input),
+                                 .leads_on = leads_on(input),
+                                 .dt = input.period,
+                                 .patience = input.patience});
+  if (step.action == RecoveryAction::Turn || step.action == RecoveryAction::TurnFirst) {
     step.wanted.angular = turning_speed(turn, robot, input.period);
   } else if (step.action == RecoveryAction::DriveOff) {
     step.wanted = drive_off(input);

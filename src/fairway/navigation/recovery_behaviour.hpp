@@ -4,9 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "fairway/geometry/robot_settings.hpp"
 #include "fairway/map/bit_grid.hpp"
+#include "fairway/mpc/solution.hpp"
+#include "fairway/navigation/navigation_status.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 
 namespace fairway {
@@ -14,6 +17,7 @@ namespace fairway {
 /// What to try when the robot stands still although it should drive.
 enum class RecoveryAction : std::uint8_t {
   None,             ///< it drives, or has not stood still for long
+  TurnFirst,        ///< a base that turns slowly turns to the path before it drives
   Turn,             ///< turn on the spot towards the reference path
   Plan,             ///< ask for a new path and corridor from here
   DriveOff,         ///< drive forward to where the body can turn
@@ -25,14 +29,15 @@ enum class RecoveryAction : std::uint8_t {
 
 /// What a RecoveryBehaviour is decided from in a cycle.
 struct RecoveryView {
-  double remaining = 0.0;    ///< length of the path to the goal [m]; less than ever is progress
-  double turn = 0.0;         ///< between the heading and the path, unsigned [rad]; likewise
-  bool still = false;        ///< whether the command is (nearly) zero
-  bool can_reverse = false;  ///< whether the limits allow to reverse
-  bool cannot_turn = false;  ///< whether the body would touch something if it turned on the spot
-  bool leads_on = false;     ///< whether the controller's plan leads away from here
-  double dt = 0.0;           ///< length of a cycle [s]
-  double patience = 0.0;     ///< standstill before a recovery begins [s]
+  double remaining = 0.0;     ///< length of the path to the goal [m]; less than ever is progress
+  double turn = 0.0;          ///< between the heading and the path, unsigned [rad]; likewise
+  bool still = false;         ///< whether the command is (nearly) zero
+  bool can_reverse = false;   ///< whether the limits allow to reverse
+  bool cannot_turn = false;   ///< whether the body would touch something if it turned on the spot
+  bool turns_slowly = false;  ///< whether the base turns so slowly that it should turn first
+  bool leads_on = false;      ///< whether the controller's plan ends clearly nearer to the goal
+  double dt = 0.0;            ///< length of a cycle [s]
+  double patience = 0.0;      ///< standstill before a recovery begins [s]
 };
 
 /// Watches whether the robot makes progress, and goes through what can be done where it does not:
@@ -49,14 +54,15 @@ class RecoveryBehaviour {
   void reset() noexcept { *this = RecoveryBehaviour(); }
 
   /// Notes another path whose length jumped by `longer` [m], which is neither progress nor the lack
-  /// of it. One that is clearly another path deserves all attempts again.
-  void change_way(double longer) noexcept {
+  /// of it. One that is clearly another path deserves another attempt.
+  void path_changed(double longer) noexcept {
     constexpr double kOtherPath = 0.3;  // [m]
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
     if (!(std::abs(longer) > kOtherPath)) return;
-    rounds_ = 0;
-    least_turn_ = std::numeric_limits<double>::infinity();
-    if (action_ == RecoveryAction::Stay) again();
+    turns_elsewhere_ = true;
+    if (action_ != RecoveryAction::Stay) return;
+    rounds_ = kRounds - 1;
+    again();
   }
 
   /// Notes that the action could not be taken safely in this cycle; after three such cycles the
@@ -68,6 +74,8 @@ class RecoveryBehaviour {
     stalled_ += view.dt;
     standing_ = view.still ? standing_ + view.dt : 0.0;
     elapsed_ += view.dt;
+    if (turns_first(view)) return enter(RecoveryAction::TurnFirst);
+    if (action_ == RecoveryAction::TurnFirst) again();
     if (action_ != RecoveryAction::None) return enter(next(view));
     if (stalled_ >= 5.0 * view.patience) return enter(RecoveryAction::Plan);
     if (standing_ < view.patience) return RecoveryAction::None;
@@ -75,6 +83,8 @@ class RecoveryBehaviour {
   }
 
  private:
+  static constexpr int kRefused = 3;  // cycles in which an action could not be taken
+
   void note_progress(const RecoveryView& view) noexcept {
     constexpr double kProgress = 0.05;      // [m]
     constexpr double kTurnProgress = 0.05;  // [rad]
@@ -89,11 +99,21 @@ class RecoveryBehaviour {
         elapsed_ = elapsed;
       }
     }
+    if (std::exchange(turns_elsewhere_, false)) least_turn_ = view.turn;
     if (view.turn < least_turn_ - kTurnProgress) {
       least_turn_ = view.turn;
       stalled_ = 0.0;
       if (action_ == RecoveryAction::Turn) elapsed_ = 0.0;
     }
+  }
+
+  [[nodiscard]] bool turns_first(const RecoveryView& view) noexcept {
+    constexpr double kBegin = 0.4;  // [rad]
+    constexpr double kEnd = 0.1;    // [rad]
+    const bool turns = action_ == RecoveryAction::TurnFirst;
+    if (turns && refused_ >= kRefused) cannot_turn_first_ = true;
+    const bool free = turns || action_ == RecoveryAction::None;
+    return view.turns_slowly && !cannot_turn_first_ && free && view.turn > (turns ? kEnd : kBegin);
   }
 
   RecoveryAction enter(RecoveryAction action) noexcept {
@@ -110,10 +130,10 @@ class RecoveryBehaviour {
     constexpr double kDriveOffTime = 15.0;  // [s]
     constexpr double kBackTime = 1.5;       // [s]
     constexpr double kClearTime = 1.5;      // [s]
-    constexpr int kRefused = 3;             // cycles in which it could not be taken
     const bool hopeless = refused_ >= kRefused;
     switch (action_) {
       case RecoveryAction::None:
+      case RecoveryAction::TurnFirst:
         return RecoveryAction::None;
       case RecoveryAction::Turn:
         if (view.turn < kAligned) return attempt_failed_or_again();
@@ -128,7 +148,7 @@ class RecoveryBehaviour {
         return after_driving_off(view);
       case RecoveryAction::Back:
         if (elapsed_ > kBackTime) return RecoveryAction::Wait;
-        return refused ? RecoveryAction::TurnToClearance : RecoveryAction::Back;
+        return hopeless ? RecoveryAction::TurnToClearance : RecoveryAction::Back;
       case RecoveryAction::TurnToClearance:
         return elapsed_ > kClearTime || hopeless ? RecoveryAction::Wait
                                                  : RecoveryAction::TurnToClearance;
@@ -171,29 +191,39 @@ class RecoveryBehaviour {
   double standing_ = 0.0;
   double elapsed_ = 0.0;  // in the present action [s]
   int refused_ = 0;       // cycles of the present action
-  int rounds_ = 0;        // attempts since the last progress
+  bool cannot_turn_first_ = false;
+  int rounds_ = 0;               // attempts since the last progress
+  bool turns_elsewhere_ = true;  // least_turn_ is to be measured again, since the path is another
 };
 
-/// Input of a recovery, after the controller computed its command in a cycle.
+/// What a recovery is decided from, after the controller's own command of a cycle.
 struct RecoveryInput {
-  double remaining = 0.0;  ///< length of the path to the goal [m]
-  const Twist2& command;   ///< of the controller
-  double planned = 0.0;    ///< how far from here the controller's plan ends [m]; 0 without one
-  double reach = 0.0;      ///< how far from here a plan can end [m]
+  double remaining = 0.0;             ///< length of the path to the goal [m]
+  const Twist2& command;              ///< of the controller
+  const MpcSolution* plan = nullptr;  ///< of the controller; may be null
+  double reach = 0.0;                 ///< how far from here a plan can end [m]
   const Pose2& pose;
-  const ReferencePath& path;  ///< path to follow, from the robot on
-  double chord_length = 0.0;  ///< look-ahead for the direction to turn to [m]
+  const ReferencePath& path;  ///< to be followed, from the robot on
+  double chord_length = 0.0;  ///< look-ahead that gives the direction to turn to [m]
   const BitGrid& obstacles;
   const Footprint& body;
   const RobotSettings& robot;
-  double period = 0.0;    ///< control period [s]
-  double patience = 0.0;  ///< standstill after which a recovery starts [s]
+  double period = 0.0;    ///< from one command to the next [s]
+  double patience = 0.0;  ///< standstill before a recovery starts [s]
 };
 
-/// Recovery action of a cycle.
+/// What is tried in a cycle.
 struct RecoveryStep {
   RecoveryAction action = RecoveryAction::None;
-  Twist2 wanted;  ///< of the actions that move; zero for the others
+  Twist2 wanted;       ///< of the actions that move; zero for the others
+  bool still = false;  ///< whether the controller's own command is (nearly) zero
+
+  /// The status of a robot that does this.
+  [[nodiscard]] NavigationStatus status() const noexcept {
+    if (action == RecoveryAction::Stay) return NavigationStatus::Blocked;
+    return action == RecoveryAction::TurnFirst ? NavigationStatus::Ok
+                                               : NavigationStatus::Recovering;
+  }
 
   /// Whether the controller's own command is sent meanwhile.
   [[nodiscard]] bool stays() const noexcept {

@@ -213,6 +213,14 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
               "`robot.radius`.",
           .causes = "A plan that was made with other settings was given to `Navigator::follow`.",
           .remedy = "Make the plan with the settings of the navigator."};
+    case LimitingFactor::InvalidScan:
+      return {.meaning =
+                  "The last scan was refused, since a number of it is not finite or absurd; the "
+                  "robot stops as without a scan.",
+              .causes =
+                  "A driver that fills `angle_min`, `angle_increment` or `range_max` wrongly; a "
+                  "transform of the sensor that is not finite.",
+              .remedy = "Repair the driver, or the description of the robot."};
   }
   return {};
 }

@@ -31,7 +31,7 @@ TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
   }
 }
 
-TEST(RecoveryBehaviour, StandstillLeadsThroughAllActions) {
+TEST(RecoveryBehaviour, StandingGoesThroughAllThatCanBeTried) {
   for (const bool can_back : {false, true}) {
     RecoveryBehaviour recovery;
     std::set<RecoveryAction> seen;
@@ -46,7 +46,7 @@ TEST(RecoveryBehaviour, StandstillLeadsThroughAllActions) {
   }
 }
 
-TEST(RecoveryBehaviour, ARefusedActionIsSoonFollowedByTheNext) {
+TEST(RecoveryBehaviour, WhatIsRefusedGivesWayToTheNextThingSoon) {
   RecoveryBehaviour recovery;
   std::set<RecoveryAction> seen;
   int cycles = 0;
@@ -61,7 +61,7 @@ TEST(RecoveryBehaviour, ARefusedActionIsSoonFollowedByTheNext) {
     EXPECT_TRUE(seen.contains(action));
 }
 
-TEST(RecoveryBehaviour, TwoRefusalsDoNotEndAnAction) {
+TEST(RecoveryBehaviour, TwoRefusalsAreNoReasonToGiveUp) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 5; ++i)
     (void)recovery.update(view(5.0, true, false, true));
@@ -72,14 +72,14 @@ TEST(RecoveryBehaviour, TwoRefusalsDoNotEndAnAction) {
   }
 }
 
-TEST(RecoveryBehaviour, AnAlignedRobotAtStandstillPlansAtOnce) {
+TEST(RecoveryBehaviour, AnAlignedRobotThatStandsIsPlannedForAtOnce) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 3; ++i)
     (void)recovery.update(view(5.0, true, true, false));
   EXPECT_EQ(recovery.update(view(5.0, true, true, false)), RecoveryAction::Plan);
 }
 
-TEST(RecoveryBehaviour, OscillationOnTheSpotIsNoProgress) {
+TEST(RecoveryBehaviour, SwingingOnTheSpotIsNoProgress) {
   RecoveryBehaviour recovery;
   int plans = 0;
   for (int i = 0; i < 100; ++i) {
@@ -89,13 +89,13 @@ TEST(RecoveryBehaviour, OscillationOnTheSpotIsNoProgress) {
   EXPECT_GE(plans, 3);
 }
 
-TEST(RecoveryBehaviour, AChangeOfPathLengthIsNeitherProgressNorItsLack) {
-  for (const double step : {0.1, 0.0}) {  // [m] per cycle: progress, or none
+TEST(RecoveryBehaviour, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
+  for (const double step : {0.1, 0.0}) {  // [m] per cycle: driving on, and not
     RecoveryBehaviour recovery;
     double remaining = 10.0;
     int actions = 0;
     for (int i = 0; i < 100; ++i) {
-      if (i % 10 == 9) {  // the path length changes back and forth
+      if (i % 10 == 9) {  // the way changes to and fro
         const double longer = i % 20 == 9 ? 5.0 : -5.0;
         recovery.path_changed(longer);
         remaining += longer;
@@ -155,10 +155,11 @@ TEST(RecoveryBehaviour, LeavesItsStayWhenThereIsReason) {
   free.leads_on = true;
   EXPECT_EQ(recovery.update(free), RecoveryAction::None) << "the controller has a way on";
   recovery = staying();
-  recovery.change_way(0.1);
-  EXPECT_EQ(recovery.update(still), RecoveryAction::Stay) << "nearly the same path";
-  recovery.change_way(2.0);
-  EXPECT_EQ(recovery.update(still), RecoveryAction::None) << "another path";
+  recovery.path_changed(0.1);
+  EXPECT_EQ(recovery.update(view(5.1, true, true, false)), RecoveryAction::Stay)
+      << "nearly the same path";
+  recovery.path_changed(2.0);
+  EXPECT_EQ(recovery.update(view(7.1, true, true, false)), RecoveryAction::None) << "another path";
   recovery = staying();
   EXPECT_EQ(recovery.update(view(4.9, false, true, false)), RecoveryAction::None) << "progress";
 }

@@ -4,11 +4,52 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 namespace fairway {
 namespace {
+
+// Every number of a scan that is not finite or absurd makes all of it implausible; ranges do not.
+TEST(LidarScan, IsPlausibleAsLongAsEveryNumberIs) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<float> ranges(360, 3.0F);
+  const LidarScan good{.time = 5.0,
+                       .first_angle = -std::acos(-1.0),
+                       .angle_step = 0.0175,
+                       .min_range = 0.05,
+                       .max_range = 10.0,
+                       .ranges = ranges};
+  const Eigen::Vector2d here(0.0, 0.0);
+  EXPECT_TRUE(is_plausible(good, here));
+  const auto with = [&](const auto& change) {
+    LidarScan scan = good;
+    change(scan);
+    return is_plausible(scan, here);
+  };
+  for (const double bad : {kNan, kInfinity, -kInfinity, 1e12, -1e12, 1e300, 1e308, 4e9}) {
+    EXPECT_FALSE(with([&](LidarScan& s) { s.first_angle = bad; })) << bad;
+    EXPECT_FALSE(with([&](LidarScan& s) { s.angle_step = bad; })) << bad;
+    EXPECT_FALSE(with([&](LidarScan& s) { s.first_pose.position.x() = bad; })) << bad;
+    EXPECT_FALSE(with([&](LidarScan& s) { s.last_pose.position.y() = bad; })) << bad;
+    EXPECT_FALSE(with([&](LidarScan& s) { s.first_pose.heading = bad; })) << bad;
+    EXPECT_FALSE(with([&](LidarScan& s) { s.min_range = bad; })) << bad;
+    EXPECT_FALSE(is_plausible(good, {bad, 0.0})) << bad;
+  }
+  for (const double bad : {kNan, kInfinity, -kInfinity})
+    EXPECT_FALSE(with([&](LidarScan& s) { s.time = bad; })) << bad;
+  for (const double bad : {kNan, -kInfinity, 0.0, -1.0, 0.05})
+    EXPECT_FALSE(with([&](LidarScan& s) { s.max_range = bad; })) << bad;
+  EXPECT_TRUE(with([&](LidarScan& s) { s.max_range = kInfinity; }));
+  EXPECT_TRUE(with([&](LidarScan& s) { s.angle_step = -0.0175; }));
+  EXPECT_FALSE(with([&](LidarScan& s) { s.angle_step = 0.06; })) << "more than three turns";
+  const std::vector<float> odd{std::numeric_limits<float>::quiet_NaN(),
+                               std::numeric_limits<float>::infinity(), -1.0F, 0.0F, 1e30F};
+  EXPECT_TRUE(with([&](LidarScan& s) { s.ranges = odd; }));
+  EXPECT_TRUE(with([&](LidarScan& s) { s.ranges = {}; }));
+}
 
 TEST(LidarScan, BeamsStartAtTheSensorsPose) {
   const std::array<float, 3> ranges = {1.0F, 2.0F, 3.0F};

@@ -102,5 +102,57 @@ TEST(PathAhead, StartsAtTheRobotAndEndsInsideTheMap) {
   EXPECT_EQ(ahead.path.waypoints[2], Eigen::Vector2d(3.5, 2));
 }
 
+// A body parallel to a wall has to leave where the disc about it does not fit.
+TEST(Planner, PlansForTheDiscInsideTheBodyWhereTheStartHasNoMoreClearance) {
+  const PreparedMap map(
+      BitGrid({.width = 100, .height = 80, .resolution = 0.1, .origin = {}}, false));
+  PlannerSettings settings{.radius = 0.52};
+  Planner planner;
+  const Eigen::Vector2d start(0.33, 4.0);
+  EXPECT_FALSE(planner.plan(map, start, {.position = {6, 4}}, settings).usable());
+  settings.inner_radius = 0.25;
+  const Plan plan = planner.plan(map, start, {.position = {6, 4}}, settings);
+  ASSERT_TRUE(plan.usable()) << plan.reason();
+  EXPECT_TRUE(fits(plan, 0.52, 0.25));
+  EXPECT_FALSE(fits(plan, 0.52, 0.52));
+}
+
+TEST(Plan, IsValidOnlyWhereItCanBeFollowed) {
+  const PreparedMap map(
+      BitGrid({.width = 100, .height = 80, .resolution = 0.1, .origin = {}}, false));
+  Planner planner;
+  const Plan good = planner.plan(map, {1, 1}, {.position = {8, 6}}, {});
+  ASSERT_TRUE(good.usable());
+  EXPECT_TRUE(validate(good));
+  const auto is_valid_with = [&](const auto& change) {
+    Plan plan = good;
+    change(plan);
+    return validate(plan).has_value();
+  };
+  EXPECT_FALSE(is_valid_with([](Plan& p) { p.corridor.rectangles.clear(); }));
+  EXPECT_FALSE(is_valid_with([](Plan& p) { p.path.waypoints.clear(); }));
+  for (const double bad : {kNan, 1e8, -1e308}) {
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.path.waypoints[0].x() = bad; })) << bad;
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.goal.position.y() = bad; })) << bad;
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.goal.heading = bad; })) << bad;
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.corridor.rectangles[0].seed.x() = bad; })) << bad;
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.corridor.rectangles[0].orientation = bad; }))
+        << bad;
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.corridor.robot_radius = bad; })) << bad;
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.corridor.inward_offset = bad; })) << bad;
+    EXPECT_FALSE(is_valid_with([&](Plan& p) { p.margin = bad; })) << bad;
+  }
+  EXPECT_FALSE(is_valid_with([](Plan& p) { p.corridor.rectangles[0].max.x() = -1e6; }));
+  EXPECT_FALSE(is_valid_with([](Plan& p) { p.corridor.inward_offset = 100.0; }));
+  EXPECT_FALSE(is_valid_with([](Plan& p) {
+    p.corridor.rectangles.push_back(p.corridor.rectangles.back());
+    p.corridor.rectangles.back().seed += Eigen::Vector2d(500.0, 500.0);
+  })) << "no overlap";
+  EXPECT_TRUE(is_valid_with([](Plan& p) {
+    p.path_status = PathStatus::NoConnection;
+    p.path.waypoints.clear();
+  })) << "not usable, and says so";
+}
+
 }  // namespace
 }  // namespace fairway

@@ -80,7 +80,7 @@ std::string begin_text(const Scenario& scenario) {
                  {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
                  {"statuses", texts(NavigationStatus::GaveUp)},
                  {"limits", texts(kLastLimitingFactor)},
-                 {"rows", texts(RowKind::Barrier)},
+                 {"rows", texts(ConstraintKind::Barrier)},
                  {"settings", settings_list(scenario.settings)}});
 }
 

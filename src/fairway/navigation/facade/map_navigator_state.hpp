@@ -51,7 +51,7 @@ struct MapNavigator::State {
   [[nodiscard]] bool pose_is_known(const Measurements& measurements) const noexcept;
   [[nodiscard]] bool needs_plan(const Measurements& measurements, bool at_once);
   [[nodiscard]] bool has_clearance(const Eigen::Vector2d& position) const noexcept;
-  void look_at_changes();
+  void check_plan();
   void start_plan(const Measurements& measurements);
   void take_plan();
   [[nodiscard]] bool is_clearly_shorter(const Path& path) const noexcept;
@@ -69,15 +69,15 @@ struct MapNavigator::State {
   Twist2 sent_;
   double plan_time_ = -std::numeric_limits<double>::infinity();
   int task_number_ = 0;
-  int asked_number_ = 0;         // the task of the plan that was asked for last
-  bool task_is_new_ = false;     // no plan was asked for since
-  bool map_moved_ = false;       // since the plan was looked at
-  bool map_changed_ = false;     // since the plan was looked at
-  bool scans_changed_ = false;   // since the plan was looked at
-  bool blocked_ = false;         // the plan, somewhere
-  bool blocked_by_map_ = false;  // not only by what scans have shown, which may be wrong
-  bool may_be_better_ = false;   // the map has changed elsewhere since the last plan
-  bool asked_ = false;           // by the navigator
+  int asked_number_ = 0;         // task for which the last plan was requested
+  bool task_is_new_ = false;     // no plan was requested for the task yet
+  bool map_moved_ = false;       // since the last check of the plan
+  bool map_changed_ = false;     // since the last check of the plan
+  bool scans_changed_ = false;   // since the last check of the plan
+  bool blocked_ = false;         // the plan is blocked
+  bool blocked_by_map_ = false;  // by the map, and not only by scans, which may be wrong
+  bool may_be_better_ = false;   // the map has changed since the last plan
+  bool asked_ = false;           // the navigator requested a plan
   bool tight_start_ = false;     // the plan begins where the covering disc does not fit
 };
 

@@ -54,9 +54,9 @@ struct MaplessNavigator::State {
   int asked_number_ = 0;  // task for which the last plan was requested
   bool rolled_ = true;    // whether the window has moved since the map was refreshed
   bool asked_for_plan_ = true;
-  bool tight_start_ = false;      // the plan begins where the covering disc does not fit
-  bool leads_to_goal_ = false;    // the present corridor
-  bool look_for_narrow_ = false;  // in the next plan: the present one goes a long way round
+  bool tight_start_ = false;    // whether the plan begins where the covering disc does not fit
+  bool leads_to_goal_ = false;  // whether the present corridor does
+  bool search_narrow_ = false;  // for the next plan: the present one is a long detour
   double plan_time_ = 0.0;
   // Margin of the last usable plan [m].
   double last_margin_ = std::numeric_limits<double>::infinity();

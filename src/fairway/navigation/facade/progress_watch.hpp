@@ -11,23 +11,23 @@ namespace fairway {
 /// ever, nor turned nearer than ever to where it has to look.
 class ProgressWatch {
  public:
-  /// Starts for a new goal: the time counts from the next update on.
+  /// A new goal: the time counts from the next update on.
   void reset() noexcept { *this = ProgressWatch(); }
 
   /// @param remaining  Length of the path to the goal [m]; none where it is not known.
   /// @param turn       How far it still has to turn, without sign [rad].
-  /// @param new_way    Whether the path is another one than in the last update.
+  /// @param new_path    Whether the path is another one than in the last update.
   /// @return The time since the last progress on this path [s].
   [[nodiscard]] double update(double time,
                               const std::optional<double>& remaining,
                               double turn,
-                              bool new_way) {
+                              bool new_path) {
     constexpr double kProgress = 0.05;  // [m], [rad]; less is noise of the pose
     if (!since_) since_ = time;
     const bool nearer = remaining && *remaining < least_ - kProgress;
     if (nearer) least_turn_ = turn;  // from a new place the robot may have to turn again
     if (nearer || (remaining && turn < least_turn_ - kProgress)) since_ = time;
-    if (nearer || (remaining && new_way)) least_ = *remaining;
+    if (nearer || (remaining && new_path)) least_ = *remaining;
     least_turn_ = std::min(least_turn_, turn);
     return time - *since_;
   }

@@ -50,7 +50,7 @@ NavigationStep TaskStatus::judge(NavigationStep step, const TaskView& view) {
     step.limit = LimitingFactor::NoPath;
     step.wants_plan = true;
   }
-  const double stalled = progress_.update(view.time, view.remaining, view.turn, view.new_way);
+  const double stalled = progress_.update(view.time, view.remaining, view.turn, view.new_path);
   if (view.patience > 0.0 && stalled >= view.patience) {
     task_.reset();
     gave_up_ = true;

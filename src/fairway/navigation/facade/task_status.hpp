@@ -11,23 +11,22 @@ namespace fairway {
 
 class Navigator;
 
-/// How a navigator stands to its task after a cycle.
+/// The state of a navigator with respect to its task after a cycle.
 struct TaskView {
-  double time = 0.0;                  ///< of the cycle [s]
-  bool plan_is_current = false;       ///< the plan was made for the present task
-  bool leads_to_goal = false;         ///< the plan ends at the task's goal
-  bool new_way = false;               ///< the cycle has begun to follow another plan
-  std::optional<double> remaining{};  ///< length of the way to the goal, where it is known [m]
-  double turn = 0.0;                  ///< to the way, or to the goal's heading; unsigned [rad]
-  double patience = 0.0;              ///< without progress until the task is dropped [s]; 0: never
+  double time = 0.0;                  ///< time of the cycle [s]
+  bool plan_is_current = false;       ///< whether the plan was made for the present task
+  bool leads_to_goal = false;         ///< whether the plan ends at the task's goal
+  bool new_path = false;              ///< whether the cycle started to follow another plan
+  std::optional<double> remaining{};  ///< length of the path to the goal, if known [m]
+  double turn = 0.0;                  ///< to the path, or to the goal's heading; unsigned [rad]
+  double patience = 0.0;  ///< time without progress until the task is dropped [s]; 0: never
 };
 
 /// How far the robot still has to turn, without sign [rad]: to the heading of its goal once it is
 /// there, before that to the path. @pre a path is followed.
 [[nodiscard]] double turn_left(const Navigator& navigator, const Pose2& pose) noexcept;
 
-/// A task and what its navigator makes of it: turns the status of a cycle, which is about the plan
-/// that is followed, into one about the task.
+/// Holds a task, and converts the status of the plan being followed into the status of the task.
 class TaskStatus {
  public:
   /// Starts a task, and drops the one before.

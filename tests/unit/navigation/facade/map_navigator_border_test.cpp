@@ -57,6 +57,85 @@ TEST(MapNavigator, ReportsInvalidMeasurements) {
   EXPECT_EQ(step.status, NavigationStatus::Stale);
 }
 
+TEST(MapNavigator, RefusesPlacesThatOverflowAGrid) {
+  const TwoRooms rooms;
+  MapNavigator navigator({}, rooms.map);
+  Drive drive{navigator};
+  for (const double far : {1.1e7, 1e12, 1e300, 1e308, -1e308}) {
+    navigator.set_goal({.position = {far, 2.5}});
+    drive.cycle();
+    EXPECT_EQ(drive.step.limit, LimitingFactor::InvalidGoal) << far;
+    navigator.set_goal(kGoal);
+    NavigationStep step = navigator.update({.time = drive.time, .pose = {.position = {far, 2.5}}});
+    EXPECT_EQ(step.limit, LimitingFactor::InvalidPose) << far;
+    const std::vector<MovingObstacle> people{{.position = {4.0, far}, .radius = 0.3}};
+    step = navigator.update({.time = drive.time, .pose = drive.robot, .obstacles = people});
+    EXPECT_EQ(step.limit, LimitingFactor::InvalidTracks) << far;
+  }
+  navigator.set_goal(kGoal);
+  navigator.reset();
+  drive.last = {};
+  EXPECT_TRUE(drive.reaches_goal(30.0)) << "nothing of that has lasting effects";
+}
+
+// The robot stops as without a scan, says why, and drives on with the next good one.
+TEST(MapNavigator, RefusesAScanThatCannotBe) {
+  const TwoRooms rooms;
+  MapNavigator navigator({}, rooms.map);
+  navigator.set_goal(kGoal);
+  Drive drive{navigator};
+  const std::vector<float> ranges(90, 20.0F);
+  const auto scan_now = [&](double angle_step) {
+    return navigator.observe({.time = drive.time,
+                              .first_pose = drive.robot,
+                              .last_pose = drive.robot,
+                              .first_angle = -3.0,
+                              .angle_step = angle_step,
+                              .min_range = 0.05,
+                              .max_range = 10.0,
+                              .ranges = ranges},
+                             drive.robot.position);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_TRUE(scan_now(0.06));
+    drive.cycle();
+  }
+  EXPECT_GT(drive.last.linear, 0.3);
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_FALSE(scan_now(nan));
+    drive.cycle();
+  }
+  EXPECT_EQ(drive.step.status, NavigationStatus::Stale);
+  EXPECT_EQ(drive.step.limit, LimitingFactor::InvalidScan);
+  EXPECT_EQ(drive.last.linear, 0.0);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_TRUE(scan_now(0.06));
+    drive.cycle();
+  }
+  EXPECT_GT(drive.last.linear, 0.3);
+}
+
+// A plan that is being made when the settings change is for the older ones, and is not used.
+TEST(MapNavigator, TakesNoPlanThatWasMadeWithOlderSettings) {
+  const TwoRooms rooms;
+  Settings settings;
+  settings.planning.background = true;
+  MapNavigator navigator(settings, rooms.map);
+  navigator.set_goal(kGoal);
+  Drive drive{navigator};
+  drive.cycle();
+  EXPECT_EQ(drive.step.status, NavigationStatus::Planning);
+  settings.robot.radius = 0.45;
+  navigator.set_settings(settings);
+  for (int i = 0; i < 5 && !navigator.plan_is_current(); ++i) {
+    navigator.wait_for_plan();
+    drive.cycle();
+  }
+  ASSERT_TRUE(navigator.plan_is_current());
+  EXPECT_GE(navigator.plan().corridor.robot_radius, 0.85 * 0.45);
+}
+
 TEST(MapNavigator, DetectsTimesInMilliseconds) {
   const TwoRooms rooms;
   MapNavigator navigator({}, rooms.map);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bridge/command_guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace fairway::bridge {
+
+namespace {
+
+constexpr int kCorners = 32;  // of the polygon about a disc
+
+Polygon polygon_about(const Eigen::Vector2d& center, double radius) {
+  Polygon polygon;
+  const double corner = radius / std::cos(std::numbers::pi / kCorners);
+  for (int i = 0; i < kCorners; ++i)
+    polygon.push_back(center + corner * direction(2.0 * std::numbers::pi * i / kCorners));
+  return polygon;
+}
+
+std::vector<Polygon> polygons_of(const Footprint& body) {
+  if (body.is_rectangle()) {
+    const auto corners = body.rectangle_at({}).corners();
+    return {Polygon(corners.begin(), corners.end())};
+  }
+  std::vector<Polygon> polygons;
+  for (int i = 0; i < body.num_discs(); ++i)
+    polygons.push_back(polygon_about(body.disc_at(i).center, body.disc_at(i).radius));
+  return polygons;
+}
+
+}  // namespace
+
+MonitorSettings monitor_settings(const Settings& settings) {
+  constexpr double kLate = 1.5;  // periods from one command to the next, at most
+  const RobotSettings& robot = settings.robot;
+  const double period = settings.navigation.control_period;
+  return {.footprint = polygons_of(footprint_of(robot)),
+          .linear_acceleration = std::clamp(robot.linear_acceleration_max, 0.2, 20.0),
+          .angular_acceleration = std::clamp(robot.angular_acceleration_max, 0.2, 100.0),
+          .delay = std::clamp(settings.safety.actuation_lag * period, 0.0, 1.0),
+          .hold = std::clamp(kLate * period, 0.01, 1.0),
+          // Less than what the navigator keeps, so that it does not limit what was proven.
+          .margin = 0.5 * settings.safety.stop_margin,
+          .max_age = std::clamp(settings.safety.map_timeout + period, 0.01, 10.0)};
+}
+
+const char* to_text(MonitorReason reason) noexcept {
+  switch (reason) {
+    case MonitorReason::None:
+      return "none";
+    case MonitorReason::InvalidInput:
+      return "invalid input";
+    case MonitorReason::Stale:
+      return "no new scan";
+    case MonitorReason::StopZone:
+      return "stop zone";
+    case MonitorReason::SlowZone:
+      return "slow zone";
+    case MonitorReason::Obstacle:
+      return "obstacle";
+  }
+  return "unknown";
+}
+
+void CommandGuard::observe(const LidarScan& scan) {
+  if (!is_plausible(scan, scan.last_pose.position)) return;
+  lay_beams(scan, std::numeric_limits<double>::infinity(), beams_);
+  points_.clear();
+  for (const Beam& beam : beams_) {
+    if (beam.end == BeamEnd::Hit) points_.push_back(beam.to);
+  }
+  if (points_.size() > SafetyMonitor::kMostPoints) points_.resize(SafetyMonitor::kMostPoints);
+  monitor_.see(scan.time, points_);
+}
+
+}  // namespace fairway::bridge

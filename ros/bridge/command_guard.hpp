@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fairway/monitor/safety_monitor.hpp"
+#include "fairway/navigation/settings.hpp"
+#include "fairway/perception/lidar_scan.hpp"
+
+namespace fairway::bridge {
+
+/// The settings of a monitor for this robot: its body, its limits, and the time between commands.
+[[nodiscard]] MonitorSettings monitor_settings(const Settings& settings);
+
+/// The text of a reason, for the status of a node.
+[[nodiscard]] const char* to_text(MonitorReason reason) noexcept;
+
+/// Runs a SafetyMonitor behind a pilot, on the returns of the newest scan.
+///
+/// It works in the frame of the odometry, so that neither the map nor the localisation matters.
+class CommandGuard {
+ public:
+  explicit CommandGuard(const Settings& settings) : monitor_(monitor_settings(settings)) {}
+
+  /// Takes in a scan whose poses are in the odometry frame. An implausible scan is ignored.
+  void observe(const LidarScan& scan);
+
+  /// @param pose     Of the robot in the odometry frame.
+  /// @param current  The last command.
+  [[nodiscard]] MonitorVerdict check(double time,
+                                     const Pose2& pose,
+                                     const Twist2& current,
+                                     const Twist2& command) noexcept {
+    return monitor_.check(time, pose, current, command);
+  }
+
+ private:
+  SafetyMonitor monitor_;
+  std::vector<Beam> beams_;
+  std::vector<Eigen::Vector2d> points_;
+};
+
+}  // namespace fairway::bridge

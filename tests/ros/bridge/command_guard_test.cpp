@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bridge/command_guard.hpp"
+
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fairway::bridge {
+namespace {
+
+// A scan of one beam straight ahead from the robot's centre.
+struct Ahead {
+  explicit Ahead(double distance, double time = 0.0) : ranges{static_cast<float>(distance)} {
+    scan.time = time;
+    scan.max_range = 20.0;
+    scan.ranges = ranges;
+  }
+  std::vector<float> ranges;
+  LidarScan scan;
+};
+
+TEST(CommandGuard, KnowsTheBodyOfTheRobot) {
+  Settings settings;
+  settings.robot.radius = 0.3;
+  ASSERT_TRUE(validate(monitor_settings(settings)));
+  EXPECT_EQ(monitor_settings(settings).footprint.size(), 1U);
+  settings.robot.length = 1.0;
+  settings.robot.width = 0.6;
+  const MonitorSettings body = monitor_settings(settings);
+  ASSERT_TRUE(validate(body));
+  EXPECT_EQ(body.footprint[0].size(), 4U);
+  settings = {};
+  settings.robot.discs.count = 2;
+  settings.robot.discs.discs[0] = {.center = {0.2, 0.0}, .radius = 0.25};
+  settings.robot.discs.discs[1] = {.center = {-0.2, 0.0}, .radius = 0.25};
+  EXPECT_EQ(monitor_settings(settings).footprint.size(), 2U);
+  EXPECT_TRUE(validate(monitor_settings(settings)));
+}
+
+TEST(CommandGuard, IsValidForSettingsAtTheEndsOfTheirRanges) {
+  Settings settings;
+  settings.robot.linear_acceleration_max = 1000.0;
+  settings.robot.angular_acceleration_max = 0.01;
+  settings.safety.map_timeout = 100.0;
+  settings.safety.stop_margin = 1.0;
+  settings.safety.actuation_lag = 5.0;
+  EXPECT_TRUE(validate(monitor_settings(settings)));
+}
+
+TEST(CommandGuard, StopsInFrontOfWhatTheScanShows) {
+  CommandGuard guard{Settings{}};
+  const Twist2 fast{.linear = 1.0};
+  EXPECT_EQ(guard.check(0.0, {}, fast, fast).reason, MonitorReason::Stale);
+  guard.observe(Ahead(5.0).scan);
+  EXPECT_EQ(guard.check(0.0, {}, fast, fast).fraction, 1.0);
+  guard.observe(Ahead(0.5, 0.1).scan);
+  EXPECT_EQ(guard.check(0.1, {}, fast, fast).reason, MonitorReason::Obstacle);
+  EXPECT_LT(guard.check(0.1, {}, fast, fast).command.linear, 1.0);
+}
+
+TEST(CommandGuard, IgnoresAnImplausibleScanAndBeamsThatHitNothing) {
+  CommandGuard guard{Settings{}};
+  Ahead bad(0.5);
+  bad.scan.angle_step = std::numeric_limits<double>::quiet_NaN();
+  guard.observe(bad.scan);
+  EXPECT_EQ(guard.check(0.0, {}, {}, {.linear = 0.5}).reason, MonitorReason::Stale);
+  guard.observe(Ahead(std::numeric_limits<double>::infinity()).scan);
+  EXPECT_EQ(guard.check(0.0, {}, {}, {.linear = 0.5}).reason, MonitorReason::None);
+}
+
+TEST(CommandGuard, NamesEveryReason) {
+  for (const MonitorReason reason :
+       {MonitorReason::None, MonitorReason::InvalidInput, MonitorReason::Stale,
+        MonitorReason::StopZone, MonitorReason::SlowZone, MonitorReason::Obstacle})
+    EXPECT_STRNE(to_text(reason), "unknown");
+}
+
+}  // namespace
+}  // namespace fairway::bridge
