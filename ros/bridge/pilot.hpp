@@ -71,8 +71,8 @@ class Pilot {
   /// The pose of the odometry's frame in the map at `time`; infinite for a static one.
   void set_localisation(const Pose2& odometry_in_map, double time);
 
-  /// A scan in the sensor's frame: `scan.time` is that of the last beam, `scan.first_pose` and
-  /// `.last_pose` are filled in here. @param duration  from the first beam to the last [s].
+  /// Adds a scan in the sensor's frame. `scan.time` is the time of the last beam; `scan.first_pose`
+  /// and `.last_pose` are computed here. @param duration  from the first beam to the last [s].
   /// @return whether the scan was used: the poses at these times are known, and it is plausible.
   bool add_scan(LidarScan scan, double duration, const Pose2& sensor_on_robot);
 
@@ -87,8 +87,7 @@ class Pilot {
   /// which it is committed until its next message. None before the pose is known, or without a map.
   [[nodiscard]] std::optional<SharedMotion> share(std::uint32_t robot, double time) const;
 
-  /// Sends the robot somewhere, in the world's frame. The next cycles refuse a goal that is not
-  /// finite.
+  /// Sets a goal in the world's frame. The next cycles refuse one that is not finite.
   void set_goal(const Goal& goal);
 
   /// Removes the goal and brakes.

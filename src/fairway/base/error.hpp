@@ -21,8 +21,8 @@ struct Error {
 template <typename T>
 using Expected = tl::expected<T, Error>;
 
-/// The failed form of every Expected: `return fail("...");` Makes one line of valid UTF-8
-/// of the message.
+/// Makes the failed form of every Expected, with a message of one line of valid UTF-8:
+/// `return fail("...");`.
 [[nodiscard]] inline tl::unexpected<Error> fail(std::string_view message) {
   return tl::unexpected<Error>(Error{one_line(message)});
 }

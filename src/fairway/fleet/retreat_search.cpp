@@ -32,7 +32,8 @@ constexpr std::array<Direction, 8> kDirections{{{.x = 1, .y = 0},
                                                 {.x = -1, .y = -1},
                                                 {.x = 1, .y = -1}}};
 
-// What those who go the same way and are between this robot and the others need [m].
+// Returns the space that other robots need before the place: those between this robot and a passing
+// one, which will retreat after this robot [m].
 double clearance_for_followers(const Vector2d& position,
                                const PassingEnvironment& around) noexcept {
   double needed = 0.0;

@@ -9,7 +9,7 @@ LimitingFactor check_input(const NavigationInput& input,
                            const SafetySettings& settings,
                            DeadReckoning& reckoning) noexcept {
   if (!is_plausible(input.pose) || !std::isfinite(input.time)) return LimitingFactor::InvalidPose;
-  // Written so that a stamp that is not finite is stale. A stamp from the future is no better.
+  // This form also treats a non-finite stamp as stale. A stamp in the future is stale too.
   const auto fresh = [&](double stamp, double timeout) {
     return std::abs(input.time - stamp) <= timeout;
   };

@@ -2,6 +2,7 @@
 #include "fairway/path/path_planner.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fairway/base/contract.hpp"
@@ -18,6 +19,28 @@ Vector2d center(CellIndex cell) { return {cell.x + 0.5, cell.y + 0.5}; }
 
 bool on_map(const GridFrame& frame, const Vector2d& point) {
   return is_finite(point) && frame.contains(frame.cell_at(point));
+}
+
+// The point with the greatest clearance among some in the cell about `centre`, its sides included;
+// the centre itself where that is enough.
+Vector2d best_in_cell(const TravelCost& costs, const Vector2d& centre) noexcept {
+  constexpr std::array kOffsets = {0.0, 0.25, -0.25, 0.5, -0.5};  // [cells]
+  if (costs.fits(centre, centre)) return centre;
+  const GridFrame& frame = costs.frame();
+  const double enough = costs.required() + frame.resolution;
+  Vector2d best = centre;
+  double most = -1.0;
+  for (const double y : kOffsets) {
+    for (const double x : kOffsets) {
+      const Vector2d point = centre + Vector2d(x, y);
+      const double clearance =
+          distance_to_blocked(costs.obstacles(), frame.to_world(point), enough);
+      if (clearance <= most) continue;
+      most = clearance;
+      best = point;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -47,7 +70,13 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
   join_grid(costs, robot_radius, start_);
   join_grid(costs, robot_radius, goal_);
   PathResult result;
-  if (search(costs, result)) {
+  bool found = search(costs, result);
+  if (found) {
+    take_centres();
+  } else if (!is_free(obstacles, start, goal, costs.required())) {
+    found = search_between_centres(costs, settings, robot_radius, result);
+  }
+  if (found) {
     result.status = PathStatus::Found;
     result.path = straight_path(costs, settings.any_angle);
     result.path.waypoints.front() = start;
@@ -136,12 +165,51 @@ bool PathPlanner::search(const TravelCost& costs, PathResult& result) {
   return found;
 }
 
-Path PathPlanner::straight_path(const TravelCost& costs, bool any_angle) {
-  const GridFrame& frame = costs.frame();
+void PathPlanner::take_centres() {
   points_.clear();
-  if (!start_.tight) points_.push_back(start_.point);
   for (const CellIndex cell : search_.nodes())
     points_.push_back(center(cell));
+}
+
+// Searches with so much less clearance that the cell beside the best point is allowed, moves every
+// point to the best one in its cell, and keeps the path if all of it then has the whole clearance.
+bool PathPlanner::search_between_centres(const TravelCost& costs,
+                                         const PathSettings& settings,
+                                         double robot_radius,
+                                         PathResult& result) {
+  constexpr double kHalfDiagonal = 0.7072;  // [cells]
+  const double less = std::max(0.0, costs.required() - kHalfDiagonal * costs.frame().resolution);
+  const TravelCost loose(costs.obstacles(), costs.distances(), less, settings);
+  join_grid(loose, std::min(robot_radius, less), start_);
+  join_grid(loose, std::min(robot_radius, less), goal_);
+  if (!search(loose, result)) return false;
+  take_centres();
+  for (Vector2d& point : points_)
+    point = best_in_cell(costs, point);
+  const auto is_tight = [&](const Vector2d& point) { return !costs.fits(point, point); };
+  start_.tight = is_tight(start_.point);
+  goal_.tight = is_tight(goal_.point);
+  return fits_along(costs, robot_radius);
+}
+
+// Whether the path keeps its clearance; from and to a tight end it keeps the radius only.
+bool PathPlanner::fits_along(const TravelCost& costs, double robot_radius) const noexcept {
+  const auto fits = [&](const End& end, const Vector2d& point) {
+    if (!end.tight) return costs.fits(end.point, point);
+    const GridFrame& frame = costs.frame();
+    return is_free(costs.obstacles(), frame.to_world(end.point), frame.to_world(point),
+                   robot_radius);
+  };
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    if (!costs.fits(points_[i - 1], points_[i])) return false;
+  }
+  return !points_.empty() && fits(start_, points_.front()) && fits(goal_, points_.back());
+}
+
+// Straightens the points that were found between the two ends.
+Path PathPlanner::straight_path(const TravelCost& costs, bool any_angle) {
+  const GridFrame& frame = costs.frame();
+  if (!start_.tight) points_.insert(points_.begin(), start_.point);
   if (!goal_.tight) points_.push_back(goal_.point);
   if (any_angle) straightening_.apply(costs, points_);
   Path path;

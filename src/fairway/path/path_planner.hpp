@@ -30,8 +30,9 @@ struct PathResult {
 ///
 /// The search first covers blocks of 4 x 4 cells, and then the cells along the blocks found. It
 /// finds a path wherever neighbouring allowed cells (see TravelCost) connect start and goal; that
-/// path is nearly always a cheapest one. The planner is deterministic: the same map and query give
-/// the same bits.
+/// path is nearly always a cheapest one. Where there is none, it also tries points between the
+/// centres of cells: the middle of a gap that is an even number of cells wide lies there. The
+/// planner is deterministic: the same map and query give the same bits.
 class PathPlanner {
  public:
   /// Finds a path from `start` to `goal` [m, world] for a disc of `robot_radius` [m].
@@ -58,6 +59,12 @@ class PathPlanner {
   void join_grid(const TravelCost& costs, double robot_radius, End& end);
   bool add_ring(const TravelCost& costs, double clearance, int ring, End& end);
   [[nodiscard]] bool search(const TravelCost& costs, PathResult& result);
+  [[nodiscard]] bool search_between_centres(const TravelCost& costs,
+                                            const PathSettings& settings,
+                                            double robot_radius,
+                                            PathResult& result);
+  [[nodiscard]] bool fits_along(const TravelCost& costs, double robot_radius) const noexcept;
+  void take_centres();
   [[nodiscard]] Path straight_path(const TravelCost& costs, bool any_angle);
 
   End start_;
@@ -67,7 +74,7 @@ class PathPlanner {
   GridSearch search_;
   Straightening straightening_;
   std::vector<CellIndex> coarse_path_;
-  std::vector<Eigen::Vector2d> points_;
+  std::vector<Eigen::Vector2d> points_;  // of the path that was found, without its ends
 };
 
 }  // namespace fairway

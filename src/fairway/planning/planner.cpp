@@ -21,9 +21,9 @@ struct CorridorTry {
   double margin_share;   // share of the path margin that the rectangles keep; the rest is tolerance
   double overlap_share;  // share of the desired overlap
 };
-constexpr std::array kCorridorTries = {CorridorTry{0.5, 1.0}, CorridorTry{0.5, 0.25},
+constexpr std::array kCorridorTries = {CorridorTry{0.5, 1.0},  CorridorTry{0.5, 0.25},
                                        CorridorTry{0.5, 0.05}, CorridorTry{0.0, 0.25},
-                                       CorridorTry{0.0, 0.05}};
+                                       CorridorTry{0.0, 0.05}, CorridorTry{0.0, 0.005}};
 
 // Returns the radius of the disc for which the corridor is built: robot and margin, or the
 // clearance of start and goal if that is less.
@@ -38,9 +38,9 @@ double corridor_radius(const PreparedMap& map,
   return std::max(0.0, std::min(desired, clearance - 4.0 * kFreeSpaceSkin));
 }
 
-// A robot that estimates itself slightly inside an obstacle, or whose body is parallel to a wall
-// where the disc about it touches, has to leave all the same: plan for as much of it as fits. What
-// it then does is still checked with all of it.
+// Returns the radius to plan for. If the robot's estimated position is slightly inside an obstacle,
+// or only its body fits beside a wall, the plan uses as much of the robot as fits, so that it can
+// leave. The commands are still checked with the whole robot.
 double radius_that_fits(const PreparedMap& map,
                         const Eigen::Vector2d& start,
                         double radius,

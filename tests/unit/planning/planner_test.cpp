@@ -154,5 +154,40 @@ TEST(Plan, IsValidOnlyWhereItCanBeFollowed) {
   })) << "not usable, and says so";
 }
 
+// A gap that is wider than the robot by 5 mm per side, whatever its place on the grid and the turn
+// of the map: an even number of cells has its middle between the centres of two of them.
+TEST(Planner, FindsEveryGapThatIsFiveMillimetresWiderPerSide) {
+  constexpr double kSpare = 0.005;  // [m]
+  Planner planner;
+  for (const double resolution : {0.02, 0.05, 0.1}) {
+    for (int cells = 4; cells <= 21; ++cells) {
+      const double radius = 0.5 * cells * resolution - kSpare;
+      if (radius < 0.14 || radius > 0.5) continue;
+      for (const double turn : {0.0, 0.7}) {
+        for (const int thickness : {1, 4}) {
+          const int width = static_cast<int>(6.0 / resolution);
+          const int height = static_cast<int>(4.0 / resolution);
+          const GridFrame frame{.width = width,
+                                .height = height,
+                                .resolution = resolution,
+                                .origin = {.position = {0.3, -0.2}, .heading = turn}};
+          BitGrid grid(frame, false);
+          for (int y = 0; y < height; ++y) {
+            const bool gap = y >= height / 2 - 3 && y < height / 2 - 3 + cells;
+            for (int x = width / 2; x < width / 2 + thickness; ++x)
+              grid.set({x, y}, !gap);
+          }
+          const PreparedMap map(grid);
+          const Eigen::Vector2d start = transform(frame.origin, {1.5, 1.6});
+          const Eigen::Vector2d goal = transform(frame.origin, {4.6, 2.1});
+          const Plan plan = planner.plan(map, start, {.position = goal}, {.radius = radius});
+          EXPECT_TRUE(plan.usable()) << plan.reason() << ": " << cells << " cells of " << resolution
+                                     << " m, " << thickness << " thick, turned by " << turn;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fairway

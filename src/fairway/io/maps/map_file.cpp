@@ -36,7 +36,7 @@ CellState state_of(std::uint32_t brightness,
     return state_of_percent(std::round(255.0 * brightness / white), header);
   }
   if (!opaque) return CellState::Unknown;
-  // Subtracted before divided: then 51 of 255 is exactly the 0.2 of a threshold.
+  // Subtract before dividing, so that 51 of 255 is exactly a threshold of 0.2.
   const std::uint32_t level = header.negate ? brightness : white - brightness;
   const double occupancy = static_cast<double>(level) / white;
   if (occupancy > header.occupied_thresh) return CellState::Occupied;

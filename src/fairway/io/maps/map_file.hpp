@@ -20,7 +20,7 @@ struct MapHeader {
   std::string image;             ///< path of the picture, relative to the YAML file unless absolute
   double resolution = 0.0;       ///< side of a cell [m]
   Pose2 origin;                  ///< world pose of the lower-left corner of the lower-left cell
-  bool negate = false;           ///< white is occupied instead of black; not used in Raw
+  bool negate = false;           ///< white is occupied instead of black; ignored in Raw
   double occupied_thresh = 0.0;  ///< occupied above this occupancy, 0..1
   double free_thresh = 0.0;      ///< free below this occupancy, 0..1, at most occupied_thresh
   MapMode mode = MapMode::Trinary;
@@ -29,7 +29,7 @@ struct MapHeader {
 /// Reads the text of a map's YAML file; `name` is the file in messages.
 ///
 /// Keys: image, resolution, origin [x, y, yaw], negate, occupied_thresh, free_thresh, and mode
-/// (trinary, scale or raw; trinary without it). A key too few, too many or twice is an error. Equal
+/// (trinary, scale or raw; default trinary). A missing, unknown or repeated key is an error. Equal
 /// thresholds are allowed except in mode scale, which divides by their difference.
 [[nodiscard]] Expected<MapHeader> parse_map_header(const std::string& text,
                                                    const std::string& name);
@@ -40,16 +40,16 @@ struct MapHeader {
 ///   Trinary  o > occupied_thresh is occupied, o < free_thresh is free, the rest is unknown.
 ///   Scale    the same; what map_server scales to 1..99 between the thresholds is unknown here, and
 ///            what it rounds to 0 or 100 is free or occupied.
-///   Raw      round(255 s) is the occupancy in percent, unknown above 100; the thresholds then say
-///            free (at most) and occupied (at least), as map_saver reads percents; what is both
-///            is unknown.
-/// Pixels that are not opaque are unknown, except in Raw where alpha is not used.
+///   Raw      round(255 s) is the occupancy in percent, unknown above 100; free_thresh is then the
+///            highest free and occupied_thresh the lowest occupied percentage, as in map_saver. A
+///            percentage that is both is unknown.
+/// Pixels that are not opaque are unknown, except in Raw, which ignores alpha.
 /// `name` is the file in messages.
 [[nodiscard]] Expected<OccupancyGrid> make_grid(const MapHeader& header,
                                                 const MapImage& image,
                                                 const std::string& name);
 
-/// Reads a map_server map from its YAML file and the picture that it names.
+/// Reads a map_server map from its YAML file and the picture named there.
 ///
 /// Notes the files, and warns where pixels of grey 205, the usual level of unknown cells, become
 /// free cells.

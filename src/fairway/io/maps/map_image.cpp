@@ -42,7 +42,7 @@ Expected<MapImage> decode_png(std::string_view bytes, const std::string& name) {
     Magick::Image picture;
     picture.quiet(true);  // warnings concern colour profiles and similar; errors still throw
     const Magick::Blob blob(checked->bytes.data(), checked->bytes.size());
-    // The format is given, so no name, environment or content can choose another reader.
+    // The format is set, so no name, environment or content can select another reader.
     picture.read(blob, Magick::Geometry(), "PNG");
     if (picture.columns() != static_cast<unsigned>(checked->width) ||
         picture.rows() != static_cast<unsigned>(checked->height)) {

@@ -11,7 +11,7 @@
 
 namespace fairway::io {
 
-/// The picture of a map, top row first, as map_server interprets it.
+/// The picture of a map, top row first, with the values that map_server reads.
 struct MapImage {
   int width = 0;
   int height = 0;
@@ -26,7 +26,7 @@ inline constexpr std::int64_t kMaxMapCells = 100'000'000;
 /// Says why a map cannot have this size; none if it can.
 [[nodiscard]] std::optional<std::string> wrong_size(std::int64_t width, std::int64_t height);
 
-/// Decodes a PGM (P5 or P2) or PNG picture, recognised by its first bytes and not by any name.
+/// Decodes a PGM (P5 or P2) or PNG picture, identified by its first bytes.
 ///
 /// Refuses an incomplete picture: a PGM with too few samples or a sample above its maximum, or a
 /// PNG with a missing or damaged chunk. `name` is the file in messages.

@@ -96,7 +96,7 @@ std::vector<MovingBody> read_bodies(YamlMapping& root) {
   return bodies;
 }
 
-// People who were recorded walk through the scene, whatever the robots do.
+// Recorded people walk through the scene and do not react to the robots.
 void add_pedestrians(YamlMapping& root,
                      const std::filesystem::path& folder,
                      Scenario& scenario,

@@ -7,8 +7,8 @@
 
 namespace fairway::io {
 
-/// Parses the one document in `text`, a mapping in UTF-8. Refuses aliases: they make loops of
-/// nodes. Complains in `file` and returns an empty mapping when that fails.
+/// Parses the only document in `text`, a mapping in UTF-8. Refuses aliases, because they can form
+/// loops. After an error, which it reports in `file`, it returns an empty mapping.
 [[nodiscard]] YamlMapping parse_yaml_mapping(YamlFile& file, const std::string& text);
 
 }  // namespace fairway::io

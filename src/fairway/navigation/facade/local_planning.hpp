@@ -47,7 +47,7 @@ class LocalPlanning {
   /// Whether a thread works on a plan now.
   [[nodiscard]] bool runs() const noexcept { return !worker_.idle() && !worker_.finished(); }
 
-  /// Makes a plan, or has it made. @pre not busy.
+  /// Makes a plan, or starts the thread that makes it. @pre not busy.
   void start(const BitGrid& seen, const LocalRequest& request);
 
   /// Returns the plan once it is made.

@@ -74,9 +74,10 @@ class MapNavigator {
   /// Signals that the caller's shared map has changed; see the last constructor.
   void map_changed();
 
-  /// Takes in one scan of a lidar: obstacles that the map does not have, and moving ones. Once a
-  /// scan was given, scans are due: the robot stops when they end (`safety.map_timeout`).
-  /// @param position  Of the robot at the scan's time [m].
+  /// Processes one lidar scan: adds obstacles that the map does not have, and tracks moving ones.
+  /// After the first scan, scans are required: the robot stops when they cease
+  /// (`safety.map_timeout`).
+  /// @param position  Position of the robot at the scan's time [m].
   /// @return whether it was taken in. One that is not finite or absurd is refused, and the robot
   ///     stops as without a scan (LimitingFactor::InvalidScan).
   bool observe(const LidarScan& scan, const Eigen::Vector2d& position);

@@ -132,8 +132,8 @@ void MapNavigator::State::check_plan() {
   scans_changed_ = false;
 }
 
-// The policy: at once for a new goal or a map that blocks the plan; everything else not more often
-// than `retry_period`.
+// The policy: plan at once for a new goal or if the map blocks the plan; in all other cases at most
+// once per `retry_period`.
 bool MapNavigator::State::needs_plan(const Measurements& m, bool at_once) {
   const double time = m.time;
   if (!task.can_be_done() || planning->busy() || obstacles() == nullptr) return false;
@@ -216,7 +216,7 @@ NavigationStep MapNavigator::State::judged(const NavigationStep& step) {
                         .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
                         .turn = driven_on ? turn_left(*navigator, input.pose) : 0.0,
                         .patience = settings.navigation.patience});
-  // An unusable plan stays: it says why there is none.
+  // An unusable plan is kept, because it explains why there is none.
   if (answer.status == NavigationStatus::GaveUp && navigator->plan().usable()) navigator->cancel();
   if (scan_refused_ && answer.limit == LimitingFactor::StaleMap)
     answer.limit = LimitingFactor::InvalidScan;

@@ -41,8 +41,8 @@ class MaplessNavigator {
   MaplessNavigator& operator=(MaplessNavigator&&) noexcept;
   ~MaplessNavigator();
 
-  /// Takes in one scan; several may come between two cycles.
-  /// @param position  Of the robot at the scan's time [m].
+  /// Processes one scan; several scans may come between two cycles.
+  /// @param position  Position of the robot at the scan's time [m].
   /// @return whether it was taken in, as MapNavigator::observe.
   bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
 

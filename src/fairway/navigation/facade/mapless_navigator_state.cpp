@@ -24,8 +24,8 @@ constexpr auto limit_to_range = [](auto& value, const SettingInfo& info) {
     value = std::clamp(value, info.min, info.max);
 };
 
-// A cell of the map may turn out occupied although what is in it lies at its far side: wherever
-// there is room, keep so much more that the robot still has its own room then.
+// A cell of the map may become occupied although the obstacle lies at its far side. The margins are
+// larger by that amount, so that the robot then still has its required clearance.
 Settings with_margins(const Settings& settings) {
   Settings wider = settings;
   wider.path.margin += settings.perception.resolution;
@@ -81,9 +81,10 @@ bool MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& pos
   return true;
 }
 
-// At once where the robot is about to drive into something new; else not more often than that pays.
+// Returns whether to plan now. If the robot is about to meet a new obstacle, it plans at once; in
+// other cases at most once per kRetryAfter.
 bool MaplessNavigator::State::needs_plan(double time, const Vector2d& position) const noexcept {
-  constexpr double kRetryAfter = 0.25;  // [s]; without a way, or when a longer corridor is wanted
+  constexpr double kRetryAfter = 0.25;  // [s]; without a path, or to extend the corridor
   constexpr double kSoon = 1.0;         // [m], beyond the braking distance
   if (!task.can_be_done() || planning->busy()) return false;
   const CorridorFollower& corridor = navigator.corridor();
@@ -108,7 +109,7 @@ bool MaplessNavigator::State::has_clearance(const Vector2d& position) const noex
   return distance_to_blocked(perception.grid().occupied(), position, radius) > radius;
 }
 
-// Whether the path is still free beyond the corridor, so that a dead end is noticed from afar.
+// Returns whether the path beyond the corridor is still free, so that a dead end is detected early.
 bool MaplessNavigator::State::path_is_free() const noexcept {
   const Plan& now = navigator.plan();
   if (now.whole) return true;
@@ -176,7 +177,7 @@ NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
                         .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
                         .turn = driven_on ? turn_left(navigator, input.pose) : 0.0,
                         .patience = settings.navigation.patience});
-  // An unusable plan stays: it says why there is none.
+  // An unusable plan is kept, because it explains why there is none.
   if (answer.status == NavigationStatus::GaveUp && navigator.plan().usable()) navigator.cancel();
   if (scan_refused_ && answer.limit == LimitingFactor::StaleMap)
     answer.limit = LimitingFactor::InvalidScan;

@@ -11,7 +11,7 @@ namespace fairway {
 /// ever, nor turned nearer than ever to where it has to look.
 class ProgressWatch {
  public:
-  /// A new goal: the time counts from the next update on.
+  /// Starts for a new goal: the time counts from the next update on.
   void reset() noexcept { *this = ProgressWatch(); }
 
   /// @param remaining  Length of the path to the goal [m]; none where it is not known.

@@ -22,7 +22,7 @@ MapHeader header(MapMode mode, bool negate = false) {
           .mode = mode};
 }
 
-// The state that a grey level from 0 to 255 becomes.
+// The cell state for a grey level from 0 to 255.
 CellState state(int level, const MapHeader& header, bool opaque = true, int white = 255) {
   const MapImage image{.width = 1,
                        .height = 1,
