@@ -75,18 +75,14 @@ MonitorVerdict SafetyMonitor::check(double time,
   if (!is_good(pose.position) || !std::isfinite(pose.heading) || !is_good(current) ||
       !is_good(command))
     return stop(MonitorReason::InvalidInput);
-  // Written so that a time that is not finite is stale.
-  if (!(std::abs(time - time_) <= settings_.max_age)) return stop(MonitorReason::Stale);
+  if (!(std::abs(time - time_) <= settings_.max_age)) return stop(MonitorReason::Stale);  // or NaN
   MonitorVerdict verdict{command, 1.0, MonitorReason::None};
   const Eigen::Rotation2Dd to_robot(-pose.heading);
-  const double speed = std::max(std::abs(current.linear), std::abs(command.linear));
-  const double reach = radius_ + settings_.margin + speed * (settings_.delay + settings_.hold) +
-                       speed * speed / settings_.linear_acceleration;
   near_.clear();
   for (const Vector2d& point : points_) {
     const Vector2d local = to_robot * (point - pose.position);
     const double away = distance(local);
-    if (away <= reach) near_.push_back({local, std::min(settings_.margin, away)});
+    near_.push_back({local, std::min(settings_.margin, away)});
     if (away <= 0.0) continue;  // a part of the robot itself is in no zone
     if (signed_distance(settings_.stop_zone, local) <= 0.0) return stop(MonitorReason::StopZone);
     if (signed_distance(settings_.slow_zone, local) <= 0.0 &&

@@ -19,17 +19,14 @@ struct MonitorVerdict {
   MonitorReason reason = MonitorReason::None;
 };
 
-/// The last check before the base, independent of everything that made the command: it shares no
-/// code with the navigator, its maps or its proofs.
+/// The last check before the base: it shares no code with the navigator, its maps or its proofs.
 ///
-/// It simulates the body: the delay, the command for as long as it may be in force, then braking of
-/// both axes. A command passes if no point comes nearer than the margin meanwhile, else the largest
-/// of 32 fractions that passes. A point nearer than the margin already must not come nearer.
-/// `check` and `see` do not allocate.
+/// It simulates the delay, the command while it is in force, and braking of both axes. A command
+/// passes if no point comes nearer than the margin, else the largest of 32 fractions that passes.
+/// A point that is nearer already must not come nearer. `check` and `see` do not allocate.
 class SafetyMonitor {
  public:
   static constexpr std::size_t kMostPoints = 8192;
-
   /// @throws std::invalid_argument unless validate(settings) holds.
   explicit SafetyMonitor(MonitorSettings settings);
 

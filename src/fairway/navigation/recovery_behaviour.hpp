@@ -60,9 +60,7 @@ class RecoveryBehaviour {
     if (std::isfinite(least_) && std::isfinite(longer)) least_ += longer;
     if (!(std::abs(longer) > kOtherPath)) return;
     turns_elsewhere_ = true;
-    if (action_ != RecoveryAction::Stay) return;
-    rounds_ = kRounds - 1;
-    again();
+    if (action_ == RecoveryAction::Stay) leave_stay();
   }
 
   /// Notes that the action could not be taken safely in this cycle; after three such cycles the
@@ -161,9 +159,7 @@ class RecoveryBehaviour {
         }
         return attempt_failed_or_again();
       case RecoveryAction::Stay:
-        if (!view.leads_on) return RecoveryAction::Stay;
-        rounds_ = kRounds - 1;
-        return again();
+        return view.leads_on ? leave_stay() : RecoveryAction::Stay;
     }
     return RecoveryAction::None;
   }
@@ -175,6 +171,13 @@ class RecoveryBehaviour {
 
   [[nodiscard]] RecoveryAction attempt_failed_or_again() noexcept {
     return ++rounds_ >= kRounds ? RecoveryAction::Stay : again();
+  }
+
+  // For one more attempt.
+  RecoveryAction leave_stay() noexcept {
+    rounds_ = kRounds - 1;
+    stalled_ = 0.0;
+    return again();
   }
 
   // Gives the controller another chance, as long as before the first recovery.

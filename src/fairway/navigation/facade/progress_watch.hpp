@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -25,10 +24,12 @@ class ProgressWatch {
     constexpr double kProgress = 0.05;  // [m], [rad]; less is noise of the pose
     if (!since_) since_ = time;
     const bool nearer = remaining && *remaining < least_ - kProgress;
-    if (nearer) least_turn_ = turn;  // from a new place the robot may have to turn again
-    if (nearer || (remaining && turn < least_turn_ - kProgress)) since_ = time;
+    const bool turned = remaining && turn < least_turn_ - kProgress;
+    if (nearer || turned) {
+      since_ = time;
+      least_turn_ = turn;  // from a new place the robot may have to turn again
+    }
     if (nearer || (remaining && new_path)) least_ = *remaining;
-    least_turn_ = std::min(least_turn_, turn);
     return time - *since_;
   }
 
