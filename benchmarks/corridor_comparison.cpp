@@ -251,8 +251,8 @@ void time_updates(int maps) {
       const CellIndex at = scene.obstacles.frame().cell_at(scene.waypoints.waypoints[i]);
       const int dx = static_cast<int>(i * 7 % 41) - 20;
       const int dy = static_cast<int>(i * 13 % 37) - 18;
-      const CellBlock block{.min = {.x = at.x + dx, .y = at.y + dy},
-                            .max = {.x = at.x + dx + 6, .y = at.y + dy + 6}};
+      const CellWindow block{.first = {.x = at.x + dx, .y = at.y + dy},
+                             .last = {.x = at.x + dx + 6, .y = at.y + dy + 6}};
       for (const bool blocked : {true, false}) {
         set_cells(scene.obstacles, block, keep_clear, blocked);
         times.push_back(best_time(1, [&] { builder.update(scene.obstacles, block); }));

@@ -86,9 +86,9 @@ inline BitGrid path_cells(const GridFrame& frame, const Path& path) {
 }
 
 /// Blocks or frees a block of cells, except those that must not change.
-inline void set_cells(BitGrid& map, const CellBlock& block, const BitGrid& fixed, bool blocked) {
-  for (int y = block.min.y; y <= block.max.y; ++y) {
-    for (int x = block.min.x; x <= block.max.x; ++x) {
+inline void set_cells(BitGrid& map, const CellWindow& block, const BitGrid& fixed, bool blocked) {
+  for (int y = block.first.y; y <= block.last.y; ++y) {
+    for (int x = block.first.x; x <= block.last.x; ++x) {
       if (map.frame().contains({x, y}) && !fixed.blocked({x, y})) map.set({x, y}, blocked);
     }
   }

@@ -63,13 +63,6 @@ void distance_field_window(benchmark::State& state) {
 }
 BENCHMARK(distance_field_window)->ArgName("side")->Arg(1)->Arg(100)->Unit(benchmark::kMillisecond);
 
-void inflation(benchmark::State& state) {
-  const DistanceField field(cluttered_map(static_cast<int>(state.range(0))));
-  for (auto _ : state)
-    benchmark::DoNotOptimize(fairway::inflate(field, 0.3));
-}
-BENCHMARK(inflation)->ArgName("cells")->Arg(500)->Arg(1000)->Unit(benchmark::kMillisecond);
-
 // Repeats one query; `cold` uses a new planner each time, like the tool's first plan.
 void find_path(benchmark::State& state,
                const BitGrid& map,

@@ -21,9 +21,9 @@ int main() {
                 r.orientation, r.area());
 
   // A pallet appears beside the path; only the cells of this block may have changed.
-  const fairway::CellBlock changed{.min = {100, 112}, .max = {108, 120}};
-  for (int y = changed.min.y; y <= changed.max.y; ++y) {
-    for (int x = changed.min.x; x <= changed.max.x; ++x)
+  const fairway::CellWindow changed{.first = {100, 112}, .last = {108, 120}};
+  for (int y = changed.first.y; y <= changed.last.y; ++y) {
+    for (int x = changed.first.x; x <= changed.last.x; ++x)
       grid.set({x, y}, fairway::CellState::Occupied);
   }
   obstacles = fairway::BitGrid(grid);

@@ -60,12 +60,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check(obstacles, path, builder.build(obstacles, path, radius, settings), settings);
   for (int i = source.integer(0, 3); i > 0; --i) {
     const CellIndex corner{.x = source.integer(-2, 95), .y = source.integer(-2, 95)};
-    const CellBlock block{
-        .min = corner,
-        .max = {.x = corner.x + source.integer(0, 9), .y = corner.y + source.integer(0, 9)}};
+    const CellWindow block{
+        .first = corner,
+        .last = {.x = corner.x + source.integer(0, 9), .y = corner.y + source.integer(0, 9)}};
     const bool blocked = source.chance(0.5);
-    for (int y = block.min.y; y <= block.max.y; ++y) {
-      for (int x = block.min.x; x <= block.max.x; ++x) {
+    for (int y = block.first.y; y <= block.last.y; ++y) {
+      for (int x = block.first.x; x <= block.last.x; ++x) {
         if (obstacles.frame().contains({x, y})) obstacles.set({x, y}, blocked);
       }
     }

@@ -28,16 +28,16 @@ std::optional<Scene> random_scene(test::Random& random) {
 }
 
 // Blocks or frees some cells of a small block; blocked cells keep a distance from the path.
-CellBlock change_map(test::Random& random, Scene& scene) {
+CellWindow change_map(test::Random& random, Scene& scene) {
   const GridFrame& frame = scene.obstacles.frame();
   const int size = random.integer(1, 12);
-  CellBlock block;
-  block.min = {.x = random.integer(0, frame.width - 1), .y = random.integer(0, frame.height - 1)};
-  block.max = {.x = block.min.x + size, .y = block.min.y + size};
+  CellWindow block;
+  block.first = {.x = random.integer(0, frame.width - 1), .y = random.integer(0, frame.height - 1)};
+  block.last = {.x = block.first.x + size, .y = block.first.y + size};
   const bool block_cells = random.chance(0.5);
   const double room = scene.radius + frame.resolution;
-  for (int y = block.min.y; y <= std::min(block.max.y, frame.height - 1); ++y) {
-    for (int x = block.min.x; x <= std::min(block.max.x, frame.width - 1); ++x) {
+  for (int y = block.first.y; y <= std::min(block.last.y, frame.height - 1); ++y) {
+    for (int x = block.first.x; x <= std::min(block.last.x, frame.width - 1); ++x) {
       if (!random.chance(0.5)) continue;
       if (!block_cells) {
         scene.obstacles.set({x, y}, false);
@@ -68,7 +68,7 @@ TEST(CorridorUpdate, KeepsItsGuaranteesThroughManyChanges) {
     ASSERT_EQ(builder.build(scene->obstacles, scene->path, scene->radius, scene->settings).status,
               CorridorStatus::Built);
     for (int i = 0; i < 15; ++i) {
-      const CellBlock changed = change_map(random, *scene);
+      const CellWindow changed = change_map(random, *scene);
       const CorridorResult& result = builder.update(scene->obstacles, changed);
       ASSERT_EQ(result.status, CorridorStatus::Built) << "trial " << trial << " change " << i;
       test::expect_a_sound_chain(scene->obstacles, scene->path, result.corridor, scene->settings,
@@ -107,7 +107,7 @@ TEST(CorridorUpdate, ReportsWhereThePathIsBlockedAndRecovers) {
   const Path path{.waypoints = {{1.0, 2.5}, {19.0, 2.5}}};
   CorridorBuilder builder;
   ASSERT_EQ(builder.build(obstacles, path, 0.3, {}).status, CorridorStatus::Built);
-  const CellBlock wall{{200, 0}, {201, 99}};
+  const CellWindow wall{{200, 0}, {201, 99}};
   for (int y = 0; y < 100; ++y)
     obstacles.set({200, y}, true);
   const CorridorResult& blocked = builder.update(obstacles, wall);

@@ -18,38 +18,32 @@ using Eigen::Vector2d;
 // The differences between two maps inside a block.
 struct Difference {
   bool any = false;
-  std::optional<CellBlock> freed;  // bounding block of the cells that became free
+  CellWindow freed = kNoCells;  // bounding window of the cells that became free
 };
 
 // Copies the block of `now` into `known` and returns what changed.
-Difference take_over(const BitGrid& now, const CellBlock& changed, BitGrid& known) noexcept {
+Difference take_over(const BitGrid& now, const CellWindow& changed, BitGrid& known) noexcept {
   Difference difference;
-  const int left = std::max(changed.min.x, 0);
-  const int right = std::min(changed.max.x, now.frame().width - 1);
-  const int top = std::min(changed.max.y, now.frame().height - 1);
-  for (int y = std::max(changed.min.y, 0); y <= top; ++y) {
-    for (int x = left; x <= right; ++x) {
+  const CellWindow inside = clipped(changed, now.frame());
+  for (int y = inside.first.y; y <= inside.last.y; ++y) {
+    for (int x = inside.first.x; x <= inside.last.x; ++x) {
       const CellIndex cell{.x = x, .y = y};
       const bool blocked = now.blocked(cell);
       if (blocked == known.blocked(cell)) continue;
       difference.any = true;
       known.set(cell, blocked);
-      if (blocked) continue;
-      if (!difference.freed) difference.freed = CellBlock{.min = cell, .max = cell};
-      CellBlock& freed = *difference.freed;
-      freed.min = {.x = std::min(freed.min.x, x), .y = std::min(freed.min.y, y)};
-      freed.max = {.x = std::max(freed.max.x, x), .y = std::max(freed.max.y, y)};
+      if (!blocked) difference.freed = united(difference.freed, {.first = cell, .last = cell});
     }
   }
   return difference;
 }
 
-OrientedRectangle in_world(const GridFrame& frame, const CellBlock& block) noexcept {
-  return {.seed = frame.to_world({block.min.x, block.min.y}),
+OrientedRectangle in_world(const GridFrame& frame, const CellWindow& window) noexcept {
+  const Vector2d cells(window.last.x - window.first.x + 1, window.last.y - window.first.y + 1);
+  return {.seed = frame.to_world({window.first.x, window.first.y}),
           .orientation = frame.origin.heading,
           .min = Vector2d::Zero(),
-          .max = Vector2d(block.max.x - block.min.x + 1, block.max.y - block.min.y + 1) *
-                 frame.resolution};
+          .max = cells * frame.resolution};
 }
 
 // Where there is hardly space for the overlap required, a chain of more rectangles may still exist.
@@ -92,7 +86,7 @@ struct CorridorBuilder::State {
                               const Path& path,
                               double robot_radius,
                               const CorridorSettings& settings);
-  const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
+  const CorridorResult& update(const BitGrid& obstacles, const CellWindow& changed);
   const CorridorResult& rebuild(const BitGrid& obstacles);
 
   FewestRectangles fewest_;
@@ -135,23 +129,23 @@ const CorridorResult& CorridorBuilder::State::rebuild(const BitGrid& obstacles) 
 }
 
 const CorridorResult& CorridorBuilder::State::update(const BitGrid& obstacles,
-                                                     const CellBlock& changed) {
+                                                     const CellWindow& changed) {
   if (!has_path_) return result_;
   if (!can_repair_ || !same_frame(obstacles.frame(), known_.frame())) return rebuild(obstacles);
   const Difference difference = take_over(obstacles, changed, known_);
   if (!difference.any) return result_;
+  const bool any_freed = !is_empty(difference.freed);
 
   const bool workspace = settings_.space == CorridorSpace::Workspace;
   const double clearance = workspace ? 0.0 : robot_radius_;
   const double beside = clearance + 2.0 * obstacles.frame().resolution;
   const auto outdated = [&](const OrientedRectangle& rectangle) {
     const bool may_grow =
-        difference.freed &&
-        overlap(rectangle.shrunk(-beside), in_world(obstacles.frame(), *difference.freed)).count >
-            0;
+        any_freed &&
+        overlap(rectangle.shrunk(-beside), in_world(obstacles.frame(), difference.freed)).count > 0;
     return may_grow || !is_free(obstacles, rectangle, clearance);
   };
-  result_ = fewest_.repair(obstacles, difference.freed.has_value(), outdated);
+  result_ = fewest_.repair(obstacles, any_freed, outdated);
   if (result_.status != CorridorStatus::Built) return rebuild(obstacles);
   return result_;
 }
@@ -168,7 +162,7 @@ const CorridorResult& CorridorBuilder::build(const BitGrid& obstacles,
   return state_->build(obstacles, path, robot_radius, settings);
 }
 
-const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const CellBlock& changed) {
+const CorridorResult& CorridorBuilder::update(const BitGrid& obstacles, const CellWindow& changed) {
   return state_->update(obstacles, changed);
 }
 

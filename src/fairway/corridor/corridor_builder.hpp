@@ -23,12 +23,6 @@ namespace fairway {
                                             double robot_radius,
                                             const CorridorSettings& settings);
 
-/// A block of cells, both corners included.
-struct CellBlock {
-  CellIndex min;
-  CellIndex max;
-};
-
 /// Keeps a corridor up to date while the map changes, once per control cycle.
 ///
 /// After a change it rebuilds only rectangles that are no longer free, and those beside cells that
@@ -54,7 +48,7 @@ class CorridorBuilder {
   /// allows it. The whole corridor is built again if the last result was not Built or came from
   /// Mdsrc, if the map's frame changed, or if the chain cannot be repaired. Before the first build
   /// the call has no effect.
-  const CorridorResult& update(const BitGrid& obstacles, const CellBlock& changed);
+  const CorridorResult& update(const BitGrid& obstacles, const CellWindow& changed);
 
   /// Returns the result of the last build or update.
   [[nodiscard]] const CorridorResult& result() const noexcept;

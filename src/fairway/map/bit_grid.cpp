@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 #include "fairway/base/contract.hpp"
 
@@ -37,10 +39,20 @@ std::uint64_t packed(std::span<const CellState> cells, bool unknown_blocks) noex
   return word;
 }
 
+const GridFrame& checked_frame(const GridFrame& frame) {
+  const auto is_side = [](int n) { return n >= 0 && n <= OccupancyGrid::kMaxSide; };
+  if (!is_side(frame.width) || !is_side(frame.height))
+    throw std::invalid_argument("BitGrid: expected sides of 0 to 32768 cells");
+  if (!std::isfinite(frame.resolution) || frame.resolution <= 0.0)
+    throw std::invalid_argument("BitGrid: expected a positive resolution");
+  if (!is_finite(frame.origin)) throw std::invalid_argument("BitGrid: expected a finite origin");
+  return frame;
+}
+
 }  // namespace
 
 BitGrid::BitGrid(const GridFrame& frame, bool blocked)
-    : frame_(frame),
+    : frame_(checked_frame(frame)),
       words_per_row_((static_cast<std::size_t>(frame.width) + 63) / 64),
       words_(words_per_row_ * static_cast<std::size_t>(frame.height), blocked ? ~0ULL : 0ULL) {
   const int used = frame.width % 64;

@@ -30,6 +30,8 @@ class BitGrid {
   explicit BitGrid(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied);
 
   /// Makes a grid in which no cell is blocked, or every cell is.
+  /// @throws std::invalid_argument unless width and height are 0 to OccupancyGrid::kMaxSide, the
+  ///         resolution is finite and positive, and the origin is finite.
   BitGrid(const GridFrame& frame, bool blocked);
 
   [[nodiscard]] const GridFrame& frame() const noexcept { return frame_; }

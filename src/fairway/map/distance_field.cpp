@@ -255,25 +255,4 @@ void DistanceField::update_near(int y, int first, int last) {
   }
 }
 
-BitGrid inflate(const DistanceField& distances, double radius) {
-  FAIRWAY_EXPECTS(radius >= 0.0);
-  BitGrid grown(distances.frame(), false);
-  const auto limit = static_cast<float>(radius + kFreeSpaceSkin);
-  const GridFrame& frame = distances.frame();
-  const float* row = distances.cells().data();
-  grown.rewrite([&](const auto& words_of_row) {
-    for (int y = 0; y < frame.height; ++y, row += frame.width) {
-      const std::span<std::uint64_t> words = words_of_row(y);
-      for (int x = 0; x < frame.width; x += 64) {
-        const int count = std::min(64, frame.width - x);
-        std::uint64_t word = 0;
-        for (int i = 0; i < count; ++i)
-          word |= static_cast<std::uint64_t>(row[x + i] <= limit) << i;
-        words[static_cast<std::size_t>(x) / 64] = word;
-      }
-    }
-  });
-  return grown;
-}
-
 }  // namespace fairway

@@ -11,19 +11,6 @@
 
 namespace fairway {
 
-/// A block of cells, both corners included; empty if `first` exceeds `last` in either coordinate.
-struct CellWindow {
-  CellIndex first;
-  CellIndex last;
-};
-
-/// Grows `window` to contain `cell`. An empty window must start with `first` at or beyond, and
-/// `last` at or before, every cell that is added later.
-inline void include(CellWindow& window, CellIndex cell) noexcept {
-  window.first = {.x = std::min(window.first.x, cell.x), .y = std::min(window.first.y, cell.y)};
-  window.last = {.x = std::max(window.last.x, cell.x), .y = std::max(window.last.y, cell.y)};
-}
-
 /// The exact distance from the centre of every cell to the nearest obstacle.
 ///
 /// Obstacles are the blocked cells, as closed squares, and the outside of the grid. The distance is
@@ -95,13 +82,5 @@ class DistanceField {
   std::vector<double> eighths_;       // 1 / (8 n)
   std::vector<std::int16_t> near_squares_;  // of one row with its surroundings, [(half cells)^2]
 };
-
-/// Returns the blocked cells and all cells whose centre is at most `radius` [m] from a blocked
-/// cell: the centre of a disc robot must not lie there.
-///
-/// The result errs towards "blocked" by kFreeSpaceSkin (free_space.hpp): a disc of that radius is
-/// free at the centre of every cell that stays free.
-/// @pre 0 <= radius < 10 m (then the skin covers the rounding of the field).
-[[nodiscard]] BitGrid inflate(const DistanceField& distances, double radius);
 
 }  // namespace fairway

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -69,6 +70,47 @@ struct GridFrame {
          same(a.origin.position.x(), b.origin.position.x()) &&
          same(a.origin.position.y(), b.origin.position.y()) &&
          same(a.origin.heading, b.origin.heading);
+}
+
+/// A block of cells, both corners included; empty if `first` exceeds `last` in either coordinate.
+struct CellWindow {
+  CellIndex first;
+  CellIndex last;
+};
+
+/// Grows `window` to contain `cell`. An empty window must start with `first` at or beyond, and
+/// `last` at or before, every cell that is added later.
+inline void include(CellWindow& window, CellIndex cell) noexcept {
+  window.first = {.x = std::min(window.first.x, cell.x), .y = std::min(window.first.y, cell.y)};
+  window.last = {.x = std::max(window.last.x, cell.x), .y = std::max(window.last.y, cell.y)};
+}
+
+/// The empty window.
+inline constexpr CellWindow kNoCells{.first = {.x = 0, .y = 0}, .last = {.x = -1, .y = -1}};
+
+/// Returns the window of all cells of a grid.
+[[nodiscard]] inline CellWindow all_cells(const GridFrame& frame) noexcept {
+  return {.first = {.x = 0, .y = 0}, .last = {.x = frame.width - 1, .y = frame.height - 1}};
+}
+
+/// Returns whether a window has no cells.
+[[nodiscard]] inline bool is_empty(const CellWindow& window) noexcept {
+  return window.first.x > window.last.x || window.first.y > window.last.y;
+}
+
+/// The smallest window that contains both; an empty one contains no cells.
+[[nodiscard]] inline CellWindow united(const CellWindow& a, const CellWindow& b) noexcept {
+  if (is_empty(a)) return b;
+  if (is_empty(b)) return a;
+  return {.first = {.x = std::min(a.first.x, b.first.x), .y = std::min(a.first.y, b.first.y)},
+          .last = {.x = std::max(a.last.x, b.last.x), .y = std::max(a.last.y, b.last.y)}};
+}
+
+/// The part of the window that lies in a grid.
+[[nodiscard]] inline CellWindow clipped(const CellWindow& window, const GridFrame& frame) noexcept {
+  return {.first = {.x = std::max(0, window.first.x), .y = std::max(0, window.first.y)},
+          .last = {.x = std::min(frame.width - 1, window.last.x),
+                   .y = std::min(frame.height - 1, window.last.y)}};
 }
 
 }  // namespace fairway

@@ -9,10 +9,7 @@ void PreparedMap::update(const BitGrid& bits, const CellWindow& changed) {
   // Above this share of the cells, updating a window costs as much as updating the whole map.
   constexpr double kLargeShare = 0.25;
   const GridFrame& frame = bits.frame();
-  const CellWindow inside{
-      .first = {.x = std::max(0, changed.first.x), .y = std::max(0, changed.first.y)},
-      .last = {.x = std::min(frame.width - 1, changed.last.x),
-               .y = std::min(frame.height - 1, changed.last.y)}};
+  const CellWindow inside = clipped(changed, frame);
   const bool same = same_frame(frame, obstacles.frame());
   if (same && is_empty(inside)) return;
   const double width = inside.last.x - inside.first.x + 1;
@@ -29,13 +26,6 @@ void PreparedMap::update(const BitGrid& bits, const CellWindow& changed) {
     }
   }
   distances.update(obstacles, inside);
-}
-
-CellWindow united(const CellWindow& a, const CellWindow& b) noexcept {
-  if (is_empty(a)) return b;
-  if (is_empty(b)) return a;
-  return {.first = {.x = std::min(a.first.x, b.first.x), .y = std::min(a.first.y, b.first.y)},
-          .last = {.x = std::max(a.last.x, b.last.x), .y = std::max(a.last.y, b.last.y)}};
 }
 
 }  // namespace fairway

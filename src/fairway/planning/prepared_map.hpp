@@ -23,20 +23,4 @@ struct PreparedMap {
   void update(const BitGrid& bits, const CellWindow& changed);
 };
 
-/// Returns the smallest window that contains both; an empty window contains nothing.
-[[nodiscard]] CellWindow united(const CellWindow& a, const CellWindow& b) noexcept;
-
-/// The empty window.
-inline constexpr CellWindow kNoCells{.first = {.x = 0, .y = 0}, .last = {.x = -1, .y = -1}};
-
-/// Returns the window of all cells of a grid.
-[[nodiscard]] inline CellWindow all_cells(const GridFrame& frame) noexcept {
-  return {.first = {.x = 0, .y = 0}, .last = {.x = frame.width - 1, .y = frame.height - 1}};
-}
-
-/// Returns whether a window has no cells.
-[[nodiscard]] inline bool is_empty(const CellWindow& window) noexcept {
-  return window.first.x > window.last.x || window.first.y > window.last.y;
-}
-
 }  // namespace fairway

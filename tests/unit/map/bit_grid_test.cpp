@@ -2,7 +2,9 @@
 #include "fairway/map/bit_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -117,6 +119,20 @@ TEST(BitGrid, AnyBlockedAgreesWithALoop) {
 }
 
 TEST(BitGrid, WithoutCellsEverythingIsBlocked) { EXPECT_TRUE(BitGrid().blocked({0, 0})); }
+
+TEST(BitGrid, RefusesAFrameThatCannotBe) {
+  const GridFrame good{.width = 4, .height = 3, .resolution = 0.1, .origin = {}};
+  EXPECT_NO_THROW(BitGrid(good, false));
+  for (const auto spoil :
+       {+[](GridFrame& f) { f.width = -1; }, +[](GridFrame& f) { f.height = 40000; },
+        +[](GridFrame& f) { f.resolution = 0.0; },
+        +[](GridFrame& f) { f.resolution = std::nan(""); },
+        +[](GridFrame& f) { f.origin.heading = INFINITY; }}) {
+    GridFrame bad = good;
+    spoil(bad);
+    EXPECT_THROW(BitGrid(bad, false), std::invalid_argument);
+  }
+}
 
 }  // namespace
 }  // namespace fairway

@@ -126,29 +126,5 @@ TEST(DistanceField, AnEmptyWindowChangesNothing) {
   EXPECT_TRUE(std::ranges::equal(field.cells(), before));
 }
 
-TEST(Inflate, LeavesFreeExactlyTheCellsWhereADiscIsFree) {
-  test::Random random(14);
-  for (int trial = 0; trial < 20; ++trial) {
-    const BitGrid obstacles(test::random_world(random, 90));
-    const GridFrame& frame = obstacles.frame();
-    const double radius = random.chance(0.2) ? 0.0 : random.uniform(0.0, 0.5);
-    const BitGrid grown = inflate(DistanceField(obstacles), radius);
-    for (int y = 0; y < frame.height; ++y) {
-      for (int x = 0; x < frame.width; ++x) {
-        const Eigen::Vector2d p = frame.center({x, y});
-        ASSERT_EQ(grown.blocked({x, y}), !is_free(obstacles, p, p, radius)) << radius;
-      }
-    }
-  }
-}
-
-TEST(Inflate, ADistanceOfExactlyTheRadiusIsBlocked) {
-  BitGrid obstacles({.width = 20, .height = 20, .resolution = 0.5, .origin = {}}, false);
-  obstacles.set({10, 10}, true);
-  const BitGrid grown = inflate(DistanceField(obstacles), 0.75);
-  EXPECT_TRUE(grown.blocked({12, 10}));
-  EXPECT_FALSE(grown.blocked({13, 10}));
-}
-
 }  // namespace
 }  // namespace fairway

@@ -46,9 +46,7 @@ void MapNavigator::update_map(const OccupancyGrid& map, CellIndex first, CellInd
   }
   const bool unknown_blocks = state_->settings.map.unknown_is_occupied;
   const GridFrame& frame = map.frame();
-  const CellWindow window{
-      .first = {.x = std::max(0, first.x), .y = std::max(0, first.y)},
-      .last = {.x = std::min(frame.width - 1, last.x), .y = std::min(frame.height - 1, last.y)}};
+  const CellWindow window = clipped({.first = first, .last = last}, frame);
   for (int y = window.first.y; y <= window.last.y; ++y) {
     for (int x = window.first.x; x <= window.last.x; ++x) {
       const CellState cell = map.at({.x = x, .y = y});
