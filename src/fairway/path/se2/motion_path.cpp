@@ -50,8 +50,8 @@ MotionPath reversed(const MotionPath& path) {
 MotionCost::MotionCost(const BaseModel& base, double reverse_factor)
     : base_(base),
       reverse_factor_(reverse_factor) {
-  // Manoeuvres are short: over half a metre a base reaches no more than this speed.
-  constexpr double kStroke = 0.5;  // [m]
+  // Manoeuvres are short: over a metre a base reaches no more than this speed.
+  constexpr double kStroke = 1.0;  // [m]
   const double speed = std::min(base.linear_max, std::sqrt(base.linear_acceleration * kStroke));
   pause_ = speed / base.linear_acceleration;
   double fastest = std::max(base.linear_max, -base.linear_min);
