@@ -74,7 +74,7 @@ double MotionCost::between(const MotionPiece& before, const MotionPiece& after) 
     const double to = std::atan(base_.wheelbase * b.angular / b.linear);
     const double steering = std::abs(to - from) / base_.steering_rate_max;
     if (a.linear * b.linear < 0.0) return std::max(pause_, steering);
-    return 0.3 * steering;
+    return 0.6 * steering;
   }
   const double pace_a = std::hypot(a.linear, a.lateral);
   const double pace_b = std::hypot(b.linear, b.lateral);
