@@ -8,6 +8,8 @@
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/provenance.hpp"
+#include "cli/shard_option.hpp"
 #include "commands/commands.hpp"
 #include "experiments/bodies/body_drive.hpp"
 #include "experiments/clocks.hpp"
@@ -27,6 +29,7 @@ struct BodiesCommand {
   std::string source;
   std::string tasks = "all";
   std::string physics = "unicycle";
+  std::string shard;
   std::string trace_dir;
   std::string json;
 
@@ -88,7 +91,10 @@ Expected<int> BodiesCommand::run() const {
   std::string text;
   std::size_t successes = 0;
   Progress progress(parking ? "parking" : "bodies");
+  const Shard part = parse_shard(shard);
+  std::size_t number = 0;
   for (const BodyTask& task : *all) {
+    if (!part.has(number++)) continue;
     progress.show(fmt::format("{}: {} of {} done", task.name, rows.size(), all->size()));
     const BodyDrive drive = drive_task(task, settings, thread_cpu_seconds);
     if (drive.success) ++successes;
@@ -103,17 +109,20 @@ Expected<int> BodiesCommand::run() const {
     if (const auto done = write_output(file, drive_csv(task, drive)); !done)
       return tl::unexpected(done.error());
   }
-  const double rate = static_cast<double>(successes) / static_cast<double>(all->size());
+  const double rate = rows.empty() ? 1.0 : static_cast<double>(successes) / static_cast<double>(rows.size());
+  const std::size_t driven = rows.size();
   if (!json.empty()) {
-    const Json summary{{"tasks", std::move(rows)}, {"success_rate", rate}};
+    Json summary{{"tasks", std::move(rows)}, {"success_rate", rate}, {"physics", physics}};
+    if (!shard.empty()) summary["shard"] = shard;
+    add_provenance(summary, {.schema = "bodies.v1", .files = {source}});
     if (const auto done = write_output(json, json_text(summary)); !done)
       return tl::unexpected(done.error());
   }
   if (json != "-") {
-    text += fmt::format("{} of {} tasks succeeded\n", successes, all->size());
+    text += fmt::format("{} of {} tasks succeeded\n", successes, driven);
     if (const auto done = print(text); !done) return tl::unexpected(done.error());
   }
-  return successes == all->size() ? kDone : kFailed;
+  return successes == driven ? kDone : kFailed;
 }
 
 void add(

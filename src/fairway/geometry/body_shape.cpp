@@ -211,13 +211,16 @@ double BodyShape::inscribed_radius(const Vector2d& center) const noexcept {
 }
 
 double BodyShape::greatest_speed(double linear, double lateral, double angular) const noexcept {
-  double most = std::hypot(linear, lateral);
+  double most = std::sqrt(linear * linear + lateral * lateral);
   for (const ConvexPart& part : parts_) {
+    double square = 0.0;
     for (int i = 0; i < part.count; ++i) {
       const Vector2d& q = part.vertex(i);
-      const double speed = std::hypot(linear - angular * q.y(), lateral + angular * q.x());
-      most = std::max(most, speed + std::abs(angular) * part.radius);
+      const double x = linear - angular * q.y();
+      const double y = lateral + angular * q.x();
+      square = std::max(square, x * x + y * y);
     }
+    most = std::max(most, std::sqrt(square) + std::abs(angular) * part.radius);
   }
   return most;
 }

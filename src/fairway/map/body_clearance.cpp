@@ -30,7 +30,7 @@ Bounds bounds_at(const DistanceField& distances, const Vector2d& local) noexcept
   if (!(g.x() > 0.0 && g.y() > 0.0 && g.x() < frame.width && g.y() < frame.height))
     return {0.0, 0.0};
   const CellIndex cell{.x = static_cast<int>(g.x()), .y = static_cast<int>(g.y())};
-  const double off = frame.resolution * std::hypot(g.x() - cell.x - 0.5, g.y() - cell.y - 0.5);
+  const double off = frame.resolution * (g - Vector2d(cell.x + 0.5, cell.y + 0.5)).norm();
   const double there = distances.at(cell);
   constexpr double kFieldError = 2e-7;  // relative, of a distance stored as float
   return {there * (1.0 - kFieldError) - off, there * (1.0 + kFieldError) + off};

@@ -51,32 +51,33 @@ DrivePlan plan_drive(const BodyClearance& clearance,
   plan.rows = sampled(base, plan.trajectory, period);
   if (settings.iterations <= 0 || plan.trajectory.steps.empty()) return plan;
   // The rows that are driven decide, exactly: within the limits, free, and at the goal.
-  const auto accept = [&](const Trajectory& candidate) {
+  const auto judge = [&](const Trajectory& candidate) {
     Trajectory driven = candidate;
     std::vector<TrajectoryRow> rows = sampled(base, driven, period);
     const double load = greatest_load(planned, rows, period);
-    constexpr double kMostStretch = 1.2;
-    if (load > kMostStretch) return false;
     if (load > 1.0) {
       driven = stretched(base, driven, load);
       rows = sampled(base, driven, period);
     }
-    const Pose2& end = rows.back().pose;
-    constexpr double kAtGoal = 2e-3;  // [m], [rad]
-    if ((end.position - goal.position).norm() > kAtGoal ||
-        std::abs(shortest_turn(end.heading, goal.heading)) > kAtGoal)
-      return false;
-    if (greatest_load(base, rows, period) > 1.0 || rows.size() > plan.rows.size() ||
-        !is_free(clearance, rows, period, plan.clearance))
-      return false;
-    plan.trajectory = std::move(driven);
-    plan.rows = std::move(rows);
-    return true;
+    DriveVerdict verdict;
+    verdict.end = rows.back().pose;
+    constexpr double kAtGoal = 1e-3;  // [m], [rad]
+    verdict.at_goal = (verdict.end.position - goal.position).norm() < kAtGoal &&
+                      std::abs(shortest_turn(verdict.end.heading, goal.heading)) < kAtGoal;
+    constexpr double kMostStretch = 1.2;
+    verdict.accepted =
+        verdict.at_goal && load <= kMostStretch && greatest_load(base, rows, period) <= 1.0 &&
+        rows.size() <= plan.rows.size() && is_free(clearance, rows, period, plan.clearance);
+    if (verdict.accepted) {
+      plan.trajectory = std::move(driven);
+      plan.rows = std::move(rows);
+    }
+    return verdict;
   };
   const double margin = 0.8 * plan.path.margin;
   const Trajectory first = plan.trajectory;
   static_cast<void>(optimized(clearance, planned, goal, first, margin, settings.cost,
-                              settings.iterations, accept));
+                              settings.iterations, judge));
   return plan;
 }
 

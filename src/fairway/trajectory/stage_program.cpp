@@ -34,7 +34,9 @@ class Method {
       const double gap = measure();
       constexpr double kGap = 1e-7;
       constexpr double kResidual = 1e-7;
-      if (gap < kGap && greatest_residual_ < kResidual) {
+      // What is left of the first gradient: every step takes its length off.
+      constexpr double kUnsettled = 1e-6;
+      if (gap < kGap && greatest_residual_ < kResidual && unsettled_ < kUnsettled) {
         solution_.solved = true;
         return;
       }
@@ -47,7 +49,7 @@ class Method {
       constexpr double kToBoundary = 0.99;
       move(longest_primal(kToBoundary), longest_dual(kToBoundary));
     }
-    solution_.solved = measure() < 1e-4 && greatest_residual_ < 1e-5;
+    solution_.solved = measure() < 1e-4 && greatest_residual_ < 1e-5 && unsettled_ < 1e-3;
   }
 
  private:
@@ -178,6 +180,7 @@ class Method {
   void move(double primal, double dual) noexcept {
     // The Hessian couples both: a common length keeps the stationarity residual shrinking.
     const double length = std::min(primal, dual);
+    unsettled_ *= 1.0 - length;
     for (std::size_t k = 0; k < program_.stages.size(); ++k) {
       solution_.variables[k] += length * steps_[k];
       for (StageConstraint& c : program_.stages[k].constraints) {
@@ -194,6 +197,7 @@ class Method {
   std::vector<StageVector> steps_;
   StateVector last_step_ = StateVector::Zero();
   double greatest_residual_ = 0.0;
+  double unsettled_ = 1.0;
 };
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "fairway/geometry/angle.hpp"
 
 namespace fairway {
 
@@ -37,7 +40,7 @@ Trajectory optimized(const BodyClearance& clearance,
                      double margin,
                      const TrajectoryCost& cost,
                      int max_iterations,
-                     const std::function<bool(const Trajectory&)>& accept) {
+                     const std::function<DriveVerdict(const Trajectory&)>& judge) {
   DriveProblem problem{
       .clearance = &clearance, .base = base, .goal = goal, .margin = margin, .cost = cost};
   const double size = clearance.body().circumscribed_radius();
@@ -97,10 +100,14 @@ Trajectory optimized(const BodyClearance& clearance,
     if (!better) scale *= closing ? 0.7 : 0.4;
     constexpr double kClosed = 2e-3;  // gaps above which no drive can end at the goal
     if (evaluation.gaps >= kClosed || evaluation.cost >= best_cost) continue;
-    if (accept(now.trajectory)) {
+    const DriveVerdict verdict = judge(now.trajectory);
+    if (verdict.accepted) {
       best = now.trajectory;
       best_cost = evaluation.cost;
       if (closing) break;
+    } else if (closing && !verdict.at_goal) {
+      problem.goal.position += goal.position - verdict.end.position;
+      problem.goal.heading += shortest_turn(verdict.end.heading, goal.heading);
     } else if (closing) {
       // Closed, and yet not accepted: something between the samples. More distance helps.
       constexpr double kMoreMargin = 1.1;

@@ -8,14 +8,21 @@
 
 namespace fairway {
 
+/// What is said of a trajectory when it is driven.
+struct DriveVerdict {
+  bool accepted = false;  ///< it may be the result
+  bool at_goal = false;   ///< it ends at the goal
+  Pose2 end;              ///< where it ends
+};
+
 /// Makes a trajectory faster, iteration by iteration: sequential convex programming.
 ///
 /// Every iteration linearises the motion and the obstacles near it about the trajectory before,
 /// solves for the fastest one within a trust region, and drives the result to see whether it is
-/// better. From a trajectory without violations every accepted one is without, or nearly so:
-/// `accept` decides on each, exactly, and the best accepted one is returned.
-/// @param margin          Clearance at the knots and between [m].
-/// @param accept          Whether a trajectory may be the result.
+/// better. `judge` then decides exactly, on what is driven in control periods. Where that ends
+/// beside the goal, the optimisation aims as far to the other side; where it is rejected for other
+/// reasons, it keeps more clearance.
+/// @param margin  Clearance at the knots and between [m].
 /// @return the fastest accepted trajectory; `first` when there is none.
 [[nodiscard]] Trajectory optimized(const BodyClearance& clearance,
                                    const BaseModel& base,
@@ -24,6 +31,6 @@ namespace fairway {
                                    double margin,
                                    const TrajectoryCost& cost,
                                    int max_iterations,
-                                   const std::function<bool(const Trajectory&)>& accept);
+                                   const std::function<DriveVerdict(const Trajectory&)>& judge);
 
 }  // namespace fairway

@@ -17,6 +17,7 @@ struct Attempt {
   double margin;
   double cell;
   int headings;
+  int max_states;
 };
 
 struct Ends {
@@ -51,7 +52,7 @@ BodyPathResult search(const BodyClearance& clearance,
     more_forwards = forwards.expand(kTurn);
     more_backwards = backwards.expand(kTurn);
     result.expanded = forwards.expanded() + backwards.expanded();
-    if (result.expanded > settings.max_states) break;
+    if (result.expanded > attempt.max_states) break;
   }
   const bool first =
       forwards.path() && (!backwards.path() || forwards.path_cost() <= backwards.path_cost());
@@ -113,12 +114,19 @@ BodyPathResult plan_body_path(const BodyClearance& clearance,
   // No path has more clearance than its ends.
   const double most = 0.98 * std::min(clearance.distance(start, settings.margin),
                                       clearance.distance(goal, settings.margin));
-  const std::array<Attempt, 5> attempts{
-      {{std::min(most, settings.margin), settings.cell, settings.headings},
-       {0.5 * most, settings.cell, settings.headings},
-       {0.5 * most, 0.5 * settings.cell, 2 * settings.headings},
-       {0.2 * most, settings.cell, settings.headings},
-       {0.1 * most, 0.5 * settings.cell, 2 * settings.headings}}};
+  const double margin = std::min(most, settings.margin);
+  const double fine = 0.5 * settings.cell;
+  const int headings = settings.headings;
+  const int states = settings.max_states;
+  // Large cells find what is easy; where they do not soon, smaller ones are faster after all.
+  constexpr int kEasy = 25000;
+  const std::array<Attempt, 6> attempts{
+      {{margin, 2.0 * settings.cell, headings, std::min(kEasy, states)},
+       {margin, settings.cell, headings, states},
+       {0.5 * most, settings.cell, headings, states},
+       {0.5 * most, fine, 2 * headings, states},
+       {0.2 * most, settings.cell, headings, states},
+       {0.1 * most, fine, 2 * headings, states}}};
   for (const Attempt& attempt : attempts) {
     const int before = result.expanded;
     result = search(clearance, cost, ends, attempt, settings);

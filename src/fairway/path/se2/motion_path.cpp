@@ -50,8 +50,8 @@ MotionPath reversed(const MotionPath& path) {
 MotionCost::MotionCost(const BaseModel& base, double reverse_factor)
     : base_(base),
       reverse_factor_(reverse_factor) {
-  // Manoeuvres are short: over half a metre a base reaches no more than this speed.
-  constexpr double kStroke = 0.5;  // [m]
+  // Manoeuvres are short: over a metre a base reaches no more than this speed.
+  constexpr double kStroke = 1.0;  // [m]
   const double speed = std::min(base.linear_max, std::sqrt(base.linear_acceleration * kStroke));
   pause_ = speed / base.linear_acceleration;
   double fastest = std::max(base.linear_max, -base.linear_min);
@@ -74,7 +74,7 @@ double MotionCost::between(const MotionPiece& before, const MotionPiece& after) 
     const double to = std::atan(base_.wheelbase * b.angular / b.linear);
     const double steering = std::abs(to - from) / base_.steering_rate_max;
     if (a.linear * b.linear < 0.0) return std::max(pause_, steering);
-    return 0.3 * steering;
+    return 0.6 * steering;
   }
   const double pace_a = std::hypot(a.linear, a.lateral);
   const double pace_b = std::hypot(b.linear, b.lateral);

@@ -39,7 +39,9 @@ struct Polar {
   double theta;
 };
 
-Polar polar(double x, double y) noexcept { return {std::hypot(x, y), std::atan2(y, x)}; }
+double length_of(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
+
+Polar polar(double x, double y) noexcept { return {length_of(x, y), std::atan2(y, x)}; }
 
 // Formula 8.1: L+ S+ L+.
 Found left_straight_left(const Goal& g) noexcept {
@@ -90,7 +92,7 @@ TauOmega tau_omega(double u, double v, double xi, double eta, double phi) noexce
 Found left_right_left_right_turned(const Goal& g) noexcept {
   const double xi = g.x + std::sin(g.phi);
   const double eta = g.y - 1.0 - std::cos(g.phi);
-  const double rho = 0.25 * (2.0 + std::hypot(xi, eta));
+  const double rho = 0.25 * (2.0 + length_of(xi, eta));
   if (rho > 1.0) return std::nullopt;
   const double u = std::acos(rho);
   const TauOmega r = tau_omega(u, -u, xi, eta, g.phi);

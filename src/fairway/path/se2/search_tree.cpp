@@ -27,11 +27,15 @@ SearchTree::SearchTree(const SearchTask& task,
 bool SearchTree::expand(int count) {
   for (int i = 0; i < count; ++i) {
     if (queue_.empty()) return false;
+    // A first path is often not the best of its kind: as long again, and a little.
+    constexpr int kALittle = 800;
+    if (path_ && expanded_ > 2 * expanded_at_path_ + kALittle) return false;
     const Entry now = queue_.top();
-    if (path_ && (now.estimate >= path_cost_ || expanded_ > 2 * expanded_at_path_ + 100))
-      return false;
     queue_.pop();
-    if (table_[nodes_[now.node].key] != now.node) continue;  // a cheaper one took its cell
+    const Node& node = nodes_[now.node];
+    if (table_[node.key] != now.node) continue;  // a cheaper one took its cell
+    const double left = (now.estimate - node.cost) / task_.greediness;
+    if (path_ && node.cost + left >= path_cost_) continue;
     ++expanded_;
     try_to_connect(now.node);
     expand_node(now.node);
