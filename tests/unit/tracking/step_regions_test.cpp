@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 
 constexpr int kRectangles = 6;
 
-OrientedRectangle box(double x0, double y0, double x1, double y1) {
+OrientedRectangle long_box(double x0, double y0, double x1, double y1) {
   return {.seed = {x0, y0}, .orientation = 0.0, .min = {0, 0}, .max = {x1 - x0, y1 - y0}};
 }
 
@@ -22,7 +22,7 @@ OrientedRectangle box(double x0, double y0, double x1, double y1) {
 CorridorFollower chain(double robot_x) {
   Corridor corridor;
   for (int i = 0; i < kRectangles; ++i)
-    corridor.rectangles.push_back(box(2.0 * i, 0.0, 2.0 * i + 3.0, 2.0));
+    corridor.rectangles.push_back(long_box(2.0 * i, 0.0, 2.0 * i + 3.0, 2.0));
   CorridorFollower follower(corridor, {12.5, 1.0}, {});
   EXPECT_TRUE(follower.update({robot_x, 1.0}, 0.0));
   return follower;

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-OrientedRectangle box(const Vector2d& low, const Vector2d& high, const Vector2d& seed) {
+OrientedRectangle seeded_box(const Vector2d& low, const Vector2d& high, const Vector2d& seed) {
   return {.seed = seed, .orientation = 0.0, .min = low - seed, .max = high - seed};
 }
 
@@ -25,8 +25,8 @@ const Goal kGoal{.position = {9.0, 9.0}, .heading = {}};
 // Along x, then up along y, then along x again.
 CorridorFollower staircase(const Vector2d& robot) {
   Corridor corridor;
-  corridor.rectangles = {box({0, 0}, {6, 2}, {1, 1}), box({4, 0}, {6, 8}, {5, 1.5}),
-                         box({4, 6}, {10, 10}, {5, 7})};
+  corridor.rectangles = {seeded_box({0, 0}, {6, 2}, {1, 1}), seeded_box({4, 0}, {6, 8}, {5, 1.5}),
+                         seeded_box({4, 6}, {10, 10}, {5, 7})};
   CorridorFollower follower(corridor, kGoal.position, {});
   EXPECT_TRUE(follower.update(robot, 0.0));
   return follower;
