@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole runs on maps of real buildings, between seeded random points that are connected.
+// Whole runs on maps of real buildings, between seeded random points that are connected;
+// generated_maps_test.cpp has the same on maps that are always there.
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "fairway/io/maps/map_file.hpp"
-#include "fairway/simulation/episode.hpp"
-#include "support/free_poses.hpp"
+#include "support/map_crossing.hpp"
 
 namespace fairway {
 namespace {
@@ -20,33 +20,7 @@ TEST_P(RealMaps, AreCrossedWithoutContact) {
   const Expected<OccupancyGrid> map = io::read_map(file);
   ASSERT_TRUE(map) << map.error().message;
 
-  Scenario scenario;
-  scenario.map = *map;
-  scenario.time_limit = 300.0;
-  const PreparedMap prepared(scenario.map);
-  Planner planner;
-  test::Random random(11);
-  int driven = 0;
-  for (int attempt = 0; attempt < 60 && driven < 5; ++attempt) {
-    const auto start =
-        test::random_free_pose(random, prepared.obstacles, scenario.settings.robot.radius);
-    const auto goal =
-        test::random_free_pose(random, prepared.obstacles, scenario.settings.robot.radius);
-    ASSERT_TRUE(start && goal);
-    const Goal to{.position = goal->position, .heading = goal->heading};
-    const Plan plan =
-        planner.plan(prepared, start->position, to, planner_settings(scenario.settings));
-    if (plan.path_status != PathStatus::Found || plan.path.length() < 3.0) continue;
-    SCOPED_TRACE(testing::Message()
-                 << "from " << start->position.transpose() << " to " << goal->position.transpose());
-    EXPECT_TRUE(plan.usable()) << plan.reason();
-    scenario.robots = {{.name = "robot", .start = *start, .goal = to}};
-    const EpisodeResult result = run_episode(scenario);
-    EXPECT_TRUE(result.robots[0].reached) << to_text(result.trace.rows.back().status);
-    EXPECT_FALSE(result.robots[0].collided);
-    ++driven;
-  }
-  EXPECT_GE(driven, 4);
+  test::expect_crossings_without_contact(*map);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared,

@@ -109,7 +109,8 @@ Expected<int> BodiesCommand::run() const {
     if (const auto done = write_output(file, drive_csv(task, drive)); !done)
       return tl::unexpected(done.error());
   }
-  const double rate = rows.empty() ? 1.0 : static_cast<double>(successes) / static_cast<double>(rows.size());
+  const double rate =
+      rows.empty() ? 1.0 : static_cast<double>(successes) / static_cast<double>(rows.size());
   const std::size_t driven = rows.size();
   if (!json.empty()) {
     Json summary{{"tasks", std::move(rows)}, {"success_rate", rate}, {"physics", physics}};

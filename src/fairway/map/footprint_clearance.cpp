@@ -55,7 +55,7 @@ double footprint_clearance(const BitGrid& obstacles,
     if (is_free(obstacles, body, limit)) return limit;
     return bisect(0.0, limit, [&](double c) { return is_free(obstacles, body, c); });
   }
-  const double most = 0.5 * (body.max - body.min).minCoeff();
+  const double most = 0.5 * (body.max - body.min).maxCoeff();
   return -bisect(0.0, most, [&](double shrink) {
     return !is_free(obstacles, footprint.shrunk(shrink).rectangle_at(pose), 0.0);
   }) - kResolution;

@@ -52,13 +52,32 @@ TEST(FootprintClearance, AgreesWithATestOfEveryCell) {
     // The slow version samples cells at a tenth of their side.
     EXPECT_NEAR(std::max(0.0, fast), slow, 0.12 * frame.resolution);
     EXPECT_EQ(fast > 0.0, is_free(obstacles, footprint, pose, 0.0));
-    if (fast >= 0.0) continue;
-    ++touching;
-    EXPECT_TRUE(is_free(obstacles, footprint.shrunk(2e-4 - fast), pose, 0.0) ||
-                footprint.shrunk(2e-4 - fast).circumscribed_radius() <
-                    footprint.circumscribed_radius());
+    touching += fast < 0.0 ? 1 : 0;
   }
   EXPECT_GT(touching, 5);
+}
+
+// An obstacle may be far inside a rectangle, on the line that is left of it after half of its
+// width.
+TEST(FootprintClearance, ARectangleThatShrinksByItsNegativeClearanceIsFree) {
+  test::Random random(2);
+  int deep = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 48));
+    const GridFrame& frame = obstacles.frame();
+    const Footprint body = Footprint::rectangle(random.uniform(0.2, 1.0), random.uniform(0.1, 0.4));
+    const Pose2 pose{.position = frame.to_world(
+                         {random.uniform(2, frame.width - 2), random.uniform(2, frame.height - 2)}),
+                     .heading = random.uniform(-3, 3)};
+    const double clearance = footprint_clearance(obstacles, body, pose, 1.0);
+    // Its middle is free, so that it is free as a point.
+    if (clearance >= 0.0 || !is_free(obstacles, pose.position, pose.position, 2e-4)) continue;
+    EXPECT_TRUE(is_free(obstacles, body.shrunk(-clearance), pose, 0.0)) << clearance;
+    EXPECT_FALSE(is_free(obstacles, body.shrunk(-clearance - 3e-4), pose, 0.0))
+        << "it shrinks no more than necessary";
+    deep += -clearance > body.inscribed_radius() ? 1 : 0;
+  }
+  EXPECT_GT(deep, 20);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// On maps of real buildings; generated_map_test.cpp has the same on maps that are always there.
 #include <cctype>
 #include <optional>
 #include <string>
@@ -8,8 +9,7 @@
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/path/path_planner.hpp"
 #include "support/path_check.hpp"
-#include "support/path_oracle.hpp"
-#include "support/random_world.hpp"
+#include "support/path_survey.hpp"
 
 namespace fairway {
 namespace {
@@ -35,36 +35,7 @@ class RealMaps : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(RealMaps, PathsKeepTheirClearanceAndExistWhereCellsConnect) {
-  const DistanceField distances(*obstacles);
-  const GridFrame& frame = obstacles->frame();
-  test::Random random(51);
-  PathPlanner planner;
-  const PathSettings settings;
-  const double radius = 0.25;
-  int found = 0;
-  int asked = 0;
-  while (asked < 40) {
-    const auto point = [&] {
-      return frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
-    };
-    const Vector2d start = point();
-    const Vector2d goal = point();
-    const double required = radius + settings.margin;
-    const Vector2d a = frame.center(frame.cell_at(start));
-    const Vector2d b = frame.center(frame.cell_at(goal));
-    if (!is_free(*obstacles, start, a, required) || !is_free(*obstacles, goal, b, required))
-      continue;
-    ++asked;
-    const PathResult result = planner.find(*obstacles, distances, start, goal, radius, settings);
-    if (result.status == PathStatus::Found) {
-      ++found;
-      test::expect_sound(*obstacles, result, start, goal, radius, settings.margin);
-    } else if (asked <= 10) {
-      EXPECT_FALSE(
-          test::is_connected(*obstacles, required, frame.cell_at(start), frame.cell_at(goal)));
-    }
-  }
-  EXPECT_GT(found, 5);
+  test::expect_paths_where_cells_connect(*obstacles);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared,

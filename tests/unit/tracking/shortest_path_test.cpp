@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-OrientedRectangle random_rectangle(test::Random& random, const Vector2d& around) {
+OrientedRectangle rectangle_around(test::Random& random, const Vector2d& around) {
   return {.seed = around + Vector2d(random.uniform(-1, 1), random.uniform(-1, 1)),
           .orientation = random.uniform(-3, 3),
           .min = {-random.uniform(0.2, 2), -random.uniform(0.2, 2)},
@@ -23,7 +23,7 @@ OrientedRectangle random_rectangle(test::Random& random, const Vector2d& around)
 OverlapPatch random_patch(test::Random& random, const Vector2d& around) {
   OverlapPatch patch;
   while (patch.count == 0) {
-    patch = overlap(random_rectangle(random, around), random_rectangle(random, around));
+    patch = overlap(rectangle_around(random, around), rectangle_around(random, around));
   }
   return patch;
 }
