@@ -19,7 +19,7 @@ def calls_tool(block) -> bool:
 
 def folder_for(root: pathlib.Path, tool: pathlib.Path, folder: pathlib.Path) -> None:
     """What a reader has in the project's folder, without what the commands of a page could spoil."""
-    for name in ("scenarios", "examples", "benchmarks", "tools"):
+    for name in ("scenarios", "examples", "benchmarks", "tests", "tools"):
         (folder / name).symlink_to(root / name)
     (folder / "build/release/bin").mkdir(parents=True)
     (folder / "build/release/bin/fairway").symlink_to(tool)
