@@ -51,6 +51,11 @@ class Checks(unittest.TestCase):
         self.assertEqual(self.run_page("<!-- not run: long -->\n```sh\nfairway fail\n```\n"), [])
         self.assertEqual(len(self.run_page("<!-- not run -->\n```sh\nfairway fail\n```\n")), 1)
 
+    def test_directives_may_have_several_lines(self):
+        page = self.page("<!-- with: int a;\nint b; -->\n```cpp\na = b;\n```\n<!-- a remark\n-->\n")
+        self.assertEqual(page.blocks[0].directives["with"], "int a;\nint b;")
+        self.assertEqual(code_blocks.wrapped(page.blocks[0], 1, self.root)[0], [])
+
     def test_output_is_compared(self):
         shown = "```sh\nfairway work\n```\n<!-- output -->\n```text\n{}\n```\n"
         self.assertEqual(self.run_page(shown.format("ran ...")), [])

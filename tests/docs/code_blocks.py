@@ -19,9 +19,10 @@ def is_excerpt(block, examples: list) -> bool:
 def wrapped(block, number: int, root: pathlib.Path) -> tuple:
     """@return the includes of a block, and the rest in a namespace of its own"""
     lines = block.text.splitlines()
-    includes = [line for line in lines if line.startswith("#include")]
+    given = block.directives.get("with", "").splitlines()
+    includes = [line for line in lines + given if line.startswith("#include")]
     body = "\n".join("" if line.startswith("#include") else line for line in lines)
-    given = block.directives.get("with", "")
+    given = "\n".join(line for line in given if not line.startswith("#include"))
     place = f'#line {block.line} "{block.page.relative_to(root)}"\n'
     if re.search(r"^int main\(", block.text, re.MULTILINE):
         body = re.sub(r"^int main\(", "int main_(", body, flags=re.MULTILINE)

@@ -5,7 +5,8 @@ import pathlib
 import re
 
 FENCE = re.compile(r"^(\s*)(`{3,})(\S*)\s*$")
-DIRECTIVE = re.compile(r"^<!--\s*(not run|not compiled|file|with|exit code|output)\s*(?::\s*(.*?))?\s*-->$")
+DIRECTIVE = re.compile(r"^<!--\s*(not run|not compiled|file|with|exit code|output)\s*(?::\s*(.*?))?\s*-->$",
+                       re.DOTALL)
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)(?:\s+\"[^\"]*\")?\)")
 
 
@@ -36,8 +37,13 @@ def slug(heading: str) -> str:
 
 def read_page(path: pathlib.Path) -> Page:
     page = Page(path, [], [], set())
-    fence, block, directives = None, None, {}
+    fence, block, directives, comment = None, None, {}, ""
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        if not fence and (comment or line.startswith("<!--")):  # which may have several lines
+            comment += line + "\n"
+            if "-->" not in line:
+                continue
+            line, comment = comment.strip(), ""
         if fence:
             if line.strip() == fence:
                 block.text = "\n".join(block.text) + "\n"
