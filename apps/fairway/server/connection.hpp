@@ -13,7 +13,7 @@ namespace fairway::app {
   return std::make_shared<const std::string>(std::move(text));
 }
 
-/// A WebSocket with somebody at the other end. Used in the network's thread only.
+/// A WebSocket and the client at its other end. Used in the network's thread only.
 class Connection {
  public:
   Connection() = default;

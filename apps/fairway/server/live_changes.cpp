@@ -192,7 +192,7 @@ void LiveWorld::apply(EpisodeControl& /*control*/, const ChooseMapCommand& comma
   const Settings settings = scenario_.settings;
   const SensingModel sensing = scenario_.sensing;
   scenario_ = choices_[command.index].make();
-  // A scenario of somebody's brings its own settings; the built-in maps keep those in force.
+  // A given scenario has its own settings; the built-in maps keep those in force.
   if (!choices_[command.index].own_settings) {
     scenario_.settings = settings;
     scenario_.sensing = sensing;

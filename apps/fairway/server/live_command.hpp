@@ -44,7 +44,7 @@ struct PaintCommand {
   double radius = 0.1;
   bool blocked = true;
 };
-/// Someone walks to a place; without a body somebody new stands there.
+/// A person walks to a place; without a body a new person is placed there.
 struct WalkCommand {
   std::optional<std::size_t> body;
   Eigen::Vector2d target = Eigen::Vector2d::Zero();

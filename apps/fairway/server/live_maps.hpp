@@ -19,7 +19,7 @@ struct MapChoice {
 /// Maps that the tool draws itself, so that the live page needs no file.
 [[nodiscard]] std::vector<MapChoice> built_in_maps();
 
-/// A scenario on a map that somebody brings: one robot with a long way to go. Where it fits
+/// A scenario on an uploaded map: one robot with a long way to go. Where it fits
 /// nowhere, it stands in the middle.
 [[nodiscard]] Scenario scenario_on(const std::string& name, const OccupancyGrid& map);
 

@@ -185,7 +185,7 @@ void LiveWorld::publish() {
   if (!full_told_ && (messages_->full() || records_.size() >= kMostRecords)) {
     full_told_ = true;
     listener_.on_notice(
-        "The recording is full: what happens now is not saved. Restart begins anew");
+        "The recording is full: what happens now is not saved. Restart begins a new one");
   }
   listener_.on_messages(messages_->take());
 }

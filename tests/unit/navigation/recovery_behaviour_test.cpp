@@ -95,7 +95,7 @@ TEST(RecoveryBehaviour, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
     double remaining = 10.0;
     int actions = 0;
     for (int i = 0; i < 100; ++i) {
-      if (i % 10 == 9) {  // the way changes to and fro
+      if (i % 10 == 9) {  // the path changes back and forth
         const double longer = i % 20 == 9 ? 5.0 : -5.0;
         recovery.path_changed(longer);
         remaining += longer;

@@ -9,7 +9,7 @@
 
 namespace fairway::app {
 
-/// A map that somebody sent.
+/// A map that a client uploaded.
 struct UploadedMap {
   std::string name;
   OccupancyGrid map;
