@@ -29,8 +29,9 @@ enum class RecoveryAction : std::uint8_t {
 
 /// What a RecoveryBehaviour is decided from in a cycle.
 struct RecoveryView {
-  double remaining = 0.0;     ///< length of the path to the goal [m]; less than ever is progress
-  double turn = 0.0;          ///< between the heading and the path, unsigned [rad]; likewise
+  double remaining = 0.0;  ///< length of the path to the goal [m]; a new minimum is progress
+  double turn =
+      0.0;  ///< between the heading and the path, unsigned [rad]; a new minimum is progress
   bool still = false;         ///< whether the command is (nearly) zero
   bool can_reverse = false;   ///< whether the limits allow to reverse
   bool cannot_turn = false;   ///< whether the body would touch something if it turned on the spot

@@ -81,7 +81,7 @@ StatusGuide guide_of(NavigationStatus value) noexcept {
       return {.meaning =
                   "The robot is at the goal: within `navigation.goal_tolerance`, at standstill, and"
                   " turned to the goal's heading if it has one.",
-              .causes = "|",
+              .causes = "",
               .remedy = ""};
     case NavigationStatus::Planning:
       return {.meaning =

@@ -24,7 +24,7 @@ class Physics {
   /// Moves everything for `dt` [s].
   ///
   /// @param commands  One per robot, held for the whole time.
-  /// @param bodies    What moves by itself, as it will be at the end of the step.
+  /// @param bodies    Moving bodies other than robots, as they will be at the end of the step.
   /// @param robots    Pose and twist of each robot; overwritten.
   /// @param touched   One per robot; set to 1 where the robot touched anything but the floor.
   virtual void advance(std::span<const Twist2> commands,
