@@ -8,8 +8,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
 import check_trace
-import make_tasks
+import make_body_tasks as make_tasks
 
 DT = 0.02
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Drives tasks with the tool and judges the traces: run_bodies.py TOOL [FOLDER].
 
-Without a folder, the tasks are those of make_tasks.py. Exits with 77 where the folder is absent: skipped.
+Without a folder, the tasks are those of benchmarks/make_body_tasks.py. Exits with 77 where the folder is absent: skipped.
 """
 
 import json
@@ -10,8 +10,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
 import check_trace
-import make_tasks
+import make_body_tasks as make_tasks
 
 
 def main():

@@ -53,7 +53,7 @@ def check_schemas(root: pathlib.Path, tool: pathlib.Path) -> list:
         (folder / "problem.txt").write_text(PROBLEM)
         worlds = root / "benchmarks/make_narrow_worlds.py"
         subprocess.run([worlds, folder / "worlds", "--count", "1"], check=True, capture_output=True)
-        subprocess.run([root / "tests/bodies/make_tasks.py", folder / "bodies"], check=True)
+        subprocess.run([root / "benchmarks/make_body_tasks.py", folder / "bodies"], check=True)
         plan = ["plan", workshop, "--start", "2,4.4", "--goal", "22.2,14.6"]
         runs = [plan, [*plan, "--set", "robot.radius=1"], ["simulate", root / "scenarios/workshop.yaml"],
                 ["simulate", root / "scenarios/workshop.yaml", "--time-limit", "1"],

@@ -61,7 +61,7 @@ DrivePlan plan_drive(const BodyClearance& clearance,
     }
     DriveVerdict verdict;
     verdict.end = rows.back().pose;
-    constexpr double kAtGoal = 1e-3;  // [m], [rad]
+    constexpr double kAtGoal = 2e-3;  // [m], [rad]
     verdict.at_goal = (verdict.end.position - goal.position).norm() < kAtGoal &&
                       std::abs(shortest_turn(verdict.end.heading, goal.heading)) < kAtGoal;
     constexpr double kMostStretch = 1.2;

@@ -63,7 +63,7 @@ Trajectory optimized(const BodyClearance& clearance,
   constexpr double kClosingWeight = 100.0;  // [s/m]
   constexpr double kClosingScale = 0.2;
   constexpr double kClosingDamping = 0.1;
-  constexpr int kClosingIterations = 8;
+  constexpr int kClosingIterations = 14;
   bool closing = false;
   int closing_iterations = 0;
   int small_gains = 0;
@@ -97,7 +97,10 @@ Trajectory optimized(const BodyClearance& clearance,
       ++small_gains;
     else
       small_gains = 0;
-    if (!better) scale *= closing ? 0.7 : 0.4;
+    // Steps of the closing get smaller after some: they may alternate between two nearest places.
+    constexpr int kSettled = 5;
+    if (!better) scale *= 0.4;
+    if (closing && closing_iterations > kSettled) scale *= 0.7;
     constexpr double kClosed = 2e-3;  // gaps above which no drive can end at the goal
     if (evaluation.gaps >= kClosed || evaluation.cost >= best_cost) continue;
     const DriveVerdict verdict = judge(now.trajectory);

@@ -120,13 +120,15 @@ BodyPathResult plan_body_path(const BodyClearance& clearance,
   const int states = settings.max_states;
   // Large cells find what is easy; where they do not soon, smaller ones are faster after all.
   constexpr int kEasy = 25000;
-  const std::array<Attempt, 6> attempts{
-      {{margin, 2.0 * settings.cell, headings, std::min(kEasy, states)},
-       {margin, settings.cell, headings, states},
-       {0.5 * most, settings.cell, headings, states},
-       {0.5 * most, fine, 2 * headings, states},
-       {0.2 * most, settings.cell, headings, states},
-       {0.1 * most, fine, 2 * headings, states}}};
+  const int easy = std::min(kEasy, states);
+  const double large = 2.0 * settings.cell;
+  const std::array<Attempt, 7> attempts{{{margin, large, headings, easy},
+                                         {0.6 * margin, large, headings, easy},
+                                         {0.6 * margin, settings.cell, headings, states},
+                                         {0.5 * most, settings.cell, headings, states},
+                                         {0.5 * most, fine, 2 * headings, states},
+                                         {0.2 * most, settings.cell, headings, states},
+                                         {0.1 * most, fine, 2 * headings, states}}};
   for (const Attempt& attempt : attempts) {
     const int before = result.expanded;
     result = search(clearance, cost, ends, attempt, settings);

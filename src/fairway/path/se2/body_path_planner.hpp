@@ -11,7 +11,7 @@ namespace fairway {
 
 /// How a path for a body is searched.
 struct BodyPathSettings {
-  double margin = 0.03;         ///< clearance tried first; smaller ones follow [m]
+  double margin = 0.05;         ///< clearance tried first; smaller ones follow [m]
   double cell = 0.05;           ///< side of a cell of states [m]; halved when nothing is found
   int headings = 72;            ///< cells of heading in a full turn
   double greediness = 1.5;      ///< weight of the estimate of what is left; 1: the cheapest path

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes tasks for bodies into a folder: make_tasks.py FOLDER. Standard library only.
+"""Writes tasks for bodies into a folder: make_body_tasks.py FOLDER. Standard library only.
 
 Passages as rectangles of free space, mirrored, turned by any angle and drawn again as cells; bodies and
 bases of other sizes than the shared tasks have. Every task leaves several centimetres.
