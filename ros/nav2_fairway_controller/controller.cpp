@@ -33,7 +33,7 @@ void FairwayController::configure(const LifecycleNode::WeakPtr& parent,
   transforms_ = std::move(transforms);
   costmap_ = std::move(costmap);
   parameters_ = std::make_unique<Parameters>(node_, name_);
-  follower_ = std::make_unique<PathFollower>(parameters_->settings());
+  follower_ = std::make_unique<PathFollower>(FollowerSettings{.robot = parameters_->settings()});
   const auto topic = [this](const char* parameter) {
     const std::string full = name_ + "." + parameter;
     if (!node_->has_parameter(full)) {
@@ -69,9 +69,7 @@ void FairwayController::deactivate() {
 }
 
 void FairwayController::setSpeedLimit(const double& limit, const bool& percentage) {
-  // Nav2 sends 0 for "no limit".
-  const double full = parameters_->settings().robot.linear_max;
-  follower_->set_speed_limit(percentage ? 0.01 * limit * full : limit);
+  if (follower_) follower_->set_speed_limit({.value = limit, .percentage = percentage});
 }
 
 #if FAIRWAY_NAV2_TYPED_EXCEPTIONS
@@ -89,11 +87,14 @@ void FairwayController::reset() {
 }
 #endif
 
-void FairwayController::take_path(const nav_msgs::msg::Path& path) {
-  if (path.poses.empty()) throw InvalidPath("the path is empty");
-  path_ = path;
+void FairwayController::take_path(const nav_msgs::msg::Path& message) {
+  Path path = to_path(message);
+  if (const std::string fault = path_fault(path); !fault.empty()) throw InvalidPath(fault);
+  path_frame_ = message.header.frame_id;
   cancelling_ = false;
-  hand_over_path();
+  const double heading = bridge::heading_of(message.poses.back().pose.orientation);
+  follower_->set_path(std::move(path),
+                      std::isfinite(heading) ? std::optional(heading) : std::nullopt);
 }
 
 Pose2 FairwayController::frame_in_costmap(const std::string& frame) const {
@@ -105,17 +106,6 @@ Pose2 FairwayController::frame_in_costmap(const std::string& frame) const {
   } catch (const tf2::TransformException& error) {
     throw ControllerTransformError(error.what());
   }
-}
-
-void FairwayController::hand_over_path() {
-  const Pose2 frame = frame_in_costmap(path_.header.frame_id);
-  Path path = to_path(path_);
-  for (Eigen::Vector2d& waypoint : path.waypoints)
-    waypoint = transform(frame, waypoint);
-  const double heading = bridge::heading_of(path_.poses.back().pose.orientation);
-  follower_->set_path(std::move(path), std::isfinite(heading)
-                                           ? std::optional(frame.heading + heading)
-                                           : std::nullopt);
 }
 
 void FairwayController::take_scan(const sensor_msgs::msg::LaserScan& message) {
@@ -190,7 +180,7 @@ void FairwayController::take_obstacles(const sensor_msgs::msg::PointCloud2& clou
 
 geometry_msgs::msg::TwistStamped FairwayController::compute(
     const geometry_msgs::msg::PoseStamped& pose, const geometry_msgs::msg::Twist& velocity) {
-  if (const auto changed = parameters_->take_change()) follower_->set_settings(*changed);
+  if (const auto changed = parameters_->take_change()) follower_->set_settings({.robot = *changed});
   const double now = node_->now().seconds();
   const Pose2 here =
       bridge::compose(frame_in_costmap(pose.header.frame_id), bridge::to_pose(pose.pose));
@@ -198,12 +188,17 @@ geometry_msgs::msg::TwistStamped FairwayController::compute(
   {
     nav2_costmap_2d::Costmap2D* costmap = costmap_->getCostmap();
     const std::lock_guard<nav2_costmap_2d::Costmap2D::mutex_t> lock(*costmap->getMutex());
-    obstacles = to_obstacles(*costmap, unknown_cells(follower_->settings().map));
+    obstacles = to_obstacles(*costmap, unknown_cells(follower_->settings().robot.map));
   }
   bridge::ObstacleBoard moving;
   {
     const std::lock_guard<std::mutex> lock(obstacles_mutex_);
     moving = board_;
+  }
+  std::optional<Pose2> path_frame;
+  try {
+    path_frame = frame_in_costmap(path_frame_);
+  } catch (const ControllerTransformError&) {  // the follower uses the last one for a short time
   }
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   const FollowerStep step =
@@ -213,11 +208,10 @@ geometry_msgs::msg::TwistStamped FairwayController::compute(
                          .twist = bridge::to_twist(velocity),
                          .obstacles = obstacles,
                          .obstacles_time = costmap_->isCurrent() ? now : kNever,
-                         .moving = moving});
+                         .moving = moving,
+                         .path_frame = path_frame});
   standing_ = step.command.linear == 0.0 && step.command.angular == 0.0;
-  if (step.standing && !cancelling_ && step.status != NavigationStatus::GoalReached) {
-    throw NoValidControl(step.reason);
-  }
+  if (step.fault != FollowerFault::None && !cancelling_) throw NoValidControl(step.reason);
   geometry_msgs::msg::TwistStamped command;
   command.header.stamp = node_->now();
   command.header.frame_id = costmap_->getBaseFrameID();

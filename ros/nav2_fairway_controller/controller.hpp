@@ -60,9 +60,6 @@ class FairwayController : public nav2_core::Controller {
       const geometry_msgs::msg::PoseStamped& pose, const geometry_msgs::msg::Twist& velocity);
   void take_scan(const sensor_msgs::msg::LaserScan& scan);
   void take_obstacles(const sensor_msgs::msg::PointCloud2& cloud);
-  /// Transforms the last path into the costmap's frame, which may have moved relative to the
-  /// path's.
-  void hand_over_path();
   [[nodiscard]] Pose2 frame_in_costmap(const std::string& frame) const;
 
   std::shared_ptr<LifecycleNode> node_;
@@ -71,7 +68,7 @@ class FairwayController : public nav2_core::Controller {
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
   std::unique_ptr<Parameters> parameters_;
   std::unique_ptr<PathFollower> follower_;
-  nav_msgs::msg::Path path_;
+  std::string path_frame_;
   bool cancelling_ = false;
   bool standing_ = true;
 
