@@ -5,11 +5,10 @@
 #include <string>
 
 #include <nav2_core/controller.hpp>
+#include <nav2_core/goal_checker.hpp>
 #include <nav2_costmap_2d/costmap_2d_ros.hpp>
-#include <sensor_msgs/msg/laser_scan.hpp>
-#include <sensor_msgs/msg/point_cloud2.hpp>
 
-#include "fairway/navigation/facade/mapless_navigator.hpp"
+#include "nav2_fairway_controller/obstacle_inputs.hpp"
 #include "nav2_fairway_controller/parameters.hpp"
 #include "nav2_fairway_controller/path_follower.hpp"
 
@@ -18,7 +17,8 @@ namespace fairway::nav2 {
 /// Fairway as a controller of Nav2: converts messages and passes them to a PathFollower.
 ///
 /// Without a safe command it first brakes within the limits. Only at standstill it throws the
-/// exception that informs Nav2.
+/// exception that informs Nav2. Calls from other threads (speed limits, parameters, scans) take
+/// effect at the start of the next cycle, and throw nothing.
 class FairwayController : public nav2_core::Controller {
  public:
   void configure(const LifecycleNode::WeakPtr& parent,
@@ -35,18 +35,18 @@ class FairwayController : public nav2_core::Controller {
   geometry_msgs::msg::TwistStamped computeVelocityCommands(
       const geometry_msgs::msg::PoseStamped& pose,
       const geometry_msgs::msg::Twist& velocity,
-      nav2_core::GoalChecker* /*goal_checker*/,
+      nav2_core::GoalChecker* goal_checker,
       const nav_msgs::msg::Path& /*transformed_global_plan*/,
       const geometry_msgs::msg::PoseStamped& /*global_goal*/) override {
-    return compute(pose, velocity);
+    return compute(pose, velocity, goal_checker);
   }
 #else
   void setPlan(const nav_msgs::msg::Path& path) override { take_path(path); }
   geometry_msgs::msg::TwistStamped computeVelocityCommands(
       const geometry_msgs::msg::PoseStamped& pose,
       const geometry_msgs::msg::Twist& velocity,
-      nav2_core::GoalChecker* /*goal_checker*/) override {
-    return compute(pose, velocity);
+      nav2_core::GoalChecker* goal_checker) override {
+    return compute(pose, velocity, goal_checker);
   }
 #endif
 #if FAIRWAY_NAV2_TYPED_EXCEPTIONS
@@ -57,13 +57,13 @@ class FairwayController : public nav2_core::Controller {
  private:
   void take_path(const nav_msgs::msg::Path& path);
   [[nodiscard]] geometry_msgs::msg::TwistStamped compute(
-      const geometry_msgs::msg::PoseStamped& pose, const geometry_msgs::msg::Twist& velocity);
-  void take_scan(const sensor_msgs::msg::LaserScan& scan);
-  void take_obstacles(const sensor_msgs::msg::PointCloud2& cloud);
-  /// Transforms the last path into the costmap's frame, which may have moved relative to the
-  /// path's.
-  void hand_over_path();
-  [[nodiscard]] Pose2 frame_in_costmap(const std::string& frame) const;
+      const geometry_msgs::msg::PoseStamped& pose,
+      const geometry_msgs::msg::Twist& velocity,
+      nav2_core::GoalChecker* goal_checker);
+  void take_changes();
+  [[nodiscard]] FollowerStep drive(const geometry_msgs::msg::PoseStamped& pose,
+                                   const geometry_msgs::msg::Twist& velocity,
+                                   nav2_core::GoalChecker* goal_checker);
 
   std::shared_ptr<LifecycleNode> node_;
   std::string name_;
@@ -71,16 +71,14 @@ class FairwayController : public nav2_core::Controller {
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
   std::unique_ptr<Parameters> parameters_;
   std::unique_ptr<PathFollower> follower_;
-  nav_msgs::msg::Path path_;
+  std::unique_ptr<ObstacleInputs> inputs_;
+  bool uses_costmap_footprint_ = false;
+  RobotSettings footprint_;  // the body that was taken from the costmap
+
+  // Only the action's thread uses these.
+  std::string path_frame_;
   bool cancelling_ = false;
   bool standing_ = true;
-
-  // The data from the subscriptions; their callbacks run in the executor's threads.
-  std::mutex obstacles_mutex_;
-  bridge::ObstacleBoard board_;
-  std::unique_ptr<MaplessNavigator> tracker_;
-  std::shared_ptr<void> scans_;      // the subscriptions, whose types differ between
-  std::shared_ptr<void> obstacles_;  // distributions
 };
 
 }  // namespace fairway::nav2

@@ -1,158 +1,157 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nav2_fairway_controller/parameters.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <type_traits>
+#include <cstdint>
+#include <exception>
 #include <utility>
 
 #include "fairway/navigation/renamed_settings.hpp"
+#include "nav2_fairway_controller/following/speed_limit.hpp"
 
 namespace fairway::nav2 {
 
 namespace {
 
-template <typename Value>
-constexpr bool kIsPlain =
-    std::is_same_v<Value, bool> || std::is_same_v<Value, int> || std::is_same_v<Value, double>;
+constexpr const char* kFrequency = "controller_frequency";
 
-template <typename Value>
-rclcpp::ParameterValue stored(const Value& value) {
-  if constexpr (kIsPlain<Value>) {
-    return rclcpp::ParameterValue(value);
-  } else if constexpr (std::is_same_v<Value, BodyDiscs>) {
-    return rclcpp::ParameterValue(to_text(value));
-  } else {
-    return rclcpp::ParameterValue(
-        std::string(setting_names(value)[static_cast<std::size_t>(value)]));
-  }
+// Returns the value, or none for the types that no setting has.
+std::optional<SettingValue> value_of(const rclcpp::ParameterValue& value) {
+  const rclcpp::ParameterType type = value.get_type();
+  if (type == rclcpp::ParameterType::PARAMETER_BOOL) return value.get<bool>();
+  if (type == rclcpp::ParameterType::PARAMETER_DOUBLE) return value.get<double>();
+  if (type == rclcpp::ParameterType::PARAMETER_STRING) return value.get<std::string>();
+  if (type != rclcpp::ParameterType::PARAMETER_INTEGER) return std::nullopt;
+  return SettingValue(std::int64_t{value.get<std::int64_t>()});
 }
 
-template <typename Value>
-rcl_interfaces::msg::ParameterDescriptor describe(const SettingInfo& info) {
+rcl_interfaces::msg::ParameterDescriptor describe(const SettingDeclaration& setting) {
   rcl_interfaces::msg::ParameterDescriptor descriptor;
-  descriptor.description = info.meaning;
-  if (*info.unit != '\0') descriptor.description += std::string(" [") + info.unit + "]";
-  if (!std::isfinite(info.min) || !std::isfinite(info.max)) return descriptor;
-  if constexpr (std::is_same_v<Value, int>) {
+  descriptor.description = setting.meaning;
+  if (!setting.least || !setting.greatest) return descriptor;
+  if (std::holds_alternative<std::int64_t>(setting.value)) {
     descriptor.integer_range.resize(1);
-    descriptor.integer_range[0].from_value = static_cast<std::int64_t>(info.min);
-    descriptor.integer_range[0].to_value = static_cast<std::int64_t>(info.max);
-  } else if constexpr (std::is_same_v<Value, double>) {
+    descriptor.integer_range[0].from_value = static_cast<std::int64_t>(*setting.least);
+    descriptor.integer_range[0].to_value = static_cast<std::int64_t>(*setting.greatest);
+  } else if (std::holds_alternative<double>(setting.value)) {
     descriptor.floating_point_range.resize(1);
-    descriptor.floating_point_range[0].from_value = info.min;
-    descriptor.floating_point_range[0].to_value = info.max;
+    descriptor.floating_point_range[0].from_value = *setting.least;
+    descriptor.floating_point_range[0].to_value = *setting.greatest;
   }
   return descriptor;
 }
 
-// Copies a parameter to a setting; returns the expectation after an error, else an empty text.
-template <typename Value>
-std::string assign(const rclcpp::Parameter& parameter, const SettingInfo& info, Value& value) {
-  if constexpr (std::is_same_v<Value, bool>) {
-    value = parameter.as_bool();
-  } else if constexpr (kIsPlain<Value>) {
-    const double number = std::is_same_v<Value, int> ? static_cast<double>(parameter.as_int())
-                                                     : parameter.as_double();
-    if (!(number >= info.min && number <= info.max)) {
-      return "expected a number from " + std::to_string(info.min) + " to " +
-             std::to_string(info.max);
-    }
-    value = static_cast<Value>(number);
-  } else if constexpr (std::is_same_v<Value, BodyDiscs>) {
-    const auto parsed = parse_body_discs(parameter.as_string());
-    if (!parsed) return std::string("expected ") + kBodyDiscsExpected;
-    value = *parsed;
-  } else {
-    const auto names = setting_names(value);
-    const auto found = std::find(names.begin(), names.end(), parameter.as_string());
-    if (found == names.end()) return "expected one of the names that its documentation lists";
-    value = static_cast<Value>(found - names.begin());
-  }
-  return {};
+FollowerSettings defaults_at(const std::optional<double>& frequency) {
+  FollowerSettings defaults;
+  if (frequency) defaults.robot.navigation.control_period = period_of(*frequency);
+  return defaults;
 }
 
-// Reads the value that a parameter file gives under the old name of a setting; it becomes the
-// default of the new name. Old names work until 1.0.
-template <typename Node>
-void read_renamed(Node& node, const std::string& prefix, Settings& settings) {
-  visit_settings(settings, [&](const char* group, auto&& visit_fields) {
-    visit_fields([&](auto& value, const SettingInfo& info) {
-      using Value = std::remove_cv_t<std::remove_reference_t<decltype(value)>>;
-      const std::string name = std::string(group) + "." + info.name;
-      for (const RenamedSetting& renamed : kRenamedSettings) {
-        if (renamed.name != name) continue;
-        const std::string old_name = prefix + std::string(renamed.old_name);
-        if (!node.has_parameter(old_name)) {
-          node.declare_parameter(old_name, stored(value), describe<Value>(info));
-        }
-        const std::string fault = assign(node.get_parameter(old_name), info, value);
-        if (!fault.empty()) throw ControllerSetupError(old_name + ": " + fault);
-      }
-    });
-  });
+rcl_interfaces::msg::ParameterDescriptor fixed(const std::string& meaning) {
+  rcl_interfaces::msg::ParameterDescriptor descriptor;
+  descriptor.description = meaning;
+  descriptor.read_only = true;
+  return descriptor;
 }
 
 }  // namespace
 
-Parameters::Parameters(std::shared_ptr<LifecycleNode> node, std::string plugin)
-    : prefix_(std::move(plugin) + ".") {
-  std::vector<rclcpp::Parameter> given;
-  Settings defaults = settings_;
-  read_renamed(*node, prefix_, defaults);
-  visit_settings(defaults, [&](const char* group, auto&& visit_fields) {
-    visit_fields([&](const auto& value, const SettingInfo& info) {
-      using Value = std::remove_cv_t<std::remove_reference_t<decltype(value)>>;
-      const std::string name = prefix_ + group + "." + info.name;
-      if (!node->has_parameter(name)) {
-        node->declare_parameter(name, stored(value), describe<Value>(info));
-      }
-      given.push_back(node->get_parameter(name));
-    });
-  });
-  const auto result = on_change(given);
-  if (!result.successful) throw ControllerSetupError(result.reason);
-  changed_ = false;
-  callback_ = node->add_on_set_parameters_callback(
-      [this](const std::vector<rclcpp::Parameter>& changes) { return on_change(changes); });
-}
-
-Settings Parameters::settings() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return settings_;
-}
-
-std::optional<Settings> Parameters::take_change() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(changed_, false) ? std::optional(settings_) : std::nullopt;
-}
-
-rcl_interfaces::msg::SetParametersResult Parameters::on_change(
-    const std::vector<rclcpp::Parameter>& changes) {
-  rcl_interfaces::msg::SetParametersResult result;
-  result.successful = true;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  Settings wanted = settings_;
-  visit_settings(wanted, [&](const char* group, auto&& visit_fields) {
-    visit_fields([&](auto& value, const SettingInfo& info) {
-      const std::string name = prefix_ + group + "." + info.name;
-      for (const rclcpp::Parameter& change : changes) {
-        if (change.get_name() != name || !result.successful) continue;
-        const std::string fault = assign(change, info, value);
-        result.successful = fault.empty();
-        if (!fault.empty()) result.reason = name + ": " + fault;
-      }
-    });
-  });
-  if (!result.successful) return result;
-  if (const auto valid = validate(wanted); !valid) {
-    result.successful = false;
-    result.reason = prefix_ + valid.error().message;
-    return result;
+Parameters::Parameters(std::shared_ptr<LifecycleNode> node,
+                       const std::string& plugin,
+                       const std::optional<double>& frequency)
+    : node_(std::move(node)),
+      prefix_(plugin + "."),
+      frequency_(frequency),
+      store_(defaults_at(frequency), frequency.has_value()) {
+  // The values of parameter files are read before the declaration, so that a whole number may be
+  // given for a real one.
+  const auto& given = node_->get_node_parameters_interface()->get_parameter_overrides();
+  std::vector<SettingChange> changes;
+  const auto add = [&](const std::string& name, const rclcpp::ParameterValue& value) {
+    if (auto read = value_of(value)) changes.push_back({.name = name, .value = *std::move(read)});
+  };
+  for (const RenamedSetting& renamed : kRenamedSettings) {
+    const auto found = given.find(prefix_ + std::string(renamed.old_name));
+    if (found != given.end()) add(std::string(renamed.name), found->second);
   }
-  settings_ = wanted;
-  changed_ = true;
-  return result;
+  const std::vector<SettingDeclaration> settings = store_.declarations();
+  for (const SettingDeclaration& setting : settings) {
+    const std::string name = prefix_ + setting.name;
+    if (node_->has_parameter(name)) {
+      add(setting.name, node_->get_parameter(name).get_parameter_value());
+    } else if (const auto found = given.find(name); found != given.end()) {
+      add(setting.name, found->second);
+    }
+  }
+  std::string fault = store_.set(changes);
+  if (fault.empty() && frequency_) {
+    fault = frequency_fault(store_.settings().robot.navigation.control_period, *frequency_);
+  }
+  if (!fault.empty()) throw ControllerSetupError(prefix_ + fault);
+  for (const SettingDeclaration& setting : store_.declarations()) {
+    const std::string name = prefix_ + setting.name;
+    if (node_->has_parameter(name)) continue;
+    const auto declare = [&](const auto& value) {
+      node_->declare_parameter(name, rclcpp::ParameterValue(value), describe(setting), true);
+    };
+    std::visit(declare, setting.value);
+  }
+  callback_ = node_->add_on_set_parameters_callback(
+      [this](const std::vector<rclcpp::Parameter>& parameters) {
+        rcl_interfaces::msg::SetParametersResult result;
+        result.reason = fault_of(parameters);
+        result.successful = result.reason.empty();
+        return result;
+      });
+}
+
+// Returns why the node must not store these values, or an empty text. Does not throw.
+std::string Parameters::fault_of(const std::vector<rclcpp::Parameter>& parameters) {
+  try {
+    std::vector<SettingChange> changes;
+    double period = store_.settings().robot.navigation.control_period;
+    for (const rclcpp::Parameter& parameter : parameters) {
+      const std::string& name = parameter.get_name();
+      const auto value = value_of(parameter.get_parameter_value());
+      if (frequency_ && name == kFrequency) {
+        return std::string(kFrequency) + ": expected no change while " + prefix_ +
+               "navigation.control_period depends on it; configure the server again";
+      }
+      if (!name.starts_with(prefix_)) continue;
+      if (!value) continue;
+      changes.push_back({.name = name.substr(prefix_.size()), .value = *value});
+      const double* number = std::get_if<double>(&*value);
+      if (number != nullptr && changes.back().name == "navigation.control_period") period = *number;
+    }
+    if (changes.empty()) return {};
+    std::string fault = frequency_ ? frequency_fault(period, *frequency_) : std::string();
+    if (fault.empty()) fault = store_.propose(changes, node_->now().seconds());
+    return fault.empty() ? fault : prefix_ + fault;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+std::optional<FollowerSettings> Parameters::take_change() {
+  return store_.take_change(node_->now().seconds(), [this](const std::string& name) {
+    return value_of(node_->get_parameter(prefix_ + name).get_parameter_value());
+  });
+}
+
+std::string read_text(LifecycleNode& node, const std::string& name, const std::string& meaning) {
+  if (!node.has_parameter(name)) {
+    node.declare_parameter(name, rclcpp::ParameterValue(std::string()), fixed(meaning));
+  }
+  return node.get_parameter(name).as_string();
+}
+
+bool read_switch(LifecycleNode& node,
+                 const std::string& name,
+                 bool otherwise,
+                 const std::string& meaning) {
+  if (!node.has_parameter(name)) {
+    node.declare_parameter(name, rclcpp::ParameterValue(otherwise), fixed(meaning));
+  }
+  return node.get_parameter(name).as_bool();
 }
 
 }  // namespace fairway::nav2

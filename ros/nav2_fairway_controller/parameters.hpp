@@ -2,15 +2,14 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <rclcpp/rclcpp.hpp>
 
-#include "fairway/navigation/settings.hpp"
 #include "nav2_fairway_controller/nav2_versions.hpp"
+#include "nav2_fairway_controller/setting_store.hpp"
 
 namespace fairway::nav2 {
 
@@ -19,24 +18,38 @@ namespace fairway::nav2 {
 class Parameters {
  public:
   /// Declares all parameters and reads the node's values.
-  /// @throws ControllerSetupError when the values are inconsistent; the message names the
-  /// parameter.
-  Parameters(std::shared_ptr<LifecycleNode> node, std::string plugin);
+  /// @param frequency  Frequency of the server that calls the plugin [Hz]; none for a planner,
+  /// which has no settings of the group `following`.
+  /// @throws ControllerSetupError when a value is wrong; the message names the parameter.
+  Parameters(std::shared_ptr<LifecycleNode> node,
+             const std::string& plugin,
+             const std::optional<double>& frequency);
 
   /// The current settings.
-  [[nodiscard]] Settings settings() const;
+  [[nodiscard]] FollowerSettings settings() const { return store_.settings(); }
 
-  /// The settings, once after each change.
-  [[nodiscard]] std::optional<Settings> take_change();
+  /// The settings, once after each change that the node has accepted.
+  [[nodiscard]] std::optional<FollowerSettings> take_change();
 
  private:
-  rcl_interfaces::msg::SetParametersResult on_change(const std::vector<rclcpp::Parameter>& changes);
+  [[nodiscard]] std::string fault_of(const std::vector<rclcpp::Parameter>& changes);
 
+  std::shared_ptr<LifecycleNode> node_;
   std::string prefix_;
-  mutable std::mutex mutex_;  // callbacks come from the executor's threads
-  Settings settings_;
-  bool changed_ = false;
+  std::optional<double> frequency_;
+  SettingStore store_;
   rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr callback_;
 };
+
+/// Reads a text that is fixed while the plugin is configured.
+[[nodiscard]] std::string read_text(LifecycleNode& node,
+                                    const std::string& name,
+                                    const std::string& meaning);
+
+/// Reads a switch that is fixed while the plugin is configured.
+[[nodiscard]] bool read_switch(LifecycleNode& node,
+                               const std::string& name,
+                               bool otherwise,
+                               const std::string& meaning);
 
 }  // namespace fairway::nav2

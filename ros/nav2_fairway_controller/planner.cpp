@@ -40,7 +40,7 @@ void FairwayPlanner::configure(const LifecycleNode::WeakPtr& parent,
   if (!node_) throw ControllerSetupError("the node has ended");
   transforms_ = std::move(transforms);
   costmap_ = std::move(costmap);
-  parameters_ = std::make_unique<Parameters>(node_, std::move(name));
+  parameters_ = std::make_unique<Parameters>(node_, name, std::nullopt);
 }
 
 void FairwayPlanner::cleanup() {
@@ -67,7 +67,8 @@ nav_msgs::msg::Path FairwayPlanner::plan(
     const geometry_msgs::msg::PoseStamped& goal,
     const std::vector<geometry_msgs::msg::PoseStamped>& via_points,
     const std::function<bool()>& cancelled) {
-  const Settings settings = parameters_->settings();
+  static_cast<void>(parameters_->take_change());
+  const Settings settings = parameters_->settings().robot;
   PreparedMap map;
   {
     nav2_costmap_2d::Costmap2D* costmap = costmap_->getCostmap();

@@ -5,47 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/simulation/world.hpp"
-#include "nav2_fairway_controller/costmap_conversion.hpp"
+#include "ros/nav2/follower_rig.hpp"
 
 namespace fairway::nav2 {
 namespace {
-
-// The part of nav2_costmap_2d::Costmap2D that to_obstacles uses.
-struct Costmap {
-  unsigned int width = 0;
-  unsigned int height = 0;
-  double resolution = 0.05;
-  double origin_x = 0.0;
-  double origin_y = 0.0;
-  std::vector<unsigned char> cells;
-
-  [[nodiscard]] unsigned int getSizeInCellsX() const { return width; }
-  [[nodiscard]] unsigned int getSizeInCellsY() const { return height; }
-  [[nodiscard]] double getResolution() const { return resolution; }
-  [[nodiscard]] double getOriginX() const { return origin_x; }
-  [[nodiscard]] double getOriginY() const { return origin_y; }
-  [[nodiscard]] const unsigned char* getCharMap() const { return cells.data(); }
-};
-
-struct Vector3 {
-  double x = 0.0, y = 0.0, z = 0.0;
-};
-struct Quaternion {
-  double x = 0.0, y = 0.0, z = 0.0, w = 1.0;
-};
-struct PoseMessage {
-  Vector3 position;
-  Quaternion orientation;
-};
-struct StampedPose {
-  int header = 0;
-  PoseMessage pose;
-};
-struct PathMessage {
-  int header = 7;
-  std::vector<StampedPose> poses;
-};
 
 TEST(CostmapConversion, BlocksLethalCellsAndIgnoresInflation) {
   Costmap costmap{.width = 3,
@@ -78,78 +41,8 @@ TEST(CostmapConversion, FillsPathsDenselyAndEndsWithTheGoalsHeading) {
   EXPECT_EQ(message.poses.size(), 16U);
 }
 
-// A hall of 12 m x 6 m with two posts, and a path of another planner around them.
-struct Rig {
-  Rig() : world(hall()), follower(Settings{}) {}
-
-  static Scenario hall() {
-    Scenario scenario;
-    scenario.map = OccupancyGrid({.width = 240, .height = 120, .resolution = 0.05, .origin = {}});
-    for (int i = 0; i < 10; ++i) {
-      for (int j = 0; j < 10; ++j) {
-        scenario.map.set({80 + i, 50 + j}, CellState::Occupied);
-        scenario.map.set({150 + i, 60 + j}, CellState::Occupied);
-      }
-    }
-    scenario.robots = {{.name = "robot", .start = {.position = {1, 3}, .heading = 0}, .goal = {}}};
-    return scenario;
-  }
-
-  static Path path() {
-    PathMessage dense;
-    fill_path({.waypoints = {{1, 3}, {4, 4}, {7.5, 2.2}, {11, 3}}}, {}, 0.05, dense);
-    return to_path(dense);
-  }
-
-  // The window of 6 m around the robot, as in a rolling costmap.
-  [[nodiscard]] BitGrid window() const {
-    const Eigen::Vector2d center = world.robots()[0].pose.position;
-    const Eigen::Vector2d corner =
-        (((center - Eigen::Vector2d(3, 3)) / 0.05).array().round() * 0.05).matrix();
-    Costmap costmap{.width = 120, .height = 120, .origin_x = corner.x(), .origin_y = corner.y()};
-    costmap.cells.resize(std::size_t{120} * 120, 0);
-    for (int y = 0; y < 120; ++y) {
-      for (int x = 0; x < 120; ++x) {
-        const Eigen::Vector2d at = corner + 0.05 * Eigen::Vector2d(x + 0.5, y + 0.5);
-        const bool blocked = world.obstacles().blocked(world.obstacles().frame().cell_at(at));
-        costmap.cells[static_cast<std::size_t>(y * 120 + x)] = blocked ? kLethal : 0;
-      }
-    }
-    return to_obstacles(costmap, UnknownCells::Occupied);
-  }
-
-  FollowerStep step() {
-    const UnicycleRobot& robot = world.robots()[0];
-    const BitGrid obstacles = window();
-    const double now = world.time();
-    const FollowerStep answer = follower.update({.time = now,
-                                                 .pose = robot.pose,
-                                                 .pose_time = now,
-                                                 .twist = robot.twist,
-                                                 .obstacles = obstacles,
-                                                 .obstacles_time = costmap_alive ? now : -1e9,
-                                                 .moving = board});
-    world.advance({answer.command}, 0.1);
-    return answer;
-  }
-
-  FollowerStep drive(double seconds) {
-    FollowerStep last;
-    for (const double until = world.time() + seconds;
-         world.time() < until && last.status != NavigationStatus::GoalReached;) {
-      last = step();
-    }
-    return last;
-  }
-
-  World world;
-  PathFollower follower;
-  bridge::ObstacleBoard board;
-  bool costmap_alive = true;
-};
-
 TEST(PathFollower, FollowsAPathThroughAMovingWindowToItsEnd) {
-  Rig rig;
+  Rig rig(Rig::hall());
   rig.follower.set_path(Rig::path(), 0.0);
   rig.drive(40.0);
   const Pose2& pose = rig.world.robots()[0].pose;
@@ -159,7 +52,7 @@ TEST(PathFollower, FollowsAPathThroughAMovingWindowToItsEnd) {
 }
 
 TEST(PathFollower, AvoidsAnObstacleOnThePath) {
-  Rig rig;
+  Rig rig(Rig::hall());
   Path straight{.waypoints = {}};
   for (int i = 20; i <= 220; ++i)
     straight.waypoints.emplace_back(0.05 * i, 2.75);  // through the first post
@@ -170,33 +63,33 @@ TEST(PathFollower, AvoidsAnObstacleOnThePath) {
 }
 
 TEST(PathFollower, RespectsASpeedLimitDuringADrive) {
-  Rig rig;
+  Rig rig(Rig::hall());
   rig.follower.set_path(Rig::path(), {});
   rig.drive(2.0);
-  rig.follower.set_speed_limit(0.3);
+  rig.follower.set_speed_limit({.value = 0.3});
   rig.drive(1.0);
   for (int i = 0; i < 20; ++i)
     EXPECT_LE(rig.step().command.linear, 0.3 + 1e-9);
-  rig.follower.set_speed_limit(0.0);
+  rig.follower.set_speed_limit({});
   rig.drive(1.5);
   EXPECT_GT(rig.world.robots()[0].twist.linear, 0.6);
 }
 
 TEST(PathFollower, BrakesWhenTheCostmapIsOldAndThenReportsIt) {
-  Rig rig;
+  Rig rig(Rig::hall());
   rig.follower.set_path(Rig::path(), {});
   rig.drive(2.0);
   rig.costmap_alive = false;
   FollowerStep step = rig.step();
-  EXPECT_FALSE(step.standing) << "it brakes first";
+  EXPECT_EQ(step.fault, FollowerFault::None) << "it brakes first";
   step = rig.drive(1.0);
-  EXPECT_TRUE(step.standing);
+  EXPECT_EQ(step.fault, FollowerFault::NoControl);
   EXPECT_EQ(step.status, NavigationStatus::Stale);
   EXPECT_NE(step.reason.find("stale map"), std::string::npos) << step.reason;
 }
 
 TEST(PathFollower, BrakesToStandstillWhenCancelled) {
-  Rig rig;
+  Rig rig(Rig::hall());
   rig.follower.set_path(Rig::path(), {});
   rig.drive(2.0);
   rig.follower.cancel();
@@ -206,7 +99,7 @@ TEST(PathFollower, BrakesToStandstillWhenCancelled) {
 }
 
 TEST(PathFollower, WaitsForAPersonOnThePathAndContinuesWhenTheyLeave) {
-  Rig rig;
+  Rig rig(Rig::hall());
   rig.follower.set_path(Rig::path(), {});
   const MovingObstacle person{.position = {6.0, 3.0}, .velocity = {0.0, 0.0}, .radius = 0.3};
   double least = 1e9;

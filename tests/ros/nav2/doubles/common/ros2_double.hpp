@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -32,8 +33,9 @@ struct Vector3 {
 struct Quaternion {
   double x, y, z, w;
 };
+using Point = Vector3;
 struct Pose {
-  Vector3 position;
+  Point position;
   Quaternion orientation;
 };
 struct PoseStamped {
@@ -93,6 +95,7 @@ struct FloatingPointRange {
 };
 struct ParameterDescriptor {
   std::string description;
+  bool read_only;
   std::vector<IntegerRange> integer_range;
   std::vector<FloatingPointRange> floating_point_range;
 };
@@ -103,8 +106,20 @@ struct SetParametersResult {
 }  // namespace rcl_interfaces::msg
 
 namespace rclcpp {
+enum class ParameterType : std::uint8_t {
+  PARAMETER_NOT_SET,
+  PARAMETER_BOOL,
+  PARAMETER_INTEGER,
+  PARAMETER_DOUBLE,
+  PARAMETER_STRING,
+  PARAMETER_BYTE_ARRAY
+};
 class ParameterValue {
  public:
+  ParameterType get_type() const;
+  template <typename Value>
+  const Value& get() const;
+  explicit ParameterValue(std::int64_t value);
   explicit ParameterValue(bool value);
   explicit ParameterValue(int value);
   explicit ParameterValue(double value);
@@ -113,6 +128,7 @@ class ParameterValue {
 class Parameter {
  public:
   const std::string& get_name() const;
+  const ParameterValue& get_parameter_value() const;
   bool as_bool() const;
   std::int64_t as_int() const;
   double as_double() const;
@@ -144,6 +160,10 @@ std::shared_ptr<Subscription<Message>> create_subscription(Node& /*node*/,
   return nullptr;
 }
 namespace node_interfaces {
+struct NodeParametersInterface {
+  using SharedPtr = std::shared_ptr<NodeParametersInterface>;
+  const std::map<std::string, rclcpp::ParameterValue>& get_parameter_overrides() const;
+};
 struct OnSetParametersCallbackHandle {
   using SharedPtr = std::shared_ptr<OnSetParametersCallbackHandle>;
 };
@@ -166,7 +186,9 @@ class LifecycleNode {
   const rclcpp::ParameterValue& declare_parameter(
       const std::string& name,
       const rclcpp::ParameterValue& value,
-      const rcl_interfaces::msg::ParameterDescriptor& descriptor = {});
+      const rcl_interfaces::msg::ParameterDescriptor& descriptor = {},
+      bool ignore_override = false);
+  rclcpp::node_interfaces::NodeParametersInterface::SharedPtr get_node_parameters_interface();
   rclcpp::Parameter get_parameter(const std::string& name) const;
   rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(
       std::function<rcl_interfaces::msg::SetParametersResult(const std::vector<rclcpp::Parameter>&)>
@@ -215,14 +237,20 @@ class Costmap2DROS {
  public:
   bool isCurrent();
   Costmap2D* getCostmap();
+  std::vector<geometry_msgs::msg::Point> getRobotFootprint();
   std::string getGlobalFrameID();
   std::string getBaseFrameID();
 };
 }  // namespace nav2_costmap_2d
 
 namespace nav2_core {
-class GoalChecker;
-}
+class GoalChecker {
+ public:
+  virtual ~GoalChecker() = default;
+  virtual bool getTolerances(geometry_msgs::msg::Pose& pose_tolerance,
+                             geometry_msgs::msg::Twist& vel_tolerance) = 0;
+};
+}  // namespace nav2_core
 
 #define PLUGINLIB_EXPORT_CLASS(derived, base) \
   static_assert(!std::is_abstract_v<derived> && std::is_base_of_v<base, derived>);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nav2_fairway_controller/costmap_footprint.hpp"
+
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fairway::nav2 {
+namespace {
+
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+};
+using Points = std::vector<Point>;
+
+TEST(CostmapFootprint, OfARadiusIsADisc) {
+  Points circle;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / 16;
+    circle.push_back({.x = 0.4 * std::cos(angle), .y = 0.4 * std::sin(angle)});
+  }
+  RobotSettings robot{.length = 1.0, .width = 1.0};
+  EXPECT_TRUE(set_body(circle, robot));
+  EXPECT_NEAR(robot.radius, 0.4, 1e-9);
+  EXPECT_EQ(robot.length, 0.0);
+}
+
+TEST(CostmapFootprint, IsCoveredByARectangleAroundTheOrigin) {
+  RobotSettings robot;
+  EXPECT_TRUE(set_body(Points{{0.5, 0.2}, {-0.3, 0.2}, {-0.3, -0.25}, {0.5, -0.25}}, robot));
+  EXPECT_EQ(robot.length, 1.0);
+  EXPECT_EQ(robot.width, 0.5);
+  EXPECT_NEAR(robot.radius, std::hypot(0.5, 0.25), 1e-12);
+}
+
+TEST(CostmapFootprint, WithoutABodyChangesNothing) {
+  RobotSettings robot{.radius = 0.3};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(set_body(Points{}, robot));
+  EXPECT_FALSE(set_body(Points{{0, 0}, {0, 0}, {0, 0}}, robot));
+  EXPECT_FALSE(set_body(Points{{0.1, 0}, {nan, 0.1}, {0.1, 0.1}}, robot));
+  EXPECT_FALSE(set_body(Points{{50, 0}, {0, 50}, {-50, 0}}, robot));
+  EXPECT_EQ(robot.radius, 0.3);
+}
+
+}  // namespace
+}  // namespace fairway::nav2
