@@ -3,18 +3,30 @@
 
 #include <gtest/gtest.h>
 
+#include "support/small_barn.hpp"
 #include "tool_run.hpp"
 
 namespace fairway::test {
 namespace {
 
-std::string barn() { return std::string("barn '") + FAIRWAY_SHARED_DATA + "/barn' "; }
+// The worlds of the data set, and two small ones that are always there.
+enum class BarnData { Generated, Shared };
 
-class Barn : public testing::Test {
+class Barn : public testing::TestWithParam<BarnData> {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(FAIRWAY_SHARED_DATA "/barn/barn.json"))
+    if (GetParam() == BarnData::Generated) {
+      write_small_barn(generated_);
+    } else if (!std::filesystem::exists(FAIRWAY_SHARED_DATA "/barn/barn.json")) {
       GTEST_SKIP() << "no barn in " << FAIRWAY_SHARED_DATA;
+    }
+  }
+
+  [[nodiscard]] std::string barn() const {
+    return "barn '" +
+           (GetParam() == BarnData::Generated ? generated_.path("")
+                                              : std::string(FAIRWAY_SHARED_DATA "/barn")) +
+           "' ";
   }
 
   [[nodiscard]] std::uintmax_t size(const char* name) const {
@@ -24,9 +36,12 @@ class Barn : public testing::Test {
   }
 
   TemporaryFolder folder_;
+
+ private:
+  TemporaryFolder generated_;
 };
 
-TEST_F(Barn, RecordsSeveralRunsUnderTheirNamesAndOneUnderTheGivenName) {
+TEST_P(Barn, RecordsSeveralRunsUnderTheirNamesAndOneUnderTheGivenName) {
   const ToolRun two = run_tool(folder_, barn() + "--worlds 0,6 --log r.mcap --report r.html");
   EXPECT_EQ(two.code, 0) << two.err;
   for (const char* name : {"r_world_000_trial_0.mcap", "r_world_006_trial_0.html"})
@@ -40,7 +55,7 @@ TEST_F(Barn, RecordsSeveralRunsUnderTheirNamesAndOneUnderTheGivenName) {
 }
 
 // A robot that is too wide for the passage fails, and a page shows why.
-TEST_F(Barn, KeepsAPictureAndAPageOfAFailedRunOnly) {
+TEST_P(Barn, KeepsAPictureAndAPageOfAFailedRunOnly) {
   const ToolRun failed =
       run_tool(folder_, barn() + "--worlds 0 --set robot.radius=0.6 --trace-dir failed");
   EXPECT_EQ(failed.code, 1) << failed.err;
@@ -52,11 +67,18 @@ TEST_F(Barn, KeepsAPictureAndAPageOfAFailedRunOnly) {
   EXPECT_EQ(size("done/world_000_trial_0.html"), 0U);
 }
 
-TEST_F(Barn, AnUnwritableFileIsReportedBeforeTheRun) {
+TEST_P(Barn, AnUnwritableFileIsReportedBeforeTheRun) {
   const ToolRun run = run_tool(folder_, barn() + "--worlds 0 --log nowhere/r.mcap");
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(count_lines(run.err), 1) << run.err;
 }
+
+INSTANTIATE_TEST_SUITE_P(Worlds,
+                         Barn,
+                         testing::Values(BarnData::Generated, BarnData::Shared),
+                         [](const auto& data) {
+                           return data.param == BarnData::Generated ? "Generated" : "Shared";
+                         });
 
 }  // namespace
 }  // namespace fairway::test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/temporary_folder.hpp"
+#include "support/small_barn.hpp"
 
 namespace fairway::io {
 namespace {
@@ -33,6 +33,52 @@ TEST(BarnFile, ReadsTheSharedMovingWorlds) {
   EXPECT_EQ(world.bodies.size(), 11U);
   EXPECT_EQ(world.map.at(world.map.frame().cell_at(world.goal)), CellState::Free);
   EXPECT_TRUE(world.map.frame().contains(world.map.frame().cell_at(world.start.position)));
+}
+
+TEST(BarnFile, ReadsTheWorldsOfAFolder) {
+  const test::TemporaryFolder folder;
+  test::write_small_barn(folder);
+  const auto worlds = read_barn(folder.path(""), {});
+  ASSERT_TRUE(worlds) << worlds.error().message;
+  ASSERT_EQ(worlds->size(), 2U);
+  EXPECT_EQ((*worlds)[0].number, 0);
+  EXPECT_EQ((*worlds)[1].number, 6);
+  const BarnWorld& world = (*worlds)[1];
+  EXPECT_EQ(world.start.position, Eigen::Vector2d(-2.25, 3.0));
+  EXPECT_EQ(world.start.heading, 1.57);
+  EXPECT_EQ(world.goal, Eigen::Vector2d(-2.25, 13.0));
+  EXPECT_EQ(world.goal_radius, 1.0);
+  EXPECT_EQ(world.timeout, 100.0);
+  EXPECT_EQ(world.optimal_time, 5.1);
+  EXPECT_EQ(world.map.cells().size(), 120U * 280U);
+  EXPECT_EQ(world.map.at(world.map.frame().cell_at({-2.25, 8.1})), CellState::Occupied);
+  EXPECT_EQ(world.map.at(world.map.frame().cell_at({-3.0, 8.1})), CellState::Free) << "the door";
+}
+
+TEST(BarnFile, ReadsOnlyTheWorldsAskedFor) {
+  const test::TemporaryFolder folder;
+  test::write_small_barn(folder);
+  const auto worlds = read_barn(folder.path(""), {6});
+  ASSERT_TRUE(worlds) << worlds.error().message;
+  ASSERT_EQ(worlds->size(), 1U);
+  EXPECT_EQ(worlds->front().number, 6);
+}
+
+TEST(BarnFile, AMovingWorldHasAFloorForAllMotion) {
+  const test::TemporaryFolder folder;
+  const auto worlds = read_dynabarn(test::write_small_dynabarn(folder), {});
+  ASSERT_TRUE(worlds) << worlds.error().message;
+  ASSERT_EQ(worlds->size(), 1U);
+  const BarnWorld& world = worlds->front();
+  EXPECT_EQ(world.number, 3);
+  ASSERT_EQ(world.bodies.size(), 1U);
+  EXPECT_EQ(world.bodies[0].radius, 0.5);
+  EXPECT_EQ(world.bodies[0].key_frames.size(), 3U);
+  for (const Eigen::Vector2d& point :
+       {world.start.position, world.goal, Eigen::Vector2d(-8, -10), Eigen::Vector2d(2, 7)}) {
+    EXPECT_EQ(world.map.at(world.map.frame().cell_at(point)), CellState::Free);
+    EXPECT_TRUE(world.map.frame().contains(world.map.frame().cell_at(point)));
+  }
 }
 
 TEST(BarnFile, AMissingWorldIsNamed) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/interior_point/solver.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fairway::io {
@@ -122,6 +123,42 @@ TEST(OcpResults, AreWrittenCompletelyOrNotAtAll) {
   EXPECT_EQ(test::content_of(folder.path("a.res")), format_ocp_results(results));
   EXPECT_FALSE(write_ocp_results(folder.path("missing/a.res"), results));
   EXPECT_FALSE(read_ocp_results(folder.path("missing.res")));
+}
+
+// Instances of our own, solved, written and read: the commands are feasible in the formulas. The
+// shared data has the same with the best commands that are known.
+TEST(OcpData, CommandsOfASolverAreFeasibleAfterAFile) {
+  const test::TemporaryFolder folder;
+  const auto instances = parse_ocp_instances(
+      "0 free 0  0 0 0  1.5 0.2 0  3 0.4 0  0 0 0  -1 -1.5 4 1.5\n"
+      "1 dyn 1  0 0 0  1.5 0.2 0  3 0.4 0  0 0 0  -1 -1.5 4 1.5  1.6 -0.6 -0.2 0.1\n"
+      "2 tight 0  0.2 0.1 0.5  1 0.8 0.7  1.5 1.5 0.8  0 0 0.7  -0.9 -0.8 3 0.8\n",
+      "f");
+  ASSERT_TRUE(instances) << instances.error().message;
+  InteriorPointSolver solver;
+  std::vector<OcpResult> results;
+  for (const OcpInstance& instance : *instances) {
+    const MpcSolution& solution = solver.solve(control_problem(instance));
+    ASSERT_EQ(solution.status, SolveStatus::Solved) << instance.id;
+    results.push_back(
+        {.id = instance.id,
+         .status = 0,
+         .iterations = solution.iterations,
+         .time_us = 0.0,
+         .commands = {solution.commands.begin(), solution.commands.begin() + kOcpHorizon}});
+  }
+  ASSERT_TRUE(write_ocp_results(folder.path("a.best"), results));
+  const auto read = read_ocp_results(folder.path("a.best"));
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->size(), instances->size());
+  for (std::size_t i = 0; i < read->size(); ++i) {
+    const ControlProblem problem = control_problem((*instances)[i]);
+    MpcSolution solution;
+    std::copy((*read)[i].commands.begin(), (*read)[i].commands.end(), solution.commands.begin());
+    assess(problem, solution);
+    EXPECT_LT(solution.max_violation, 1e-6) << i;
+    EXPECT_LT(bound_violation(problem, solution.commands).max, 1e-6) << i;
+  }
 }
 
 TEST(OcpData, BestKnownCommandsAreFeasibleInOurFormulas) {

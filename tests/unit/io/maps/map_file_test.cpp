@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/maps/map_file.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "fairway/io/maps/map_image.hpp"
-#include "support/temporary_folder.hpp"
+#include "fairway/simulation/scenarios/generated_maps.hpp"
+#include "support/map_files.hpp"
 
 namespace fairway::io {
 namespace {
@@ -159,6 +163,26 @@ TEST(MapFile, OpensNoReaderByName) {
     yaml.replace(0, yaml.find('\n'), "image: '" + std::string(image) + "'");
     EXPECT_FALSE(read_map(folder.write("m.yaml", yaml))) << image;
   }
+}
+
+TEST(MapFile, ReadsEveryCellOfAGeneratedMap) {
+  const TemporaryFolder folder;
+  const OccupancyGrid drawn = generate_map(MapKind::Field, 4, 12);
+  GridFrame frame = drawn.frame();
+  frame.origin = {.position = {-3.25, 7.5}, .heading = 0.5};
+  OccupancyGrid map(frame);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x)
+      map.set({x, y}, x < 10 ? Unknown : drawn.at({x, y}));
+  }
+  const auto read = read_map(test::write_map(folder, "m", map));
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->cells().size(), map.cells().size());
+  EXPECT_TRUE(std::equal(map.cells().begin(), map.cells().end(), read->cells().begin()));
+  EXPECT_EQ(read->frame().width, frame.width);
+  EXPECT_EQ(read->frame().resolution, frame.resolution);
+  EXPECT_EQ(read->frame().origin.position, frame.origin.position);
+  EXPECT_EQ(read->frame().origin.heading, frame.origin.heading);
 }
 
 TEST(MapFile, ReadsRealMaps) {

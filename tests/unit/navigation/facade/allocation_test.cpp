@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+// Cycles of both facades, with a fleet, tracks and scans, in which no plan is made or taken over.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -14,104 +17,163 @@
 namespace fairway {
 namespace {
 
+// Two rooms with a door of 1 m, in which robots cannot pass each other.
 OccupancyGrid hall() {
-  OccupancyGrid map({.width = 240, .height = 160, .resolution = 0.05, .origin = {}});
-  for (int y = 0; y < 100; ++y)
-    map.set({120, y}, CellState::Occupied);
+  OccupancyGrid map({.width = 240, .height = 100, .resolution = 0.05, .origin = {}});
+  for (int y = 0; y < 100; ++y) {
+    if (y < 40 || y >= 60) map.set({120, y}, CellState::Occupied);
+  }
   return map;
 }
 
-// Another robot approaches, and an obstacle crosses.
-struct Traffic {
-  SharedMotion other;
-  std::vector<MovingObstacle> obstacles{
-      {.position = {8.0, 3.0}, .velocity = {0.0, 0.3}, .radius = 0.3}};
-  FleetMember member{.motion = &other};
-
-  Traffic() {
-    other.robot = 1;
-    other.position = {9.0, 6.5};
-    other.radius = 0.25;
-    other.speed_max = 1.0;
-    other.acceleration = 2.0;
-    other.turn_max = 1.5;
+// Robots that come through the door, and an obstacle that crosses behind it.
+class Traffic {
+ public:
+  Traffic() : motions_(3) {
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      SharedMotion& motion = motions_[i];
+      motion.robot = static_cast<std::uint32_t>(i + 1);
+      motion.radius = 0.25;
+      motion.speed_max = 1.0;
+      motion.acceleration = 2.0;
+      motion.turn_max = 1.5;
+      motion.speed = kSpeed;
+      motion.under_way = true;
+      motion.can_step_aside = i == 0;
+      motion.way.count = 2;
+      motion.way.points[0] = {6.0, 2.5};
+      motion.way.points[1] = {1.0, 1.0 + static_cast<double>(i)};
+      fleet_.push_back({.motion = &motion});
+    }
   }
 
   void advance(double time) {
-    other.time = time;
-    other.position.x() = 9.0 - 0.4 * time;
-    other.stop.start = time;
-    other.stop.count = 0;
-    other.stop.add(other.position);
-    other.plan = other.stop;
-    other.under_way = true;
-    obstacles[0].position.y() = 3.0 + 0.3 * time;
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      SharedMotion& motion = motions_[i];
+      motion.time = time;
+      motion.position = {std::max(6.5, 8.5 + static_cast<double>(i) - kSpeed * time), 2.5};
+      motion.stop.start = time;
+      motion.stop.count = 0;
+      motion.stop.add(motion.position);
+      motion.plan = motion.stop;
+    }
+    obstacles_[0].position.y() = 1.0 + 0.2 * time;
   }
+
+  [[nodiscard]] Fleet fleet() const { return fleet_; }
+  [[nodiscard]] MovingObstacles obstacles() const { return obstacles_; }
+
+ private:
+  static constexpr double kSpeed = 0.4;  // [m/s]
+  std::vector<SharedMotion> motions_;
+  std::vector<FleetMember> fleet_;
+  std::vector<MovingObstacle> obstacles_{
+      {.position = {9.5, 1.0}, .velocity = {0.0, 0.2}, .radius = 0.3}};
 };
 
-Pose2 moved(const Pose2& robot, const Twist2& command) {
-  return step(robot, command, 0.1, Integration::Midpoint);
-}
+// What happened in the cycles of a run.
+struct Cycles {
+  int without_plan = 0;      // cycles that neither made nor took over a plan
+  bool met_a_robot = false;  // whether another robot was considered
+};
 
-TEST(Facades, CyclesOnAMapWithoutAPlanDoNotAllocate) {
-  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
-  MapNavigator navigator({}, hall());
-  navigator.set_goal({.position = {10.5, 2.5}});
-  Pose2 robot{.position = {1.5, 2.5}, .heading = 0.0};
+// Drives `navigator` for 15 s. `sense` is called in each cycle, and counted.
+template <typename Navigator>
+Cycles drive(Navigator& navigator, const std::function<void(double, const Pose2&)>& sense) {
+  Cycles result;
   Traffic traffic;
-  int without_plan = 0;
+  Pose2 robot{.position = {1.5, 2.5}, .heading = 0.0};
   for (int cycle = 0; cycle < 150; ++cycle) {
     const double time = 0.1 * cycle;
     traffic.advance(time);
     const test::AllocationGuard guard;
-    const NavigationStep step = navigator.update({.time = time,
-                                                  .pose = robot,
-                                                  .obstacles = traffic.obstacles,
-                                                  .fleet = {&traffic.member, 1},
-                                                  .robot = 0});
+    sense(time, robot);
+    const NavigationStep now = navigator.update({.time = time,
+                                                 .pose = robot,
+                                                 .obstacles = traffic.obstacles(),
+                                                 .fleet = traffic.fleet(),
+                                                 .robot = 0});
+    const SharedMotion message = navigator.share(0, time, robot);
     const std::size_t calls = guard.count();
-    if (!navigator.planned() && !navigator.follows_new_plan()) {
-      EXPECT_EQ(calls, 0U) << cycle;
-      ++without_plan;
+    result.met_a_robot = result.met_a_robot || message.roundabout.exists() ||
+                         std::isfinite(message.distance_to_bottleneck);
+    // The first cycles reserve memory for scans.
+    if (cycle > 1 && !navigator.planned() && !navigator.follows_new_plan()) {
+      ++result.without_plan;
+      EXPECT_EQ(calls, 0U) << "cycle " << cycle << ", " << to_text(now.status);
     }
-    static_cast<void>(navigator.share(0, time, robot));
-    robot = moved(robot, step.command);
+    robot = step(robot, now.command, 0.1, Integration::Midpoint);
   }
-  EXPECT_GT(without_plan, 100);
+  return result;
+}
+
+// Makes scans of `world`. Its storage is reserved by the first one.
+class Scanner {
+ public:
+  explicit Scanner(const BitGrid& world) : world_(world) {}
+
+  LidarScan scan(double time, const Pose2& robot) {
+    scan_surroundings(lidar_, world_, {}, robot, noise_, ranges_);
+    return {.time = time,
+            .first_pose = robot,
+            .last_pose = robot,
+            .first_angle = -0.5 * lidar_.field_of_view,
+            .angle_step = lidar_.field_of_view / (lidar_.beams - 1),
+            .max_range = lidar_.max_range,
+            .ranges = ranges_};
+  }
+
+ private:
+  BitGrid world_;
+  LidarModel lidar_;
+  Noise noise_{1};
+  std::vector<float> ranges_;
+};
+
+const Goal kBehindTheDoor{.position = {10.5, 2.5}};
+
+TEST(Facades, CyclesOnAMapWithAFleetAndWithoutAPlanDoNotAllocate) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  MapNavigator navigator({}, hall());
+  navigator.set_goal(kBehindTheDoor);
+  const Cycles cycles = drive(navigator, [](double /*time*/, const Pose2& /*robot*/) {});
+  EXPECT_GT(cycles.without_plan, 100);
+  EXPECT_TRUE(cycles.met_a_robot);
+}
+
+TEST(Facades, CyclesOnAMapWithScansAndWithoutAPlanDoNotAllocate) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  MapNavigator navigator({}, hall());
+  navigator.set_goal(kBehindTheDoor);
+  Scanner scanner{BitGrid(hall())};
+  const Cycles cycles = drive(navigator, [&](double time, const Pose2& robot) {
+    navigator.observe(scanner.scan(time, robot), robot.position);
+  });
+  EXPECT_GT(cycles.without_plan, 50);
+  EXPECT_TRUE(cycles.met_a_robot);
 }
 
 TEST(Facades, CyclesWithoutAMapAndWithoutAPlanDoNotAllocate) {
   if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
-  const BitGrid world(hall());
-  const LidarModel lidar;
-  Noise noise(1);
-  std::vector<float> ranges;
-  Pose2 robot{.position = {1.5, 2.5}, .heading = 0.0};
-  MaplessNavigator navigator({}, robot.position);
-  navigator.set_goal({.position = {10.5, 2.5}});
-  int without_plan = 0;
-  for (int cycle = 0; cycle < 120; ++cycle) {
-    const double time = 0.1 * cycle;
-    scan_surroundings(lidar, world, {}, robot, noise, ranges);
-    const double step_angle = lidar.field_of_view / (lidar.beams - 1);
-    const test::AllocationGuard guard;
-    navigator.observe({.time = time,
-                       .first_pose = robot,
-                       .last_pose = robot,
-                       .first_angle = -0.5 * lidar.field_of_view,
-                       .angle_step = step_angle,
-                       .max_range = lidar.max_range,
-                       .ranges = ranges},
-                      robot.position);
-    const NavigationStep step = navigator.update({.time = time, .pose = robot});
-    const std::size_t calls = guard.count();
-    if (cycle > 1 && !navigator.planned() && !navigator.follows_new_plan()) {
-      EXPECT_EQ(calls, 0U) << cycle;
-      ++without_plan;
-    }
-    robot = moved(robot, step.command);
-  }
-  EXPECT_GT(without_plan, 50);
+  MaplessNavigator navigator({}, {1.5, 2.5});
+  navigator.set_goal(kBehindTheDoor);
+  Scanner scanner{BitGrid(hall())};
+  const Cycles cycles = drive(navigator, [&](double time, const Pose2& robot) {
+    navigator.observe(scanner.scan(time, robot), robot.position);
+  });
+  EXPECT_GT(cycles.without_plan, 50);
+  EXPECT_TRUE(cycles.met_a_robot);
+}
+
+// A robot at a closed door tries again from time to time; the cycles between do not plan.
+TEST(Facades, CyclesOfARobotWithoutAPathDoNotAllocate) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  OccupancyGrid closed = hall();
+  for (int y = 0; y < 100; ++y)
+    closed.set({120, y}, CellState::Occupied);
+  MapNavigator navigator({}, closed);
+  navigator.set_goal(kBehindTheDoor);
+  EXPECT_GT(drive(navigator, [](double /*time*/, const Pose2& /*robot*/) {}).without_plan, 100);
 }
 
 }  // namespace
