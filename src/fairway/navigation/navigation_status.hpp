@@ -74,8 +74,9 @@ enum class LimitingFactor : std::uint8_t {
   SolverFailed,
   NoPath,
   InvalidGoal,  ///< the goal is not finite, or its heading is not in radians
-  InvalidTime,  ///< the times of the cycles are not in seconds
+  InvalidTime,  ///< the times of the cycles are not in seconds, stand still or run backwards
   SmallerPlan,  ///< the plan was made for a smaller robot
+  LateCycle,    ///< the cycle came later than `safety.longest_hold` after the one before
 };
 
 [[nodiscard]] constexpr const char* to_text(LimitingFactor limit) noexcept {
@@ -113,9 +114,11 @@ enum class LimitingFactor : std::uint8_t {
     case LimitingFactor::InvalidGoal:
       return "invalid goal";
     case LimitingFactor::InvalidTime:
-      return "times are not in seconds";
+      return "invalid time";
     case LimitingFactor::SmallerPlan:
       return "plan for a smaller robot";
+    case LimitingFactor::LateCycle:
+      return "late cycle";
   }
   return "unknown";
 }

@@ -36,14 +36,16 @@ void solve_candidates(ControlSolver& solver,
                       ControlProblem& problem,
                       Candidates& candidates) noexcept;
 
-/// The commands of `solution` at the end of each control period, as many as its horizon has.
+/// The commands of `solution` at time `first`, and one every `period` after it, as many as its
+/// horizon has [s].
 ///
-/// The base ramps linearly from each command to the next, so a period that is not the step length
-/// samples these ramps. With equal lengths these are the solution's own commands.
+/// The base ramps linearly from each command to the next, so times that are not those of the steps
+/// sample these ramps. Where all are a step length these are the solution's own commands.
 /// @param before  The command that is executed now.
 void sample_commands(const MpcSolution& solution,
                      const Twist2& before,
                      double step_length,
+                     double first,
                      double period,
                      std::array<Twist2, kMaxHorizon>& commands) noexcept;
 
