@@ -202,10 +202,13 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
               .causes = "Headings in degrees.",
               .remedy = "Give metres and radians."};
     case LimitingFactor::InvalidTime:
-      return {
-          .meaning = "Two control cycles in succession were more than 100 control periods apart.",
-          .causes = "Times in milliseconds.",
-          .remedy = "Give seconds."};
+      return {.meaning =
+                  "The time of a cycle is not later than the one before, or more than 100 "
+                  "control periods later: the robot stops.",
+              .causes =
+                  "Times in milliseconds; a clock that stands still, jumps or runs "
+                  "backwards.",
+              .remedy = "Give the seconds of one monotonic clock, the same for all inputs."};
     case LimitingFactor::SmallerPlan:
       return {
           .meaning =
@@ -221,6 +224,15 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
                   "A driver that fills `angle_min`, `angle_increment` or `range_max` wrongly; a "
                   "transform of the sensor that is not finite.",
               .remedy = "Repair the driver, or the description of the robot."};
+    case LimitingFactor::LateCycle:
+      return {.meaning =
+                  "The cycle came later than `safety.longest_hold` after the one before, "
+                  "longer than the stop was proven for: the robot brakes.",
+              .causes = "A computer that is too busy; a control loop without real-time priority.",
+              .remedy =
+                  "Call `update` in time. Raise `safety.longest_hold` if late cycles cannot "
+                  "be avoided: the robot then keeps more distance. The base needs a "
+                  "watchdog: see docs/safety.md."};
   }
   return {};
 }

@@ -36,15 +36,16 @@ void solve_candidates(ControlSolver& solver,
                       ControlProblem& problem,
                       Candidates& candidates) noexcept;
 
-/// Samples the commands of `solution` at the end of each control period, as many as its horizon has
-/// steps.
+/// Samples the commands of `solution` at time `first`, and one every `period` after it, as many as
+/// its horizon has [s].
 ///
-/// The base ramps linearly from each command to the next. If the control period differs from the
-/// step length, the result samples these ramps; otherwise it is the solution's own commands.
+/// The base ramps linearly from each command to the next, so times between the steps sample these
+/// ramps. If all times are steps, the result is the solution's own commands.
 /// @param before  The command being executed.
 void sample_commands(const MpcSolution& solution,
                      const Twist2& before,
                      double step_length,
+                     double first,
                      double period,
                      std::array<Twist2, kMaxHorizon>& commands) noexcept;
 
