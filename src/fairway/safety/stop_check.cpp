@@ -48,7 +48,7 @@ class StopCheck {
   }
 
   // One piece of the slow base's motion, grown by what the others of the family deviate from it.
-  [[nodiscard]] StopVerdict follow(const MotionPiece& piece) noexcept {
+  [[nodiscard]] StopVerdict follow(const StopPiece& piece) noexcept {
     piece_ = piece;
     const StopVerdict verdict = check_piece(piece.mean, piece.duration);
     if (verdict != StopVerdict::Free) return verdict;
@@ -217,7 +217,7 @@ class StopCheck {
   }
 
   Pose2 pose_;
-  MotionPiece piece_;
+  StopPiece piece_;
   double time_ = 0.0;
   CollisionEnvironment surroundings_;
 };
@@ -235,7 +235,7 @@ StopOutcome follow_stop(const Pose2& pose,
                         const CollisionEnvironment& surroundings) noexcept {
   StopCheck check(pose, surroundings);
   MotionFamily family(manoeuvre);
-  MotionPiece piece;
+  StopPiece piece;
   StopVerdict verdict = StopVerdict::Free;
   while (verdict == StopVerdict::Free && family.next(piece))
     verdict = check.follow(piece);

@@ -36,7 +36,7 @@ MotionFamily::MotionFamily(const StopManoeuvre& manoeuvre) noexcept : m_(manoeuv
   h_ = m_.ramp / pieces_;
 }
 
-bool MotionFamily::next(MotionPiece& piece) noexcept {
+bool MotionFamily::next(StopPiece& piece) noexcept {
   if (piece_ == pieces_ && !begin_segment()) return false;
   const double share = (piece_ + 0.5) / pieces_;
   Twist2 slow = between(from_, to_, share);
@@ -90,7 +90,7 @@ void MotionFamily::follow_late(double Twist2::*member,
 void MotionFamily::deviate(const Twist2& quick,
                            const Twist2& slow,
                            double h,
-                           MotionPiece& piece) noexcept {
+                           StopPiece& piece) noexcept {
   const double before = std::abs(turned_);
   along_ += (quick.linear - slow.linear) * h;
   turned_ += (quick.angular - slow.angular) * h;

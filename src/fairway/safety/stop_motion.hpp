@@ -25,7 +25,7 @@ struct StopManoeuvre {
 };
 
 /// A short piece of the motion, in which the slow base moves with a constant twist.
-struct MotionPiece {
+struct StopPiece {
   Twist2 mean;            ///< of the slow base
   double duration = 0.0;  ///< [s]
   /// How far any base of the family can be from the slow one, up to the end of the piece.
@@ -42,7 +42,7 @@ class MotionFamily {
   explicit MotionFamily(const StopManoeuvre& manoeuvre) noexcept;
 
   /// The next piece. @return false at the end.
-  [[nodiscard]] bool next(MotionPiece& piece) noexcept;
+  [[nodiscard]] bool next(StopPiece& piece) noexcept;
 
   /// Whether the piece before ended a control period, or where the command is held.
   [[nodiscard]] bool at_command() const noexcept { return piece_ == 0; }
@@ -58,7 +58,7 @@ class MotionFamily {
   [[nodiscard]] Twist2 sent_at(double time) const noexcept;
   [[nodiscard]] double next_change(double time) const noexcept;
   [[nodiscard]] Twist2 stop_command(int k) const noexcept;
-  void deviate(const Twist2& quick, const Twist2& slow, double h, MotionPiece& piece) noexcept;
+  void deviate(const Twist2& quick, const Twist2& slow, double h, StopPiece& piece) noexcept;
 
   StopManoeuvre m_;
   BaseResponse response_;

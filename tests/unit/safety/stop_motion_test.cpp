@@ -70,7 +70,7 @@ double compare(test::Random& random, bool late) {
                        .history = &history,
                        .time = kPast * kCycle});
   Pose2 slow = base.pose;
-  MotionPiece piece;
+  StopPiece piece;
   double furthest = 0.0;
   int pieces = 0;
   const auto sent_in = [&](int cycle) {
@@ -114,7 +114,7 @@ TEST(MotionFamily, HoldsABaseWithDelayAndLag) {
 TEST(MotionFamily, IsTheLinearRampAloneWhereNothingIsKnownOfTheBase) {
   const StopSequence stop = brake_from({1.0, 0.5}, RobotSettings{}, 0.1);
   MotionFamily family({.current = {0.9, 0.3}, .command = {1.0, 0.5}, .stop = stop, .period = 0.1});
-  MotionPiece piece;
+  StopPiece piece;
   int pieces = 0;
   while (family.next(piece)) {
     if (pieces < kRampPieces) {
