@@ -39,8 +39,10 @@ bool is_same_file(const std::string& one, const std::string& other) {
   std::error_code error;
   const fs::file_status status = fs::status(one, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) return false;
-  return fs::weakly_canonical(one, error) == fs::weakly_canonical(other, error) ||
-         fs::equivalent(one, other, error);
+  const auto whole = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(path, error), error);
+  };
+  return whole(one) == whole(other) || fs::equivalent(one, other, error);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "fairway/geometry/angle.hpp"
 #include "fairway/io/number_text.hpp"
 
 namespace fairway::app {
@@ -30,7 +31,7 @@ Expected<PointArgument> parse_point(const std::string& text, const char* option)
                             option, io::excerpt(text)));
   }
   PointArgument point{.position = {(*values)[0], (*values)[1]}, .heading = {}};
-  if (values->size() == 3) point.heading = (*values)[2];
+  if (values->size() == 3) point.heading = wrap_to_pi((*values)[2]);
   return point;
 }
 

@@ -105,5 +105,37 @@ TEST_F(RetreatPathTest, NoLongerLeadsAsideWhenItIsBlocked) {
   EXPECT_FALSE(is_still_valid(way, {8, 3}, around()));
 }
 
+// A cycle does a bounded part of a search: in the open, where nothing lets pass, it takes many.
+TEST_F(RetreatPathTest, IsSearchedAPartPerCycle) {
+  const BitGrid open({.width = 300, .height = 300, .resolution = 0.1, .origin = {}}, false);
+  SharedMotion wide = robot_at({16, 15}, {14, 15});
+  wide.radius = 20.0;  // no place on the lattice is far enough from it
+  const std::vector<FleetMember> fleet{{.motion = &wide}};
+  const std::vector<const SharedMotion*> passing{&wide};
+  const PassingEnvironment around{
+      .obstacles = &open, .fleet = fleet, .passing = passing, .radius = kRobotRadius};
+  RetreatSearch search;
+  search.begin({15, 15}, around);
+  int cycles = 1;
+  while (!search.advance(around)) {
+    EXPECT_TRUE(search.running());
+    ASSERT_LT(++cycles, 10'000);
+  }
+  EXPECT_FALSE(search.running());
+  EXPECT_GT(cycles, 20);
+}
+
+TEST_F(RetreatPathTest, IsTheSameWhetherSearchedInPartsOrAtOnce) {
+  RetreatSearch search;
+  search.begin({8, 3}, around());
+  std::optional<RetreatPath> found;
+  while (!found)
+    found = search.advance(around());
+  const RetreatPath at_once = find_retreat_path({8, 3}, around());
+  ASSERT_TRUE(found->exists());
+  ASSERT_EQ(found->count, at_once.count);
+  EXPECT_EQ(found->place(), at_once.place());
+}
+
 }  // namespace
 }  // namespace fairway

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fairway/geometry/angle.hpp"
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/scenario/tracks_file.hpp"
@@ -126,7 +127,7 @@ std::vector<RobotTask> read_robots(YamlMapping& root,
     }
     if (goal.size() >= 2) {
       robot.goal.position = {goal[0], goal[1]};
-      if (goal.size() == 3) robot.goal.heading = goal[2];
+      if (goal.size() == 3) robot.goal.heading = wrap_to_pi(goal[2]);
       require_on_map(mapping, "goal", robot.goal.position, map);
     }
     robots.push_back(std::move(robot));
