@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Writes tasks for bodies into a folder: make_body_tasks.py FOLDER. Standard library only.
+"""Writes tasks for bodies into a folder: make_body_tasks.py FOLDER [--random N --seed S]. Standard library only.
 
 Passages as rectangles of free space, mirrored, turned by any angle and drawn again as cells; bodies and
 bases of other sizes than the shared tasks have. Every task leaves several centimetres.
 """
 
+import argparse
 import json
 import math
 import pathlib
-import sys
+import random
 
 
 def corner(width, length=6.0):
@@ -120,11 +121,71 @@ def write(folder, name, task):
     (folder / f"{name}.json").write_text(json.dumps(content, indent=1) + "\n")
 
 
+def corner_width(length, width, clearance):
+    """The narrowest L-corner that a body passes with a clearance, however it moves; and both corridors."""
+    return max((length / 2 + width + clearance * (1 + math.sqrt(2))) / math.sqrt(2), width + 2 * clearance + 0.1)
+
+
+def random_task(draw):
+    """A passage of a random kind for a random body, with 5 to 10 cm of clearance. @return kind and task"""
+    clearance, length = draw.uniform(0.05, 0.1), draw.uniform(0.8, 2.4)
+    width = draw.uniform(0.4, 0.9) * min(1.0, length / 1.2)
+    base = omni(length, width, draw.choice([MECANUM, SWERVE]))
+    turned = draw.random() < 0.5, draw.choice([0.0, draw.uniform(-3.0, 3.0)])
+    kind = draw.choice(["corner_unicycle", "corner_omni", "corner_car", "aisle", "chicane", "dock_unicycle", "dock_tricycle",
+                        "slot", "door", "parallel", "uturn"])
+    if kind in ("corner_unicycle", "corner_omni"):
+        robot = base if kind == "corner_omni" else unicycle(length, width, length / 2)
+        opening, reach = corner_width(length, width, clearance), max(5.0, 3.0 * length)
+        ends = (length / 2 + 0.3, opening / 2, 0), (reach - opening / 2, reach - length / 2 - 0.3, UP)
+        return kind, (corner(opening, reach), robot, *ends, *turned)
+    if kind == "corner_car":
+        return kind, (corner(draw.uniform(1.45, 1.7)), car(), (0.8, 0.8, 0), (5.2, 4.2, UP), *turned)
+    if kind == "aisle":
+        length = min(length, 1.9)
+        robot = unicycle(length, width, draw.uniform(0.3, 0.7) * length)
+        return kind, (aisle(width + 2 * clearance + 0.04), robot, (1.2, 1.8, UP), (9.4, 1.8, -UP), *turned)
+    if kind == "chicane":
+        length = min(length, 1.9)
+        walls = chicane(1.25 * width + 2 * clearance + 0.25, length + 0.4)
+        return kind, (walls, unicycle(length, width, length / 2), (1.4, 1.5, 0), (6.6 + length, 1.5, 0), *turned)
+    if kind == "dock_unicycle":
+        length = min(length, 1.6)
+        front = draw.uniform(0.6, 0.85) * length
+        lane = math.hypot(front, width / 2) + width / 2 + 2 * clearance + 0.3
+        walls = bay(lane, width + 2 * clearance + 0.02, length + 0.4)
+        return kind, (walls, unicycle(length, width, front), (1.2, lane / 2, 0), (4.5, -front - 0.15, UP), *turned)
+    if kind == "dock_tricycle":
+        walls = bay(draw.uniform(2.4, 2.8), 0.77 + 2 * clearance, 1.9)
+        return kind, (walls, tricycle(draw.uniform(1.0, 1.3)), (1.2, 1.25, 0), (4.5, -1.5, UP), *turned)
+    if kind == "slot":
+        length = min(length, 1.5)
+        robot = omni(length, width, draw.choice([MECANUM, SWERVE]))
+        walls = bay(width + 2 * clearance + 0.1, length + 2 * clearance + 0.03, width + 0.15)
+        return kind, (walls, robot, (length / 2 + 0.3, width / 2 + clearance + 0.05, 0), (4.5, -width / 2 - 0.07, 0), *turned)
+    if kind == "door":
+        return kind, (door(2.6, 0.95 + 2 * clearance), car(), (1.0, 1.3, 0), (4.0, 4.2, UP), *turned)
+    if kind == "parallel":
+        walls = bay(2.2, draw.uniform(2.45, 2.7), 0.75 + 2 * clearance)
+        return kind, (walls, car(), (2.0, 0.8, 0), (4.0, -0.45, 0), *turned)
+    lane = [(0, 0, 9, draw.uniform(2.35, 2.6))]
+    return kind, (lane, tricycle(draw.uniform(0.85, 1.2)), (2.0, 0.7, 0), (2.4, 1.6, math.pi), *turned)
+
+
 def main():
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, task in TASKS.items():
-        write(folder, name, task)
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--random", type=int, default=0, help="as many random tasks instead")
+    parser.add_argument("--seed", type=int, default=1)
+    given = parser.parse_args()
+    given.folder.mkdir(parents=True, exist_ok=True)
+    draw = random.Random(given.seed)
+    tasks = dict(TASKS)
+    if given.random:
+        drawn = [random_task(draw) for _ in range(given.random)]
+        tasks = {f"{i:03}_{kind}": task for i, (kind, task) in enumerate(drawn)}
+    for name, task in tasks.items():
+        write(given.folder, name, task)
 
 
 if __name__ == "__main__":

@@ -23,6 +23,7 @@ const Vector2d& next_vertex(const ConvexPart& part, int i) noexcept {
 struct Overlap {
   double gap = -kInfinity;
   Vector2d normal = Vector2d::UnitX();
+  bool of_polygon = false;  // whether the axis is normal to a side of the polygon
 
   void look(double gap_here, const Vector2d& direction) noexcept {
     if (gap_here <= gap) return;
@@ -50,7 +51,9 @@ Overlap least_overlap(const ConvexPart& part, const Vector2d& low) noexcept {
     if (length <= 0.0) continue;
     const Vector2d outward = Vector2d(edge.y(), -edge.x()) / length;
     const double reach = 0.5 * (std::abs(outward.x()) + std::abs(outward.y()));
-    least.look((middle - part.vertex(i)).dot(outward) - reach, -outward);
+    const double gap = (middle - part.vertex(i)).dot(outward) - reach;
+    if (gap > least.gap) least.of_polygon = true;
+    least.look(gap, -outward);
   }
   return least;
 }
@@ -76,12 +79,23 @@ Separation separation(const ConvexPart& part, CellIndex cell) noexcept {
   const Vector2d low(cell.x, cell.y);
   const Vector2d high = low + Vector2d(1.0, 1.0);
   const Overlap overlap = least_overlap(part, low);
+  if (overlap.gap <= 0.0 && overlap.of_polygon) {
+    // The corner of the cell that is deepest below the side, and its place on the side.
+    const Vector2d inward = overlap.normal;
+    const Vector2d corner(inward.x() > 0.0 ? high.x() : low.x(),
+                          inward.y() > 0.0 ? high.y() : low.y());
+    return {.distance = overlap.gap, .point = corner + overlap.gap * inward, .normal = inward};
+  }
   if (overlap.gap <= 0.0) {
     Vector2d deepest = part.vertex(0);
     for (int i = 1; i < part.count; ++i) {
       if ((part.vertex(i) - deepest).dot(overlap.normal) < 0.0) deepest = part.vertex(i);
     }
-    return {.distance = overlap.gap, .point = deepest, .normal = overlap.normal};
+    // Along the cell's face it is no further than the cell.
+    const Vector2d beside = deepest.cwiseMax(low).cwiseMin(high);
+    const Vector2d point = std::abs(overlap.normal.x()) > 0.5 ? Vector2d(deepest.x(), beside.y())
+                                                              : Vector2d(beside.x(), deepest.y());
+    return {.distance = overlap.gap, .point = point, .normal = overlap.normal};
   }
   // Apart: a vertex of one is nearest to a side of the other.
   Nearest nearest;

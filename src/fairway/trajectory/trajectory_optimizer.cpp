@@ -64,6 +64,7 @@ Trajectory optimized(const BodyClearance& clearance,
   constexpr double kClosingScale = 0.2;
   constexpr double kClosingDamping = 0.1;
   constexpr int kClosingIterations = 14;
+  constexpr int kSettled = 5;
   bool closing = false;
   int closing_iterations = 0;
   int small_gains = 0;
@@ -98,11 +99,13 @@ Trajectory optimized(const BodyClearance& clearance,
     else
       small_gains = 0;
     // Steps of the closing get smaller after some: they may alternate between two nearest places.
-    constexpr int kSettled = 5;
     if (!better) scale *= 0.4;
     if (closing && closing_iterations > kSettled) scale *= 0.7;
     constexpr double kClosed = 2e-3;  // gaps above which no drive can end at the goal
     if (evaluation.gaps >= kClosed || evaluation.cost >= best_cost) continue;
+    // Missing clearance is regained in some iterations, where there is space for it.
+    constexpr double kMissing = 2e-3;  // [m]
+    if (evaluation.violation > kMissing && closing_iterations <= kSettled) continue;
     const DriveVerdict verdict = judge(now.trajectory);
     if (verdict.accepted) {
       best = now.trajectory;

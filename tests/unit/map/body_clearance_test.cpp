@@ -202,6 +202,24 @@ TEST(BodyClearance, ContactsAreTheNearestPlacesAndTheirGradientIsRight) {
   EXPECT_GT(compared, 20);
 }
 
+// A side that overlaps a post is pushed away where the post is, not at the side's end.
+TEST(BodyClearance, AContactThatOverlapsLiesWhereItOverlaps) {
+  OccupancyGrid grid({.width = 100, .height = 100, .resolution = 0.05, .origin = {}});
+  grid.set({50, 50}, CellState::Occupied);
+  const BitGrid obstacles(grid);
+  const DistanceField distances(obstacles);
+  const BodyClearance clearance(obstacles, distances, BodyShape::rectangle(2.0, 0.4, 1.0));
+  const Vector2d post = grid.frame().center({50, 50});
+  for (const double turn : {0.0, 0.1, -0.1, 0.7}) {
+    const Pose2 pose{.position = post + rotated({0.3, 0.21}, turn), .heading = turn};
+    std::array<BodyContact, BodyClearance::kMaxContacts> contacts;
+    ASSERT_EQ(clearance.contacts(pose, 0.05, contacts), 1U) << turn;
+    EXPECT_LT(contacts[0].distance, 0.0) << turn;
+    EXPECT_LT((contacts[0].point - post).norm(), 0.06) << turn;
+    EXPECT_GT(contacts[0].normal.dot(rotated(Vector2d::UnitY(), turn)), 0.99) << turn;
+  }
+}
+
 TEST(BodyClearance, DoesNotAllocate) {
   if (!test::AllocationGuard::available) GTEST_SKIP() << "no allocation guard in this build";
   test::Random random(19);
