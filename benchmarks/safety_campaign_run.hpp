@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include "fairway/mpc/interior_point/real_time_solver.hpp"
+#include "fairway/simulation/episode.hpp"
+#include "fairway/simulation/robot_driver.hpp"
+#include "fairway/simulation/world.hpp"
+#include "safety_campaign_draw.hpp"
+
+// One run of the safety campaign, and what its contact was, if there was one.
+namespace fairway::campaign {
+
+/// The classes of contacts, by this rule, which is tried from the top:
+/// - `Static`: the robot touched the map.
+/// - `Unpredictable`: what it touched changed its velocity within the time that the robot needs to
+///   stop from its greatest speed, plus one second: it was not visible in time what it would do.
+/// - `RunInto`: the robot went towards it with at most 0.02 m/s: it came to the robot.
+/// - `DroveInto`: all others.
+enum class Contact : std::uint8_t { None, Static, Unpredictable, RunInto, DroveInto };
+
+[[nodiscard]] constexpr const char* to_text(Contact contact) noexcept {
+  switch (contact) {
+    case Contact::None:
+      return "none";
+    case Contact::Static:
+      return "static";
+    case Contact::Unpredictable:
+      return "not visible in time";
+    case Contact::RunInto:
+      return "was run into";
+    case Contact::DroveInto:
+      return "drove into it";
+  }
+  return "unknown";
+}
+
+struct Outcome {
+  Contact contact = Contact::None;
+  bool reached = false;
+  double time = 0.0;
+  double clearance = 0.0;   // least, to the map [m]
+  double separation = 0.0;  // least, to what moves [m]
+  int cycles = 0;
+  int bad_commands = 0;  // not finite, or outside the limits
+};
+
+/// The time that a robot needs until it stands, from its greatest speed [s].
+[[nodiscard]] inline double stopping_time(const Settings& settings) {
+  return settings.robot.linear_max / settings.robot.linear_acceleration_max +
+         2.0 * settings.navigation.control_period;
+}
+
+[[nodiscard]] inline Contact classify(const World& world, const Settings& settings) {
+  const Encounter& met = world.encounters().front();
+  if (!met.collided) return Contact::None;
+  if (met.min_clearance < 0.0) return Contact::Static;
+  constexpr double kReaction = 1.0;  // [s]
+  const double since = met.collision_time - stopping_time(settings) - kReaction;
+  double nearest = std::numeric_limits<double>::infinity();
+  bool changed = false;
+  for (std::size_t i = 0; i < world.num_bodies(); ++i) {
+    const MovingBody& body = world.body(i);
+    const MovingObstacle now = body.at(met.collision_time);
+    const double gap = (now.position - world.robots().front().pose.position).norm() - now.radius;
+    if (!(gap < nearest)) continue;
+    nearest = gap;
+    changed = false;
+    for (const MovingBody::KeyFrame& frame : body.key_frames) {
+      if (frame.time > std::max(0.0, since) && frame.time <= met.collision_time) changed = true;
+    }
+  }
+  if (changed) return Contact::Unpredictable;
+  constexpr double kStill = 0.02;  // [m/s]
+  return met.approach <= kStill ? Contact::RunInto : Contact::DroveInto;
+}
+
+/// Notes the commands that are not finite or outside the limits.
+class CommandCheck {
+ public:
+  explicit CommandCheck(const Settings& settings) : settings_(settings) {}
+
+  [[nodiscard]] bool good(const Twist2& command) {
+    constexpr double kRounding = 1e-9;
+    const RobotSettings& robot = settings_.robot;
+    const double period = settings_.navigation.control_period;
+    const bool within = is_finite(command) && command.linear <= robot.linear_max + kRounding &&
+                        command.linear >= std::min(0.0, robot.linear_min) - kRounding &&
+                        std::abs(command.angular) <= robot.angular_max + kRounding &&
+                        std::abs(command.linear - last_.linear) <=
+                            robot.linear_acceleration_max * period + kRounding &&
+                        std::abs(command.angular - last_.angular) <=
+                            robot.angular_acceleration_max * period + kRounding;
+    last_ = command;
+    return within;
+  }
+
+ private:
+  Settings settings_;
+  Twist2 last_;
+};
+
+/// Called after every cycle; for a look at a single run.
+using Watch = std::function<void(const World&, const NavigationStep&)>;
+
+/// Drives a run to its end: arrival, contact or time limit.
+[[nodiscard]] inline Outcome drive(const Run& run,
+                                   std::uint64_t seed,
+                                   std::unique_ptr<Physics> physics,
+                                   const Watch& watch = {}) {
+  const Scenario& scenario = run.scenario;
+  const Settings& settings = scenario.settings;
+  World world(scenario, std::move(physics));
+  const PreparedMap map(world.obstacles());
+  Planner planner;
+  RealTimeSolver solver(settings.mpc);
+  FleetRadio radio(scenario.radio, 1, scenario.seed);
+  RobotResult result;
+  const std::function<double()> no_clock;
+  const std::unique_ptr<RobotDriver> driver = make_driver({.scenario = scenario,
+                                                           .settings = settings,
+                                                           .map = map,
+                                                           .planner = planner,
+                                                           .solver = solver,
+                                                           .radio = radio,
+                                                           .observer = nullptr,
+                                                           .clock = no_clock},
+                                                          world, 0, result);
+  driver->head_for(scenario.robots.front().goal, world);
+  Noise noise(seed);
+  CommandCheck check(settings);
+  Outcome outcome;
+  std::vector<Twist2> commands(1);
+  while (world.time() < scenario.time_limit && !world.encounters().front().collided) {
+    driver->measure(world);
+    const NavigationStep step = driver->drive(world).step;
+    ++outcome.cycles;
+    if (!check.good(step.command)) ++outcome.bad_commands;
+    if (watch) watch(world, step);
+    if (step.status == NavigationStatus::GoalReached) {
+      outcome.reached = true;
+      break;
+    }
+    commands.front() = step.command;
+    double interval =
+        settings.navigation.control_period * (1.0 + noise.uniform(-run.jitter, run.jitter));
+    while (noise.uniform(0.0, 1.0) < run.lost_share)
+      interval += settings.navigation.control_period;
+    for (const double end = world.time() + interval; world.time() < end - 1e-9;) {
+      const double next = std::min(end, driver->next_measurement());
+      if (next > world.time()) world.advance(commands, next - world.time());
+      if (next < end) driver->measure(world);
+    }
+  }
+  outcome.time = world.time();
+  outcome.contact = classify(world, settings);
+  outcome.clearance = world.encounters().front().min_clearance;
+  outcome.separation = world.encounters().front().min_separation;
+  return outcome;
+}
+
+}  // namespace fairway::campaign
