@@ -160,17 +160,21 @@ int look_at(const Options& options) {
     return 0;
   }
   const RobotSettings& robot = run.scenario.settings.robot;
+  std::printf("delay %.3f %.3f, lag %.3f %.3f, braking %.3f %.3f, lost %.3f, hold %.2f\n",
+              robot.linear_delay, robot.angular_delay, robot.linear_lag, robot.angular_lag,
+              robot.linear_braking_max, robot.angular_braking_max, run.lost_share,
+              run.scenario.settings.safety.longest_hold);
   std::printf(
       "linear_max %.3f, acceleration %.3f, angular_max %.3f, acceleration %.3f, radius "
       "%.3f, length %.3f, discs %d, period %.3f, jitter %.2f\n",
       robot.linear_max, robot.linear_acceleration_max, robot.angular_max,
       robot.angular_acceleration_max, robot.radius, robot.length, robot.discs.count,
       run.scenario.settings.navigation.control_period, run.jitter);
-  const auto watch = [](const World& world, const NavigationStep& step) {
+  const auto watch = [](const World& world, const NavigationStep& step, bool good) {
     const UnicycleRobot& r = world.robots().front();
     const Encounter& met = world.encounters().front();
     std::printf(
-        "%7.3f pose %.4f %.4f %.4f twist %.4f %.4f command %.4f %.4f %s, %s; least %.4f "
+        "%7.3f pose %.4f %.4f %.4f twist %.6f %.6f command %.6f %.6f %s, %s; least %.4f "
         "%.4f",
         world.time(), r.pose.position.x(), r.pose.position.y(), r.pose.heading, r.twist.linear,
         r.twist.angular, step.command.linear, step.command.angular, to_text(step.status),
@@ -180,7 +184,7 @@ int look_at(const Options& options) {
       std::printf(" | %.3f %.3f v %.3f %.3f", body.position.x(), body.position.y(),
                   body.velocity.x(), body.velocity.y());
     }
-    std::printf("\n");
+    std::printf("%s\n", good ? "" : " | OUTSIDE THE LIMITS");
   };
   const Outcome outcome = drive(run, options.only, physics_of(run.scenario), watch);
   std::printf("%s at %.3f s, contact: %s\n", outcome.reached ? "reached" : "not reached",

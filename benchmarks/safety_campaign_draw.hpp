@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 struct Run {
   Scenario scenario;
   double jitter = 0.0;       ///< of the time between two cycles, in periods
-  double lost_share = 0.0;   ///< of cycles that do not take place
+  double lost_share = 0.0;   ///< of cycles that do not take place, never two in a row
   bool valid = true;         ///< the settings are accepted
   std::string refused = {};  ///< why they are not
 };
@@ -75,6 +75,16 @@ class Draw {
     robot.angular_max = noise_.uniform(0.5, 2.5);
     robot.angular_acceleration_max = log_uniform(0.6, 6.0);
     if (chance(0.3)) robot.linear_min = -0.3;
+    if (chance(0.5)) robot.linear_braking_max = log_uniform(0.3, 3.0);
+    if (chance(0.3)) robot.angular_braking_max = log_uniform(0.6, 6.0);
+    if (chance(0.4)) {
+      robot.linear_delay = noise_.uniform(0.0, 0.6);
+      robot.angular_delay = chance(0.7) ? robot.linear_delay : noise_.uniform(0.0, 0.6);
+    }
+    if (chance(0.2)) {
+      robot.linear_lag = noise_.uniform(0.0, 0.3);
+      robot.angular_lag = noise_.uniform(0.0, 0.3);
+    }
     robot.radius = noise_.uniform(0.15, 0.35);
     if (chance(0.25)) {
       robot.length = noise_.uniform(0.4, 0.7);
@@ -93,6 +103,10 @@ class Draw {
     Settings& settings = drawn.scenario.settings;
     settings.navigation.control_period = chance(0.5) ? 0.1 : log_uniform(0.02, 0.2);
     if (chance(0.4)) drawn.jitter = noise_.uniform(0.0, 0.45);
+    if (chance(0.2)) {
+      drawn.lost_share = noise_.uniform(0.0, 0.2);
+      settings.safety.longest_hold = 2.0 + drawn.jitter;
+    }
   }
 
   void outline(OccupancyGrid& map, int width, int height) {
@@ -123,7 +137,7 @@ class Draw {
     return drawn;
   }
 
-  // A straight passage in which somebody walks ahead, or stands.
+  // A straight passage in which a person walks ahead, or stands.
   void passage(Scenario& s) {
     const double length = 40.0;
     const int across =

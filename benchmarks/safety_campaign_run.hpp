@@ -43,15 +43,16 @@ struct Outcome {
   bool reached = false;
   double time = 0.0;
   double clearance = 0.0;   // least, to the map [m]
-  double separation = 0.0;  // least, to what moves [m]
+  double separation = 0.0;  // least, to moving bodies [m]
   int cycles = 0;
   int bad_commands = 0;  // not finite, or outside the limits
 };
 
-/// The time that a robot needs until it stands, from its greatest speed [s].
+/// The time that a robot needs until standstill, from its greatest speed [s].
 [[nodiscard]] inline double stopping_time(const Settings& settings) {
-  return settings.robot.linear_max / settings.robot.linear_acceleration_max +
-         2.0 * settings.navigation.control_period;
+  return settings.robot.linear_max / linear_actuation(settings.robot).braking +
+         dead_time(settings.robot) +
+         (1.0 + settings.safety.longest_hold) * settings.navigation.control_period;
 }
 
 [[nodiscard]] inline Contact classify(const World& world, const Settings& settings) {
@@ -83,17 +84,20 @@ class CommandCheck {
  public:
   explicit CommandCheck(const Settings& settings) : settings_(settings) {}
 
-  [[nodiscard]] bool good(const Twist2& command) {
+  /// @param elapsed  Since the command before [s].
+  [[nodiscard]] bool good(const Twist2& command, double elapsed) {
     constexpr double kRounding = 1e-9;
     const RobotSettings& robot = settings_.robot;
-    const double period = settings_.navigation.control_period;
+    const double period = std::max(settings_.navigation.control_period, elapsed);
+    const double linear =
+        std::max(linear_actuation(robot).acceleration, linear_actuation(robot).braking);
+    const double angular =
+        std::max(angular_actuation(robot).acceleration, angular_actuation(robot).braking);
     const bool within = is_finite(command) && command.linear <= robot.linear_max + kRounding &&
                         command.linear >= std::min(0.0, robot.linear_min) - kRounding &&
                         std::abs(command.angular) <= robot.angular_max + kRounding &&
-                        std::abs(command.linear - last_.linear) <=
-                            robot.linear_acceleration_max * period + kRounding &&
-                        std::abs(command.angular - last_.angular) <=
-                            robot.angular_acceleration_max * period + kRounding;
+                        std::abs(command.linear - last_.linear) <= linear * period + kRounding &&
+                        std::abs(command.angular - last_.angular) <= angular * period + kRounding;
     last_ = command;
     return within;
   }
@@ -104,7 +108,7 @@ class CommandCheck {
 };
 
 /// Called after every cycle; for a look at a single run.
-using Watch = std::function<void(const World&, const NavigationStep&)>;
+using Watch = std::function<void(const World&, const NavigationStep&, bool good)>;
 
 /// Drives a run to its end: arrival, contact or time limit.
 [[nodiscard]] inline Outcome drive(const Run& run,
@@ -134,21 +138,21 @@ using Watch = std::function<void(const World&, const NavigationStep&)>;
   CommandCheck check(settings);
   Outcome outcome;
   std::vector<Twist2> commands(1);
+  double interval = 0.0;  // from the last cycle to this one [s]
   while (world.time() < scenario.time_limit && !world.encounters().front().collided) {
     driver->measure(world);
     const NavigationStep step = driver->drive(world).step;
     ++outcome.cycles;
-    if (!check.good(step.command)) ++outcome.bad_commands;
-    if (watch) watch(world, step);
+    const bool good = check.good(step.command, interval);
+    if (!good) ++outcome.bad_commands;
+    if (watch) watch(world, step, good);
     if (step.status == NavigationStatus::GoalReached) {
       outcome.reached = true;
       break;
     }
     commands.front() = step.command;
-    double interval =
-        settings.navigation.control_period * (1.0 + noise.uniform(-run.jitter, run.jitter));
-    while (noise.uniform(0.0, 1.0) < run.lost_share)
-      interval += settings.navigation.control_period;
+    interval = settings.navigation.control_period * (1.0 + noise.uniform(-run.jitter, run.jitter));
+    if (noise.uniform(0.0, 1.0) < run.lost_share) interval += settings.navigation.control_period;
     for (const double end = world.time() + interval; world.time() < end - 1e-9;) {
       const double next = std::min(end, driver->next_measurement());
       if (next > world.time()) world.advance(commands, next - world.time());

@@ -15,7 +15,7 @@ SharedMotion report_motion(const MotionReport& report) noexcept {
       .speed = std::max(std::abs(report.sent_before.linear), std::abs(report.sent.linear)),
       .radius = std::max(limits.radius, report.body_radius),
       .speed_max = std::max(limits.linear_max, -limits.linear_min),
-      .acceleration = limits.linear_acceleration_max,
+      .acceleration = change_max(linear_actuation(limits)),
       .turn_max = limits.angular_max};
   motion.stop = stop_track(report.pose, report.sent_before, report.sent, report.stop.sequence(),
                            report.stop.done(), report.period, report.time);

@@ -45,8 +45,8 @@ void set_from_settings(const MpcSettings& mpc,
   problem.integration = mpc.integration;
   problem.previous_command = last_command;
   problem.max_change = {
-      .linear = change_limit(robot.linear_acceleration_max, dt, linear, last_command.linear),
-      .angular = change_limit(robot.angular_acceleration_max, dt, {-turn, turn}, 0.0)};
+      .linear = change_limit(change_max(linear_actuation(robot)), dt, linear, last_command.linear),
+      .angular = change_limit(change_max(angular_actuation(robot)), dt, {-turn, turn}, 0.0)};
   const Range linear_now = reachable(linear, last_command.linear, problem.max_change.linear);
   const Range angular_now = reachable(angular, last_command.angular, problem.max_change.angular);
   problem.command_min = {.linear = linear_now.low, .angular = angular_now.low};

@@ -19,31 +19,26 @@ constexpr double kTurnTolerance = 0.4;      // [rad], and half of the turn made 
 }  // namespace
 
 void DeadReckoning::reset(const Twist2& actual) noexcept {
-  count_ = 0;
-  latest_ = actual;
+  history_.reset(actual);
   last_ = {};
   other_ = {};
 }
 
-void DeadReckoning::sent(double time, const Twist2& command, double dt) noexcept {
-  if (!std::isfinite(time)) return;
-  commands_[count_++ % kRemembered] = {
-      .time = time, .ramp = dt, .before = latest_, .after = command};
-  latest_ = command;
+void DeadReckoning::sent(double time, const Twist2& command, const Twist2& ramp) noexcept {
+  if (std::isfinite(time)) history_.send(time, command, ramp);
+}
+
+void DeadReckoning::shift_times(double shift) noexcept {
+  history_.shift_times(shift);
+  for (Known* known : {&last_, &other_}) {
+    known->since += shift;
+    known->time += shift;
+  }
 }
 
 Twist2 DeadReckoning::twist_at(double time) const noexcept {
-  const std::size_t kept = std::min(count_, kRemembered);
-  for (std::size_t back = 1; back <= kept; ++back) {
-    const Command& command = commands_[(count_ - back) % kRemembered];
-    if (command.time > time && back < kept) continue;
-    const double share = std::clamp((time - command.time) / command.ramp, 0.0, 1.0);
-    return {
-        .linear = command.before.linear + share * (command.after.linear - command.before.linear),
-        .angular =
-            command.before.angular + share * (command.after.angular - command.before.angular)};
-  }
-  return latest_;
+  return {.linear = history_.ramped(time - linear_shift_).linear,
+          .angular = history_.ramped(time - angular_shift_).angular};
 }
 
 Pose2 DeadReckoning::advanced(const Pose2& pose, double from, double to) const noexcept {
@@ -71,7 +66,8 @@ bool DeadReckoning::agree(const Known& last,
 
 bool DeadReckoning::fits(const Pose2& pose, double time, double tolerance) noexcept {
   const Known now{.exists = true, .since = time, .time = time, .pose = pose};
-  const bool stands = std::abs(latest_.linear) < 1e-3 && std::abs(latest_.angular) < 1e-3;
+  const Twist2& latest = history_.latest();
+  const bool stands = std::abs(latest.linear) < 1e-3 && std::abs(latest.angular) < 1e-3;
   bool fit = !last_.exists || time - last_.time > kLongest || agree(last_, pose, time, tolerance);
   if (!fit) {
     const double since =

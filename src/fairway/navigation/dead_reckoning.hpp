@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
-#include "fairway/geometry/pose2.hpp"
+#include "fairway/geometry/robot_settings.hpp"
+#include "fairway/safety/command_history.hpp"
 
 namespace fairway {
 
@@ -11,32 +10,39 @@ namespace fairway {
 /// a new pose fits the one before.
 class DeadReckoning {
  public:
+  DeadReckoning() = default;
+
+  /// For a base with the delays and lags of `robot`; a lag counts as a delay.
+  explicit DeadReckoning(const RobotSettings& robot)
+      : linear_shift_(robot.linear_delay + robot.linear_lag),
+        angular_shift_(robot.angular_delay + robot.angular_lag) {}
+
   /// Forgets everything; the robot moves with `actual`.
   void reset(const Twist2& actual) noexcept;
 
   /// A command was sent at `time` [s]; the base ramps to it within `dt` [s].
-  void sent(double time, const Twist2& command, double dt) noexcept;
+  void sent(double time, const Twist2& command, double dt) noexcept {
+    sent(time, command, {.linear = dt, .angular = dt});
+  }
+  void sent(double time, const Twist2& command, const Twist2& ramp) noexcept;
+
+  /// The clock was set by `shift` [s]: what was known is as old as before.
+  void shift_times(double shift) noexcept;
+
+  [[nodiscard]] const CommandHistory& history() const noexcept { return history_; }
 
   /// Where a robot that was at `pose` at `from` is at `to` [s]; `pose` itself when from >= to.
   [[nodiscard]] Pose2 advanced(const Pose2& pose, double from, double to) const noexcept;
 
   /// Takes in a pose that was true at `time` [s].
   ///
-  /// It fits when it is within `tolerance` [m] and half of the way driven since of where the last
-  /// one that fitted leads; the first one fits. Poses that agree among themselves for half a second
-  /// fit again once the robot stands: then it is the map that was wrong before, or somebody carried
-  /// it.
+  /// It fits when it is within `tolerance` [m] and half of the distance driven since of where the
+  /// last one that fitted leads; the first one fits. Poses that agree among themselves for half a
+  /// second fit again once the robot has stopped: then it is the map that was wrong before, or the
+  /// robot was carried.
   [[nodiscard]] bool fits(const Pose2& pose, double time, double tolerance) noexcept;
 
  private:
-  static constexpr std::size_t kRemembered = 32;
-
-  struct Command {
-    double time = 0.0;
-    double ramp = 0.1;
-    Twist2 before;
-    Twist2 after;
-  };
   struct Known {
     bool exists = false;
     double since = 0.0;
@@ -50,9 +56,9 @@ class DeadReckoning {
                            double time,
                            double tolerance) const noexcept;
 
-  std::array<Command, kRemembered> commands_;  // a ring
-  std::size_t count_ = 0;                      // ever sent
-  Twist2 latest_;
+  CommandHistory history_;
+  double linear_shift_ = 0.0;   // by which the base is late [s]
+  double angular_shift_ = 0.0;  // the same for its turns [s]
   Known last_;
   Known other_;  // what does not fit, but perhaps itself
 };

@@ -74,12 +74,13 @@ enum class LimitingFactor : std::uint8_t {
   SolverFailed,
   NoPath,
   InvalidGoal,  ///< the goal is not finite, or its heading is not in radians
-  InvalidTime,  ///< the times of the cycles are not in seconds
+  InvalidTime,  ///< the times of the cycles are not in seconds, stand still or run backwards
   SmallerPlan,  ///< the plan was made for a smaller robot
   InvalidScan,  ///< the last scan was refused: not finite, or absurd
+  LateCycle,    ///< the cycle came later than `safety.longest_hold` after the one before
 };
 
-inline constexpr LimitingFactor kLastLimitingFactor = LimitingFactor::InvalidScan;
+inline constexpr LimitingFactor kLastLimitingFactor = LimitingFactor::LateCycle;
 
 /// How many there are.
 inline constexpr std::size_t kLimitingFactors = static_cast<std::size_t>(kLastLimitingFactor) + 1;
@@ -119,11 +120,13 @@ inline constexpr std::size_t kLimitingFactors = static_cast<std::size_t>(kLastLi
     case LimitingFactor::InvalidGoal:
       return "invalid goal";
     case LimitingFactor::InvalidTime:
-      return "times are not in seconds";
+      return "invalid time";
     case LimitingFactor::SmallerPlan:
       return "plan for a smaller robot";
     case LimitingFactor::InvalidScan:
       return "invalid scan";
+    case LimitingFactor::LateCycle:
+      return "late cycle";
   }
   return "unknown";
 }

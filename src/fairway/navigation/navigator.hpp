@@ -3,10 +3,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "fairway/fleet/fleet_coordinator.hpp"
 #include "fairway/mpc/control_solver.hpp"
+#include "fairway/navigation/cycle_timing.hpp"
 #include "fairway/navigation/dead_reckoning.hpp"
 #include "fairway/navigation/goal_check.hpp"
 #include "fairway/navigation/input_check.hpp"
@@ -62,7 +64,10 @@ class Navigator {
  private:
   Navigator(const Settings& settings, std::unique_ptr<ControlSolver> own, ControlSolver* other);
 
+  void begin_cycle(double time) noexcept;
+  void end_cycle(double time, const Twist2& command) noexcept;
   [[nodiscard]] NavigationStep cycle(const NavigationInput& input) noexcept;
+  [[nodiscard]] LimitingFactor check_timing() const noexcept;
   [[nodiscard]] NavigationStep without_plan(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep arrive(const NavigationInput& input) noexcept;
   void note_remaining() noexcept;
@@ -71,28 +76,40 @@ class Navigator {
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep send(std::size_t candidate,
                                     std::span<const Twist2> commands) noexcept;
+  [[nodiscard]] std::optional<Twist2> slower_command() noexcept;
   [[nodiscard]] NavigationStep recover(const NavigationInput& input, NavigationStep step) noexcept;
   [[nodiscard]] NavigationStep stop_or_evade(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep stop(NavigationStatus status, LimitingFactor limit) noexcept;
   [[nodiscard]] StopSituation situation(const NavigationInput& input) const noexcept;
   [[nodiscard]] std::span<const Twist2> commands_of(const MpcSolution& answer) noexcept;
 
+  [[nodiscard]] Twist2 limited(const Twist2& wanted) const noexcept;
+
   Settings settings_;
-  double period_;  // from one command to the next [s]
-  double lag_;     // until the base follows a command [s]
+  double period_;       // from one command to the next, as it should be [s]
+  double longest_;      // until the next command, as the proof covers it [s]
+  double lag_;          // until the base follows a command, without its delay [s]
+  BaseActuation base_;  // what it can do
+  double dead_time_;    // until it answers to a command [s]
   Footprint body_;
   std::unique_ptr<ControlSolver> own_solver_;
   ControlSolver* solver_;
   Plan plan_;
   CorridorFollower corridor_;
   FleetCoordinator fleet_;
-  ReferencePath way_;  // the corridor's reference path, or the detour around other robots
+  ReferencePath path_;  // the corridor's reference path, or the detour around other robots
   ControlProblem problem_;
   MpcSolution solution_;  // of the last cycle; horizon 0 when there is none
   Candidates candidates_;
   std::array<Twist2, kMaxHorizon> commands_;  // of a candidate, per control period
   Twist2 sent_;                               // in the last cycle
   Twist2 sent_before_;                        // in the one before
+  CycleTimer timer_;
+  CycleTiming timing_;     // of this cycle
+  double step_;            // in which the base is to reach the command of this cycle [s]
+  Twist2 current_;         // to which a slow base without delay has ramped now
+  BaseResponse response_;  // of the base now
+  Pose2 ahead_;            // where the robot will be when it answers to the command of this cycle
   SafeStop stop_;
   CycleClock clock_;
   DeadReckoning reckoning_;
@@ -100,7 +117,7 @@ class Navigator {
   double plan_time_ = -1.0;  // when the present plan was first driven on
   double remaining_ = std::numeric_limits<double>::infinity();  // in the last cycle [m]
   bool plan_is_too_small_ = false;
-  bool new_way_ = false;  // since then
+  bool new_path_ = false;  // since then
   RecoveryBehaviour recovery_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What happens between the cycles of a Navigator: plans, resets, messages. The cycle itself is in
 // navigator.cpp.
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "fairway/fleet/motion_report.hpp"
@@ -14,11 +16,16 @@ Navigator::Navigator(const Settings& settings,
                      ControlSolver* other)
     : settings_(checked(settings)),
       period_(settings.navigation.control_period),
+      longest_(settings.safety.longest_hold * period_),
       lag_(settings.safety.actuation_lag * period_),
+      base_(actuation_of(settings.robot)),
+      dead_time_(dead_time(settings.robot)),
       body_(footprint_of(settings.robot)),
       own_solver_(std::move(own)),
       solver_(own_solver_ ? own_solver_.get() : other),
-      stop_(settings.robot, period_) {}
+      step_(period_),
+      stop_(settings.robot, period_, longest_),
+      reckoning_(settings.robot) {}
 
 Navigator::Navigator(const Settings& settings)
     : Navigator(settings, std::make_unique<RealTimeSolver>(settings.mpc), nullptr) {}
@@ -37,7 +44,7 @@ void Navigator::follow(Plan plan) {
   fleet_.path_changed();
   goal_check_.reset();
   plan_time_ = -1.0;
-  new_way_ = true;
+  new_path_ = true;
 }
 
 void Navigator::cancel() { follow(Plan{}); }
@@ -48,12 +55,53 @@ void Navigator::reset(const Twist2& actual) noexcept {
   solution_.horizon = 0;
   stop_.reset(sent_);
   reckoning_.reset(sent_);
+  response_ = {.slow = sent_, .quick = sent_};
   recovery_.reset();
+}
+
+// How much time has passed, and what the base has done in it.
+void Navigator::begin_cycle(double time) noexcept {
+  timing_ = timer_.next(time, period_, longest_);
+  if (timing_.shift != 0.0) {
+    reckoning_.shift_times(timing_.shift);
+    if (plan_time_ >= 0.0) plan_time_ = std::max(0.0, plan_time_ + timing_.shift);
+  }
+  step_ = std::min(timing_.elapsed, period_);
+  current_ = sent_;
+  if (std::isfinite(time)) {
+    current_ = reckoning_.history().reached(time);
+    advance(response_, reckoning_.history(), base_, time - timing_.elapsed, time);
+  }
+  stop_.begin_cycle(timing_.elapsed, step_);
+}
+
+void Navigator::end_cycle(double time, const Twist2& command) noexcept {
+  // A change that is greater than usual takes the base longer.
+  const auto ramp = [this](double from, double to, const AxisActuation& axis) {
+    const double change = std::abs(to - from) / change_max(axis);
+    return change > step_ * (1.0 + 1e-9) ? change : step_;
+  };
+  reckoning_.sent(time, command,
+                  {.linear = ramp(current_.linear, command.linear, base_.linear),
+                   .angular = ramp(current_.angular, command.angular, base_.angular)});
+  sent_before_ = sent_;
+  sent_ = command;
+}
+
+LimitingFactor Navigator::check_timing() const noexcept {
+  if (timing_.punctuality == Punctuality::Invalid) return LimitingFactor::InvalidTime;
+  if (timing_.punctuality == Punctuality::Late) return LimitingFactor::LateCycle;
+  return LimitingFactor::None;
+}
+
+// Towards `wanted`, as far as the limits allow in this cycle.
+Twist2 Navigator::limited(const Twist2& wanted) const noexcept {
+  return limited_change(sent_, wanted, settings_.robot, step_);
 }
 
 SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pose) const noexcept {
   std::array<Twist2, kMaxHorizon> commands;
-  sample_commands(solution_, sent_before_, settings_.mpc.step_length, period_, commands);
+  sample_commands(solution_, sent_before_, settings_.mpc.step_length, step_, period_, commands);
   const bool driven = solution_.horizon > 0 && commands[0].linear == sent_.linear &&
                       commands[0].angular == sent_.angular;
   const bool under_way = plan_.usable() && !goal_check_.reached();
@@ -65,7 +113,7 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
                         .limits = settings_.robot,
                         .body_radius = body_.circumscribed_radius(),
                         .period = period_,
-                        .lag = lag_,
+                        .lag = dead_time_ + lag_,
                         .stop = stop_,
                         .path = under_way ? &corridor_.reference_path() : nullptr,
                         .driven = driven ? &solution_ : nullptr,

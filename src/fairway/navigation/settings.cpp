@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/navigation/settings.hpp"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+
+#include "fairway/mpc/control_problem.hpp"
+#include "fairway/safety/braking_profile.hpp"
 
 namespace fairway {
 
@@ -41,6 +45,35 @@ Settings paper_settings() {
   s.prediction.obstacle_margin = 0.2;  // two robots of radius 0.3 then keep R_o = 0.8
   return s;
 }
+
+namespace {
+
+// The braking from the greatest speed must fit into a StopSequence.
+Expected<void> check_stop_length(const Settings& settings) {
+  constexpr int kMostCycles = StopSequence::kMaxLength - kMaxHorizon - 2;
+  const auto check = [&](const char* names, double speed, double braking) -> Expected<void> {
+    const double cycles = speed / (braking * settings.navigation.control_period);
+    if (cycles <= kMostCycles) return {};
+    std::ostringstream text;
+    text << names << ": expected enough to stop within " << kMostCycles
+         << " cycles of navigation.control_period, found " << std::ceil(cycles);
+    return fail(text.str());
+  };
+  const RobotSettings& robot = settings.robot;
+  const double linear = std::max(std::abs(robot.linear_max), std::abs(robot.linear_min));
+  if (const Expected<void> good =
+          check(robot.linear_braking_max > 0.0 ? "robot.linear_braking_max"
+                                               : "robot.linear_acceleration_max",
+                linear, linear_actuation(robot).braking);
+      !good) {
+    return good;
+  }
+  return check(robot.angular_braking_max > 0.0 ? "robot.angular_braking_max"
+                                               : "robot.angular_acceleration_max",
+               robot.angular_max, angular_actuation(robot).braking);
+}
+
+}  // namespace
 
 Expected<void> validate(const Settings& settings) {
   std::string error;
@@ -79,13 +112,7 @@ Expected<void> validate(const Settings& settings) {
   if (settings.mpc.decay_rate * settings.mpc.step_length > 1.0) {
     return fail("mpc.decay_rate: expected at most 1 / mpc.step_length (Eq. 14)");
   }
-  constexpr int kLongestStop = 200;  // cycles; StopSequence holds a few more
-  const double per_cycle =
-      settings.robot.linear_acceleration_max * settings.navigation.control_period;
-  if (settings.robot.linear_max > kLongestStop * per_cycle) {
-    return fail("robot.linear_acceleration_max: expected enough to stop within 200 control cycles");
-  }
-  return {};
+  return check_stop_length(settings);
 }
 
 const Settings& checked(const Settings& settings) {

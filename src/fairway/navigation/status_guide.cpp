@@ -202,10 +202,11 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
               .causes = "Headings in degrees.",
               .remedy = "Give metres and radians."};
     case LimitingFactor::InvalidTime:
-      return {
-          .meaning = "Two control cycles in succession were more than 100 control periods apart.",
-          .causes = "Times in milliseconds.",
-          .remedy = "Give seconds."};
+      return {.meaning =
+                  "Two control cycles in succession were more than 100 control periods apart, or a "
+                  "cycle was at the time of the one before or earlier.",
+              .causes = "Times in milliseconds; a clock that was set back or does not run.",
+              .remedy = "Give seconds, of a clock that only moves forward."};
     case LimitingFactor::SmallerPlan:
       return {
           .meaning =
@@ -221,6 +222,14 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
                   "A driver that fills `angle_min`, `angle_increment` or `range_max` wrongly; a "
                   "transform of the sensor that is not finite.",
               .remedy = "Repair the driver, or the description of the robot."};
+    case LimitingFactor::LateCycle:
+      return {.meaning =
+                  "The cycle came later than `safety.longest_hold` control periods after the one "
+                  "before; the robot brakes.",
+              .causes = "A computer that is too busy, or a loop slower than the control period.",
+              .remedy =
+                  "Run the loop at `navigation.control_period`, or raise `safety.longest_hold` to "
+                  "what the loop can keep."};
   }
   return {};
 }

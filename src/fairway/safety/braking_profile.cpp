@@ -7,21 +7,13 @@
 
 namespace fairway {
 
-namespace {
-
-double toward(double current, double wanted, double most) noexcept {
-  return current + std::clamp(wanted - current, -most, most);
-}
-
-}  // namespace
-
 Twist2 limited_change(const Twist2& current,
                       const Twist2& wanted,
                       const RobotSettings& robot,
                       double period) noexcept {
   return {
-      .linear = toward(current.linear, wanted.linear, robot.linear_acceleration_max * period),
-      .angular = toward(current.angular, wanted.angular, robot.angular_acceleration_max * period)};
+      .linear = limited_change(current.linear, wanted.linear, linear_actuation(robot), period),
+      .angular = limited_change(current.angular, wanted.angular, angular_actuation(robot), period)};
 }
 
 StopSequence brake_from(const Twist2& current, const RobotSettings& robot, double period) noexcept {

@@ -11,7 +11,7 @@ namespace fairway {
 
 /// Commands that bring the robot to a standstill, one per control period.
 struct StopSequence {
-  static constexpr int kMaxLength = 256;
+  static constexpr int kMaxLength = 640;
   int count = 0;  ///< after the last one the robot is stopped
   std::array<Twist2, kMaxLength> commands;
 };

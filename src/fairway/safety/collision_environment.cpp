@@ -19,16 +19,17 @@ CollisionEnvironment static_environment(const BitGrid& obstacles,
   const double margin =
       disc ? std::min(settings.stop_margin, std::max(kLeastMargin, 0.5 * plan_margin))
            : settings.stop_margin;
-  const double room = footprint_clearance(obstacles, body, pose, margin + 4.0 * kFreeSpaceSkin) -
-                      2.0 * kFreeSpaceSkin;
+  const double clearance =
+      footprint_clearance(obstacles, body, pose, margin + 4.0 * kFreeSpaceSkin) -
+      2.0 * kFreeSpaceSkin;
   CollisionEnvironment around{.obstacles = &obstacles,
-                              .body = room < 0.0 ? body.shrunk(-room) : body,
-                              .static_margin = std::clamp(room, 0.0, margin),
+                              .body = clearance < 0.0 ? body.shrunk(-clearance) : body,
+                              .static_margin = std::clamp(clearance, 0.0, margin),
                               .moving = {}};
   if (disc || radius < body.circumscribed_radius()) return around;
   // The plan keeps the covering disc free, so that the robot can turn anywhere. As long as the body
   // is free a little of that may be lost on the way, but no more than is lost already. Where the
-  // disc has less room than the margin, the margin must not forbid to turn.
+  // disc has less clearance than the margin, the margin must not forbid to turn.
   const double disc_room =
       distance_to_blocked(obstacles, pose.position, radius + margin) - 2.0 * kFreeSpaceSkin;
   around.turning_radius = std::min(radius - settings.turn_clearance_tolerance, disc_room);

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace fairway {
 
 namespace {
+
+constexpr double kRoundedUp = 1.0 + 1e-9;
 
 // The commands after the first, `follow` of them, and full braking from there.
 StopSequence follow_then_brake(std::span<const Twist2> commands,
@@ -36,11 +39,90 @@ void run_towards(const Twist2& current,
     command = now = limited_change(now, wanted, robot, period);
 }
 
+constexpr std::size_t kMostStanding = 64;
+
+// Those of `moving` that stand still.
+MovingObstacles standing_among(MovingObstacles moving,
+                               std::array<MovingObstacle, kMostStanding>& standing) noexcept {
+  constexpr double kStill = 0.1;  // [m/s]
+  std::size_t count = 0;
+  for (const MovingObstacle& obstacle : moving) {
+    if (obstacle.velocity.norm() < kStill && count < kMostStanding) standing[count++] = obstacle;
+  }
+  return {standing.data(), count};
+}
+
+// `wanted` itself where the limits allow it in `time`, else as near to it as they do.
+Twist2 within_reach(const Twist2& from,
+                    const Twist2& wanted,
+                    const RobotSettings& robot,
+                    double time) noexcept {
+  constexpr double kSame = 1e-12;
+  const Twist2 nearest = limited_change(from, wanted, robot, time);
+  return {
+      .linear = std::abs(nearest.linear - wanted.linear) < kSame ? wanted.linear : nearest.linear,
+      .angular =
+          std::abs(nearest.angular - wanted.angular) < kSame ? wanted.angular : nearest.angular};
+}
+
 }  // namespace
 
 void SafeStop::reset(const Twist2& actual) noexcept {
+  first_ = actual;
+  last_ = actual;
   stop_ = brake_from(actual, robot_, period_);
+  since_ = 0.0;
   done_ = 0;
+  in_cycle_ = false;
+}
+
+void SafeStop::begin_cycle(double elapsed, double ramp) noexcept {
+  since_ += elapsed;
+  elapsed_ = elapsed;
+  ramp_ = ramp;
+  in_cycle_ = true;
+}
+
+StopManoeuvre SafeStop::manoeuvre(const StopSituation& situation,
+                                  const Twist2& command,
+                                  const StopSequence& stop) const noexcept {
+  const double change = std::max(
+      std::abs(command.linear - situation.current.linear) / change_max(actuation_.linear),
+      std::abs(command.angular - situation.current.angular) / change_max(actuation_.angular));
+  return {.current = situation.current,
+          .command = command,
+          .stop = stop,
+          .period = period_,
+          .ramp = change > kRoundedUp * ramp_ ? change : ramp_,
+          .irregular = situation.irregular,
+          .actuation = &actuation_,
+          .response = situation.response,
+          .history = situation.history,
+          .time = situation.time};
+}
+
+// Where the next command comes a period later, and where it comes as late as is promised. Between
+// the two the heading at which the robot brakes is between theirs.
+StopVerdict SafeStop::prove(const StopSituation& situation,
+                            const Twist2& command,
+                            const StopSequence& stop) const noexcept {
+  const StopManoeuvre regular = manoeuvre(situation, command, stop);
+  const StopVerdict verdict =
+      follow_stop(situation.pose, regular, situation.hold, situation.around).verdict;
+  const double longest = std::max(longest_interval_, situation.longest_interval);
+  const bool moves = command.linear != 0.0 || command.angular != 0.0;
+  if (verdict != StopVerdict::Free || longest <= period_ || !moves) return verdict;
+  // The other robots are published the stop of a regular cycle, and check against that.
+  CollisionEnvironment alone = situation.around;
+  alone.fleet = {};
+  StopManoeuvre other = regular;
+  other.hold = longest;
+  const StopVerdict late = follow_stop(situation.pose, other, situation.hold, alone).verdict;
+  constexpr double kEarly = 0.9;  // periods
+  if (late != StopVerdict::Free || ramp_ > kEarly * period_) return late;
+  // Where this cycle came early the next one may, too.
+  other.hold = std::max(ramp_, 0.5 * period_);
+  return follow_stop(situation.pose, other, situation.hold, alone).verdict;
 }
 
 bool SafeStop::take(const StopSituation& situation, std::span<const Twist2> commands) noexcept {
@@ -54,36 +136,53 @@ bool SafeStop::take(const StopSituation& situation, std::span<const Twist2> comm
     if (follow == tried || (at_once && follow > 0)) continue;
     tried = follow;
     const StopSequence stop = follow_then_brake(commands, follow, robot_, period_);
-    const StopOutcome outcome = follow_stop(situation.pose, situation.current, commands[0], stop,
-                                            period_, situation.hold, situation.around);
-    if (outcome.verdict == StopVerdict::HitsStatic) return false;
-    if (outcome.verdict != StopVerdict::Free) continue;
+    const StopVerdict verdict = prove(situation, commands[0], stop);
+    if (verdict == StopVerdict::HitsStatic) return false;
+    if (verdict != StopVerdict::Free) continue;
+    first_ = commands[0];
+    last_ = commands[0];
     stop_ = stop;
+    since_ = 0.0;
     done_ = 0;
+    in_cycle_ = false;
     return true;
   }
   return false;
 }
 
-StopSequence SafeStop::rest() const noexcept {
-  StopSequence rest;
-  for (int i = done_; i < stop_.count; ++i)
-    rest.commands[static_cast<std::size_t>(rest.count++)] =
-        stop_.commands[static_cast<std::size_t>(i)];
-  return rest;
+// Of the command of this cycle: 0 is `first_`, 1 the first of `stop_`, and so on. A command is what
+// the base is to reach a period later; in the first period after `first_` it may be sooner.
+double SafeStop::index() const noexcept {
+  constexpr double kWhole = 1e-6;
+  const double since = in_cycle_ ? since_ : since_ + period_;
+  const double index = (since + std::min(since, period_) - period_) / period_;
+  const double whole = std::round(index);
+  return std::max(0.0, std::abs(index - whole) < kWhole ? whole : index);
+}
+
+Twist2 SafeStop::command_at(double index) const noexcept {
+  if (index >= stop_.count) {
+    return stop_.count > 0 ? stop_.commands[static_cast<std::size_t>(stop_.count - 1)] : first_;
+  }
+  const auto k = static_cast<std::size_t>(index);
+  const Twist2& from = k == 0 ? first_ : stop_.commands[k - 1];
+  const double share = index - static_cast<double>(k);
+  if (share == 0.0) return from;
+  const Twist2& to = stop_.commands[k];
+  return {.linear = from.linear + share * (to.linear - from.linear),
+          .angular = from.angular + share * (to.angular - from.angular)};
 }
 
 double SafeStop::contact_time(const StopSituation& situation) const noexcept {
-  StopSequence after = rest();
-  Twist2 first;
-  if (after.count > 0) {
-    first = after.commands[0];
-    std::copy(after.commands.begin() + 1, after.commands.begin() + after.count,
-              after.commands.begin());
-    --after.count;
+  const double now = index();
+  StopSequence after;
+  while (now + after.count < stop_.count) {
+    after.commands[static_cast<std::size_t>(after.count)] = command_at(now + after.count + 1);
+    ++after.count;
   }
-  const StopOutcome outcome = follow_stop(situation.pose, situation.current, first, after, period_,
-                                          situation.hold, situation.around);
+  const StopOutcome outcome =
+      follow_stop(situation.pose, manoeuvre(situation, command_at(now), after), situation.hold,
+                  situation.around);
   return outcome.verdict == StopVerdict::HitsMoving ? outcome.time
                                                     : std::numeric_limits<double>::infinity();
 }
@@ -95,31 +194,31 @@ bool SafeStop::evade(const StopSituation& situation,
   std::array<Twist2, kRun> run;
   double latest = than + period_;
   bool found = false;
-  // A way that something moving would meet is looked at no further than to there; what stands must
-  // be out of all of it, since what moves may do otherwise.
+  // A manoeuvre that a moving obstacle would meet is looked at no further than to there. Static
+  // obstacles and people who stand must be out of all of it, since others may do otherwise.
   StopSituation alone = situation;
-  alone.around.moving = {};
+  std::array<MovingObstacle, kMostStanding> standing;
+  alone.around.moving = standing_among(situation.around.moving, standing);
   alone.around.fleet = {};
   const auto consider = [&](std::span<const Twist2> way) {
     const StopSequence stop = follow_then_brake(way, way.size() - 1, robot_, period_);
-    const StopOutcome outcome = follow_stop(situation.pose, situation.current, way[0], stop,
-                                            period_, situation.hold, situation.around);
+    const StopOutcome outcome = follow_stop(situation.pose, manoeuvre(situation, way[0], stop),
+                                            situation.hold, situation.around);
     if (outcome.verdict == StopVerdict::HitsStatic) return;
     const bool whole = outcome.verdict == StopVerdict::Free;
     const double time = whole ? std::numeric_limits<double>::infinity() : outcome.time;
-    if (!(time > latest)) return;
-    if (!whole && check_stop(alone.pose, alone.current, way[0], stop, period_, alone.around) !=
-                      StopVerdict::Free) {
-      return;
-    }
+    if (!(time > latest) || prove(alone, way[0], stop) != StopVerdict::Free) return;
     latest = time;
     found = true;
+    first_ = way[0];
     stop_.count = 1;
     stop_.commands[0] = way[0];
     for (int i = 0; i < stop.count && stop_.count < StopSequence::kMaxLength; ++i)
       stop_.commands[static_cast<std::size_t>(stop_.count++)] =
           stop.commands[static_cast<std::size_t>(i)];
+    since_ = period_;  // its first command is the next
     done_ = 0;
+    in_cycle_ = true;
   };
   if (!commands.empty()) consider(commands);
   for (const double linear : {robot_.linear_max, 0.5 * robot_.linear_max, robot_.linear_min}) {
@@ -132,7 +231,15 @@ bool SafeStop::evade(const StopSituation& situation,
 }
 
 Twist2 SafeStop::next() noexcept {
-  return done_ < stop_.count ? stop_.commands[static_cast<std::size_t>(done_++)] : Twist2{};
+  const double now = index();
+  const double interval = std::max(period_, in_cycle_ ? elapsed_ : period_) * kRoundedUp;
+  const Twist2 command = within_reach(last_, command_at(now), robot_, interval);
+  last_ = command;
+  if (!in_cycle_) since_ += period_;
+  in_cycle_ = false;
+  done_ = std::min(stop_.count, static_cast<int>(now));
+  if (now >= stop_.count && (command.linear != 0.0 || command.angular != 0.0)) reset(command);
+  return command;
 }
 
 }  // namespace fairway

@@ -7,41 +7,57 @@
 
 namespace fairway {
 
-/// Where a robot is and what it is asked to be safe from, in one cycle.
+/// Where a robot is and what it must not touch, in one cycle.
 struct StopSituation {
   Pose2 pose;
-  Twist2 current;  ///< the last command, which the robot executes now
+  Twist2 current;  ///< to which a slow base without delay and lag has ramped now
   CollisionEnvironment around;
-  double hold = 0.0;  ///< how long ahead moving obstacles are kept out of the way of [s]
+  double hold = 0.0;              ///< how long ahead moving obstacles are looked at [s]
+  double longest_interval = 0.0;  ///< until the next command, where more than usual [s]
+  bool irregular = false;         ///< the cycles come noticeably earlier and later than a period
+  const BaseResponse* response = nullptr;   ///< of the base now; null where it is at `current`
+  const CommandHistory* history = nullptr;  ///< what is on its way through the delay
+  double time = 0.0;                        ///< now, in the times of the history [s]
 };
 
-/// The way to a stand that every command leaves open, and what is done where there is none.
+/// The stop that every command leaves open, and what is done where there is none.
 ///
 /// A command is proven by braking at once, or by following the plan that it is from for a while and
-/// braking then: out of the way of something that comes, where standing still is no rescue. What
-/// was proven last is kept, and executed when nothing new can be proven.
+/// braking then: out of the path of an obstacle that approaches, where standstill does not help.
+/// What was proven last is kept, and executed when nothing new can be proven. A command is proven
+/// for every time until the next one from a period up to the longest interval.
 ///
 /// Where messages are late others only know that a robot brakes at once or a few cycles later: then
 /// a command is proven by braking at once only, unless there is something that moves on its own.
 class SafeStop {
  public:
-  /// @param period  Time from one command to the next [s].
-  SafeStop(const RobotSettings& robot, double period) : robot_(robot), period_(period) {}
+  /// @param period            Time from one command to the next [s].
+  /// @param longest_interval  The longest such time that is covered [s]; 0: a period.
+  SafeStop(const RobotSettings& robot, double period, double longest_interval = 0.0)
+      : robot_(robot),
+        actuation_(actuation_of(robot)),
+        period_(period),
+        longest_interval_(longest_interval),
+        ramp_(period) {}
 
   /// Forgets what was proven; falls back on braking from `actual`.
   void reset(const Twist2& actual) noexcept;
+
+  /// A cycle begins `elapsed` [s] after the last one. The base will ramp to its command within
+  /// `ramp` [s]. Without this call the cycles are a period apart.
+  void begin_cycle(double elapsed, double ramp) noexcept;
 
   /// Takes `commands[0]` if it can be proven with what follows it. Then that is fallen back on.
   [[nodiscard]] bool take(const StopSituation& situation,
                           std::span<const Twist2> commands) noexcept;
 
-  /// When the way that is fallen back on touches something that moves [s from now]; infinite for
-  /// never within `hold`. What stands was checked when it was taken.
+  /// When the stop that is fallen back on touches a moving obstacle [s from now]; infinite for
+  /// never within `hold`. Static obstacles were checked when it was taken.
   [[nodiscard]] double contact_time(const StopSituation& situation) const noexcept;
 
-  /// Takes the way that touches something that moves last, if that is clearly later than `than`
+  /// Takes the manoeuvre that touches a moving obstacle last, if that is clearly later than `than`
   /// [s]: `commands`, or the hardest turns and runs that the limits allow. Never one that touches
-  /// what stands.
+  /// a static obstacle.
   /// @return whether one was taken; its first command is then the next.
   [[nodiscard]] bool evade(const StopSituation& situation,
                            std::span<const Twist2> commands,
@@ -54,12 +70,27 @@ class SafeStop {
   [[nodiscard]] int done() const noexcept { return done_; }
 
  private:
-  [[nodiscard]] StopSequence rest() const noexcept;
+  [[nodiscard]] StopManoeuvre manoeuvre(const StopSituation& situation,
+                                        const Twist2& command,
+                                        const StopSequence& stop) const noexcept;
+  [[nodiscard]] StopVerdict prove(const StopSituation& situation,
+                                  const Twist2& command,
+                                  const StopSequence& stop) const noexcept;
+  [[nodiscard]] double index() const noexcept;
+  [[nodiscard]] Twist2 command_at(double index) const noexcept;
 
   RobotSettings robot_;
+  BaseActuation actuation_;
   double period_;
-  StopSequence stop_;  // after the command that was sent
-  int done_ = 0;       // commands of it that were sent
+  double longest_interval_;
+  Twist2 first_;           // the command before those of stop_
+  StopSequence stop_;      // one per period
+  Twist2 last_;            // the command of the last cycle
+  double elapsed_ = 0.0;   // from the last cycle to this one [s]
+  double since_ = 0.0;     // the time since `first_` was sent [s]
+  double ramp_;            // within which the base ramps to the command of this cycle [s]
+  bool in_cycle_ = false;  // begun, and nothing taken yet
+  int done_ = 0;           // commands of stop_ that were sent
 };
 
 }  // namespace fairway

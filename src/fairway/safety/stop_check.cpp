@@ -30,7 +30,7 @@ class StopCheck {
 
   [[nodiscard]] double time() const noexcept { return time_; }
 
-  // Whether the body has its margin where it stands now.
+  // Whether the body has its margin where it has stopped.
   [[nodiscard]] StopVerdict arrive() const noexcept {
     const bool free =
         !surroundings_.margin_where_it_stands ||
@@ -38,8 +38,8 @@ class StopCheck {
     return free ? StopVerdict::Free : StopVerdict::HitsStatic;
   }
 
-  // What comes nearer while the robot stands.
-  [[nodiscard]] StopVerdict stand(double duration) noexcept {
+  // What comes nearer after standstill.
+  [[nodiscard]] StopVerdict stay(double duration) noexcept {
     const Sweep still{.from = pose_, .to = pose_, .start = time_, .duration = duration};
     time_ += duration;
     return disc_meets_moving(still, surroundings_.body.circumscribed_radius())
@@ -47,29 +47,27 @@ class StopCheck {
                : StopVerdict::Free;
   }
 
-  // One cycle in which the twist ramps from `from` to `to`.
-  [[nodiscard]] StopVerdict ramp(const Twist2& from, const Twist2& to, double dt) noexcept {
-    const double h = dt / kRampPieces;
-    for (int i = 0; i < kRampPieces; ++i) {
-      const Twist2 mean = ramp_mean(from, to, i);
-      if (const StopVerdict verdict = piece(mean, h); verdict != StopVerdict::Free) return verdict;
-      pose_ = step(pose_, mean, h, Integration::Midpoint);
-      time_ += h;
-    }
+  // One piece of the slow base's motion, grown by what the others of the family deviate from it.
+  [[nodiscard]] StopVerdict follow(const MotionPiece& piece) noexcept {
+    piece_ = piece;
+    const StopVerdict verdict = check_piece(piece.mean, piece.duration);
+    if (verdict != StopVerdict::Free) return verdict;
+    pose_ = step(pose_, piece.mean, piece.duration, Integration::Midpoint);
+    time_ += piece.duration;
     return StopVerdict::Free;
   }
 
  private:
   // First with the disc that covers the body; where that touches, with the body itself.
-  [[nodiscard]] StopVerdict piece(const Twist2& mean, double h) const noexcept {
+  [[nodiscard]] StopVerdict check_piece(const Twist2& mean, double h) const noexcept {
     const Footprint& body = surroundings_.body;
     const Pose2 next = step(pose_, mean, h, Integration::Midpoint);
     const Sweep whole{.from = pose_, .to = next, .start = time_, .duration = h};
     const double radius = body.circumscribed_radius();
     const double sagitta = std::abs(mean.linear * h * mean.angular * h) / 8.0;
+    const double growth = std::max(surroundings_.static_margin, piece_.aside) + sagitta;
     StopVerdict verdict = StopVerdict::Free;
-    if (!is_free(*surroundings_.obstacles, pose_.position, next.position,
-                 radius + surroundings_.static_margin + sagitta)) {
+    if (!is_free(*surroundings_.obstacles, pose_.position, furthest(next), radius + growth)) {
       verdict = StopVerdict::HitsStatic;
     } else if (disc_meets_moving(whole, radius + sagitta)) {
       verdict = StopVerdict::HitsMoving;
@@ -77,7 +75,7 @@ class StopCheck {
     if (disc_meets_fleet(whole, radius + sagitta)) return StopVerdict::HitsMoving;
     if (verdict == StopVerdict::Free || body.inscribed_radius() >= radius) return verdict;
     if (surroundings_.turning_radius > 0.0 &&
-        !is_free(*surroundings_.obstacles, pose_.position, next.position,
+        !is_free(*surroundings_.obstacles, pose_.position, furthest(next),
                  surroundings_.turning_radius + sagitta)) {
       return StopVerdict::HitsStatic;
     }
@@ -111,9 +109,17 @@ class StopCheck {
     }
   };
 
+  // Where the base that is furthest ahead is when the slow one is at `pose`.
+  [[nodiscard]] Vector2d furthest(const Pose2& pose) const noexcept {
+    if (piece_.ahead == 0.0) return pose.position;
+    return pose.position +
+           std::copysign(piece_.ahead, piece_.mean.linear) * direction(pose.heading);
+  }
+
   [[nodiscard]] bool body_is_free(const Sweep& sweep) const noexcept {
     const Footprint& body = surroundings_.body;
-    const double margin = surroundings_.static_margin;
+    const double margin = std::max(surroundings_.static_margin,
+                                   piece_.aside + body.circumscribed_radius() * piece_.turned);
     const auto keep = [&](double growth) {
       return surroundings_.margin_where_it_stands ? std::max(margin, growth) : margin + growth;
     };
@@ -123,8 +129,8 @@ class StopCheck {
                          .heading = 0.5 * (sweep.from.heading + sweep.to.heading)};
       OrientedRectangle swept = body.rectangle_at(middle);
       const double half_way = 0.5 * (sweep.to.position - sweep.from.position).norm();
-      swept.min.x() -= half_way;
-      swept.max.x() += half_way;
+      swept.min.x() -= half_way + (piece_.mean.linear < 0.0 ? piece_.ahead : 0.0);
+      swept.max.x() += half_way + (piece_.mean.linear < 0.0 ? 0.0 : piece_.ahead);
       const double corner = body.circumscribed_radius() * 0.5 * sweep.turn();
       return is_free(*surroundings_.obstacles, swept, keep(sweep.sagitta() + corner));
     }
@@ -132,8 +138,9 @@ class StopCheck {
       const Footprint::Disc& disc = body.disc_at(i);
       // The disc's own arc is longer than the robot's by at most its distance times the turn.
       const double more = disc.center.norm() * sweep.turn() * sweep.turn() / 8.0;
+      const Pose2 last{.position = furthest(sweep.to), .heading = sweep.to.heading};
       if (!is_free(*surroundings_.obstacles, transform(sweep.from, disc.center),
-                   transform(sweep.to, disc.center), disc.radius + keep(sweep.sagitta() + more))) {
+                   transform(last, disc.center), disc.radius + keep(sweep.sagitta() + more))) {
         return false;
       }
     }
@@ -147,11 +154,15 @@ class StopCheck {
                : obstacle.position;
   }
 
+  [[nodiscard]] double moving_margin() const noexcept {
+    return surroundings_.moving_margin + piece_.aside + piece_.apart;
+  }
+
   [[nodiscard]] bool disc_meets_moving(const Sweep& sweep, double radius) const noexcept {
     for (const MovingObstacle& obstacle : surroundings_.moving) {
       const Vector2d before = sweep.from.position - moving_at(obstacle, sweep.start);
       const Vector2d after = sweep.to.position - moving_at(obstacle, sweep.start + sweep.duration);
-      const double keep = radius + obstacle.radius + surroundings_.moving_margin;
+      const double keep = radius + obstacle.radius + moving_margin();
       // Already too near: what counts is not to come nearer.
       if (nearest_approach(before, after) < keep && after.norm() < before.norm()) return true;
     }
@@ -173,9 +184,10 @@ class StopCheck {
       if (nearest_approach(before, after) >= keep) continue;
       // Already too near: what counts is not to come nearer.
       if (after.norm() < before.norm()) return true;
-      // To what was told late, that is: if both went round each other, both would go by what is no
-      // longer so. One of two stands or goes straight away, within 60 degrees; then whatever the
-      // other one does in a few cycles without coming nearer to where it was, they part.
+      // To a message that came late, that is: if both went round each other, both would rely on
+      // what is no longer so. One of two stops or goes straight away, within 60 degrees; then
+      // whatever the other one does in a few cycles without coming nearer to where it was, they
+      // part.
       const Vector2d own = sweep.to.position - sweep.from.position;
       const bool parts = own.dot(before) >= 0.5 * own.norm() * before.norm();
       if (member.unseen > 0.0 && other.robot < surroundings_.robot && !parts) return true;
@@ -197,13 +209,15 @@ class StopCheck {
           sweep.turn() *
               std::max((first - sweep.from.position).norm(), (last - sweep.to.position).norm());
       const double nearest = 0.5 * (before + after - length);
-      const double keep = obstacle.radius + surroundings_.moving_margin;
+      const double keep =
+          obstacle.radius + moving_margin() + body.circumscribed_radius() * piece_.turned;
       if (nearest < keep && after < before) return true;
     }
     return false;
   }
 
   Pose2 pose_;
+  MotionPiece piece_;
   double time_ = 0.0;
   CollisionEnvironment surroundings_;
 };
@@ -216,24 +230,30 @@ bool is_late(Fleet fleet) noexcept {
 }
 
 StopOutcome follow_stop(const Pose2& pose,
+                        const StopManoeuvre& manoeuvre,
+                        double hold,
+                        const CollisionEnvironment& surroundings) noexcept {
+  StopCheck check(pose, surroundings);
+  MotionFamily family(manoeuvre);
+  MotionPiece piece;
+  StopVerdict verdict = StopVerdict::Free;
+  while (verdict == StopVerdict::Free && family.next(piece))
+    verdict = check.follow(piece);
+  if (verdict == StopVerdict::Free) verdict = check.arrive();
+  while (verdict == StopVerdict::Free && check.time() < hold)
+    verdict = check.stay(manoeuvre.period);
+  return {.verdict = verdict, .time = check.time()};
+}
+
+StopOutcome follow_stop(const Pose2& pose,
                         const Twist2& current,
                         const Twist2& command,
                         const StopSequence& stop,
                         double dt,
                         double hold,
                         const CollisionEnvironment& surroundings) noexcept {
-  StopCheck check(pose, surroundings);
-  StopVerdict verdict = check.ramp(current, command, dt);
-  Twist2 before = command;
-  for (int i = 0; i < stop.count && verdict == StopVerdict::Free; ++i) {
-    const Twist2& next = stop.commands[static_cast<std::size_t>(i)];
-    verdict = check.ramp(before, next, dt);
-    before = next;
-  }
-  if (verdict == StopVerdict::Free) verdict = check.arrive();
-  while (verdict == StopVerdict::Free && check.time() < hold)
-    verdict = check.stand(dt);
-  return {.verdict = verdict, .time = check.time()};
+  return follow_stop(pose, {.current = current, .command = command, .stop = stop, .period = dt},
+                     hold, surroundings);
 }
 
 StopVerdict check_stop(const Pose2& pose,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/moving_body.hpp"
 #include "fairway/simulation/sensors/sensing.hpp"
+#include "fairway/simulation/unicycle_robot.hpp"
 
 namespace fairway {
 
@@ -20,6 +22,8 @@ struct RobotTask {
   std::string name = "robot";
   Pose2 start;
   Goal goal;
+  /// What its base really does, where that is not what the settings say.
+  std::optional<UnicycleLimits> actuation{};
 };
 
 /// What moves the robots.

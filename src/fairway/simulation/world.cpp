@@ -31,8 +31,10 @@ World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
       footprint_(footprint_of(scenario.settings.robot)),
       bodies_(scenario.bodies),
       physics_(std::move(physics)) {
-  for (const RobotTask& task : scenario.robots)
+  for (const RobotTask& task : scenario.robots) {
     robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
+    actuation_.push_back(task.actuation);
+  }
   set_robots(scenario.settings);
   touched_.assign(robots_.size(), 0);
   encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
@@ -143,10 +145,8 @@ void World::remove_body(std::size_t index) {
 
 void World::set_robots(const Settings& settings) {
   footprint_ = footprint_of(settings.robot);
-  for (UnicycleRobot& robot : robots_) {
-    robot.limits = {.linear_acceleration = settings.robot.linear_acceleration_max,
-                    .angular_acceleration = settings.robot.angular_acceleration_max};
-  }
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    robots_[i].limits = actuation_[i].value_or(limits_of(settings.robot));
 }
 
 void World::moving_bodies(std::vector<MovingObstacle>& seen) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
@@ -57,7 +58,8 @@ class World {
   /// Removes a body; the indices after it decrease by one. @pre it exists.
   void remove_body(std::size_t index);
 
-  /// Applies the radius and the acceleration limits of the robots.
+  /// Takes over the body of the robots, and the limits of those whose base the scenario does not
+  /// describe.
   void set_robots(const Settings& settings);
 
   [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
@@ -80,6 +82,7 @@ class World {
   BitGrid obstacles_;
   Footprint footprint_;
   std::vector<UnicycleRobot> robots_;
+  std::vector<std::optional<UnicycleLimits>> actuation_;  // of each, where the scenario says so
   std::vector<Encounter> encounters_;
   std::vector<MovingBody> bodies_;
   std::unique_ptr<Physics> physics_;

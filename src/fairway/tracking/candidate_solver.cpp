@@ -54,15 +54,16 @@ void solve_candidates(ControlSolver& solver,
 void sample_commands(const MpcSolution& solution,
                      const Twist2& before,
                      double step_length,
+                     double first,
                      double period,
                      std::array<Twist2, kMaxHorizon>& commands) noexcept {
   const auto n = static_cast<std::size_t>(solution.horizon);
-  if (period == step_length) {
+  if (first == step_length && period == step_length) {
     std::copy_n(solution.commands.begin(), n, commands.begin());
     return;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const double at = static_cast<double>(i + 1) * period / step_length;
+    const double at = (first + static_cast<double>(i) * period) / step_length;
     const auto k = static_cast<std::size_t>(at);
     if (k >= n) {
       commands[i] = solution.commands[n - 1];

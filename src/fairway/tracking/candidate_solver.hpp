@@ -36,15 +36,16 @@ void solve_candidates(ControlSolver& solver,
                       ControlProblem& problem,
                       Candidates& candidates) noexcept;
 
-/// Samples the commands of `solution` at the end of each control period, as many as its horizon has
-/// steps.
+/// The commands of `solution` at time `first`, and one every `period` after it, as many as its
+/// horizon has [s].
 ///
-/// The base ramps linearly from each command to the next. If the control period differs from the
-/// step length, the result samples these ramps; otherwise it is the solution's own commands.
-/// @param before  The command being executed.
+/// The base ramps linearly from each command to the next, so times that are not those of the steps
+/// sample these ramps. Where all are a step length these are the solution's own commands.
+/// @param before  The command that is executed now.
 void sample_commands(const MpcSolution& solution,
                      const Twist2& before,
                      double step_length,
+                     double first,
                      double period,
                      std::array<Twist2, kMaxHorizon>& commands) noexcept;
 

@@ -2,6 +2,7 @@
 #include "fairway/tracking/free_distance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "fairway/map/free_space.hpp"
@@ -38,6 +39,43 @@ double distance_to_stop_in(const BitGrid& obstacles,
   const double radius = robot.radius - 1e-3;
   const double length = free_length(obstacles, path, radius, limit);
   return length < std::min(limit, path.length()) ? length : std::numeric_limits<double>::infinity();
+}
+
+double distance_to_follow_in(MovingObstacles obstacles,
+                             double age,
+                             const ReferencePath& path,
+                             const FollowingRobot& following) noexcept {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  constexpr double kShare = 0.8;  // of the braking limit, as the targets use it
+  constexpr double kStep = 0.1;   // [m]
+  const RobotSettings& robot = following.robot;
+  const double braking = kShare * change_max(linear_actuation(robot));
+  if (obstacles.empty() ||
+      braking_distance(robot) < 0.5 * kShare * following.horizon * robot.linear_max) {
+    return kNever;
+  }
+  const double reach = braking_distance(robot) / kShare + following.horizon * robot.linear_max;
+  const double end = std::min(reach, path.length());
+  // Where the robot would meet each obstacle if it drove on.
+  const double speed = std::max(following.speed, 0.5 * robot.linear_max);
+  double least = kNever;
+  for (const MovingObstacle& obstacle : obstacles) {
+    const double keep = robot.radius + obstacle.radius + following.distance;
+    for (double s = 0.0; s < end; s += kStep) {
+      const double time = s / speed;
+      const Eigen::Vector2d at = path.at(s);
+      if ((predicted_position(obstacle, age + time) - at).norm() >= keep) continue;
+      const Eigen::Vector2d along = path.at(s + kStep) - at;
+      const double away =
+          along.norm() > 0.0 ? std::max(0.0, obstacle.velocity.dot(along.normalized())) : 0.0;
+      const double closing = std::max(0.0, following.speed - away);
+      const double gap = std::max(0.0, s - away * time - following.reaction * closing);
+      const double allowed = away + std::sqrt(2.0 * braking * gap);
+      least = std::min(least, allowed * allowed / (2.0 * braking));
+      break;
+    }
+  }
+  return least;
 }
 
 }  // namespace fairway

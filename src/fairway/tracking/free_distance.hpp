@@ -3,6 +3,7 @@
 
 #include "fairway/geometry/robot_settings.hpp"
 #include "fairway/map/bit_grid.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 
 namespace fairway {
@@ -26,5 +27,27 @@ namespace fairway {
                                          const ReferencePath& path,
                                          const RobotSettings& robot,
                                          double horizon) noexcept;
+
+/// A robot that follows a path among moving obstacles.
+struct FollowingRobot {
+  const RobotSettings& robot;
+  double speed = 0.0;     ///< now [m/s]
+  double reaction = 0.0;  ///< time until it brakes [s]
+  double distance = 0.0;  ///< that it is to keep from the obstacles, beyond both radii [m]
+  double horizon = 0.0;   ///< how far ahead the controller plans [s]
+};
+
+/// How far along the path a robot may drive as if it had to stop there, because of a moving
+/// obstacle in its path [m]; infinite without one.
+///
+/// The obstacle is followed: braking begins in time to have its speed along the path at the
+/// distance to keep and the distance that is closed within the reaction time. Only for robots whose
+/// braking distance is more than half of what the horizon can hold; the controller brakes the
+/// others in time by itself.
+/// @param age  How long ago the obstacles were seen [s].
+[[nodiscard]] double distance_to_follow_in(MovingObstacles obstacles,
+                                           double age,
+                                           const ReferencePath& path,
+                                           const FollowingRobot& following) noexcept;
 
 }  // namespace fairway

@@ -89,7 +89,7 @@ void set_predictions(const PredictionSettings& settings,
 
 double turning_speed(double turn, const RobotSettings& robot, double period) noexcept {
   // Half of the limit, so that the delay of one cycle does not cause oscillation.
-  const double stoppable = std::sqrt(robot.angular_acceleration_max * std::abs(turn));
+  const double stoppable = std::sqrt(change_max(angular_actuation(robot)) * std::abs(turn));
   return std::copysign(std::min({robot.angular_max, stoppable, std::abs(turn) / (2.0 * period)}),
                        turn);
 }

@@ -71,7 +71,8 @@ void set_timed_targets(const ReferencePath& path,
   const SpeedLimits limits(path, tracking.corner_deviation, robot);
   const double chord = tracking.chord_length;
   const double dt = problem.dt;
-  const double braking = kBrakingShare * robot.linear_acceleration_max;
+  const double change = change_max(linear_actuation(robot));
+  const double braking = kBrakingShare * change;
   const double length = path.length();
 
   const Vector2d first_chord = path.at(chord) - path.at(0.0);
@@ -90,7 +91,7 @@ void set_timed_targets(const ReferencePath& path,
   for (int k = 1; k <= problem.horizon; ++k) {
     const double moving = std::clamp(dt - waiting, 0.0, dt);
     waiting = std::max(0.0, waiting - dt);
-    v = std::min(v + robot.linear_acceleration_max * dt, robot.linear_max);
+    v = std::min(v + change * dt, robot.linear_max);
     const double before_unknown = std::sqrt(2.0 * braking * std::max(0.0, start.free_length - s));
     v = std::min(v, std::max(kSlowest, std::min(limits.at(path, s, braking), before_unknown)));
     s = std::min(s + v * moving, length);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/safety/braking_profile.hpp"
+
 namespace fairway {
 namespace {
 
@@ -42,6 +44,38 @@ TEST(Settings, ADecayRateAboveTheInverseStepIsRefused) {
   settings.mpc.decay_rate = 11.0;
   settings.mpc.step_length = 0.1;
   EXPECT_FALSE(validate(settings).has_value());
+}
+
+// Found from outside: the stop was cut off after 256 cycles, and the angular speed fell to 0 at
+// once.
+TEST(Settings, AStopThatIsTooLongToBeHeldIsRefused) {
+  Settings settings;
+  settings.robot.angular_acceleration_max = 0.01;
+  EXPECT_EQ(validate(settings).error().message,
+            "robot.angular_acceleration_max: expected enough to stop within 588 cycles of "
+            "navigation.control_period, found 1500");
+  settings.robot.angular_braking_max = 1.0;
+  EXPECT_TRUE(validate(settings)) << "it brakes harder than it accelerates";
+  settings.robot.linear_braking_max = 0.01;
+  EXPECT_NE(validate(settings).error().message.find("robot.linear_braking_max"), std::string::npos);
+}
+
+TEST(Settings, EveryStopThatIsAcceptedEndsAtStandstill) {
+  Settings settings;
+  for (const double period : {0.005, 0.1, 1.0}) {
+    for (const double change : {0.01, 0.05, 0.3, 2.0}) {
+      settings.navigation.control_period = period;
+      settings.robot.linear_acceleration_max = settings.robot.angular_acceleration_max = change;
+      if (!validate(settings)) continue;
+      const RobotSettings& robot = settings.robot;
+      const StopSequence stop =
+          brake_from({.linear = robot.linear_max, .angular = -robot.angular_max}, robot, period);
+      ASSERT_GT(stop.count, 0);
+      const Twist2& last = stop.commands[static_cast<std::size_t>(stop.count - 1)];
+      EXPECT_EQ(last.linear, 0.0);
+      EXPECT_EQ(last.angular, 0.0);
+    }
+  }
 }
 
 }  // namespace

@@ -33,6 +33,20 @@ std::string list(std::initializer_list<double> numbers) {
   return text.append("]");
 }
 
+std::string actuation_text(const UnicycleLimits& base) {
+  const auto axes = [](const char* key, double linear, double angular) {
+    return std::string("      ") + key + ": {linear: " + number_text(linear) +
+           ", angular: " + number_text(angular) + "}\n";
+  };
+  const double linear = base.linear_braking;
+  const double angular = base.angular_braking;
+  return "    actuation:\n" + axes("delay", base.linear_delay, base.angular_delay) +
+         axes("lag", base.linear_lag, base.angular_lag) +
+         axes("acceleration", base.linear_acceleration, base.angular_acceleration) +
+         axes("braking", linear > 0.0 ? linear : base.linear_acceleration,
+              angular > 0.0 ? angular : base.angular_acceleration);
+}
+
 std::string indented(const std::string& text) {
   std::istringstream lines(text);
   std::string result;
@@ -56,6 +70,7 @@ std::string scenario_text(const Scenario& scenario) {
     text += (robot.goal.heading ? list({to.x(), to.y(), *robot.goal.heading})
                                 : list({to.x(), to.y()})) +
             "\n";
+    if (robot.actuation) text += actuation_text(*robot.actuation);
   }
   if (!scenario.bodies.empty()) text += "obstacles:\n";
   for (const MovingBody& body : scenario.bodies) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/scenario/scenario_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 
@@ -41,7 +43,73 @@ std::string read_name(YamlMapping& mapping,
   return name;
 }
 
-std::vector<RobotTask> read_robots(YamlMapping& root, const OccupancyGrid& map) {
+// One quantity of a base, for its axes. A base that cannot drive sideways ignores `lateral`.
+void read_axes(YamlMapping& actuation,
+               const char* key,
+               const NumberRange& range,
+               double& linear,
+               double& angular) {
+  std::optional<YamlMapping> axes = actuation.mapping(key);
+  if (!axes) return;
+  linear = axes->number("linear", range, linear);
+  (void)axes->number("lateral", range, range.max);
+  angular = axes->number("angular", range, angular);
+  axes->finish();
+}
+
+// What the base really does; the settings where the file is silent.
+std::optional<UnicycleLimits> read_actuation(YamlMapping& robot, const RobotSettings& settings) {
+  std::optional<YamlMapping> mapping = robot.mapping("actuation");
+  if (!mapping) return {};
+  UnicycleLimits limits = limits_of(settings);
+  constexpr NumberRange kChange{.min = 0.01, .max = 1000.0};
+  read_axes(*mapping, "delay", {.min = 0.0, .max = 0.6}, limits.linear_delay, limits.angular_delay);
+  read_axes(*mapping, "lag", {.min = 0.0, .max = 1.0}, limits.linear_lag, limits.angular_lag);
+  read_axes(*mapping, "acceleration", kChange, limits.linear_acceleration,
+            limits.angular_acceleration);
+  // As the settings say: braking is as acceleration where it is not given.
+  read_axes(*mapping, "braking", kChange, limits.linear_braking, limits.angular_braking);
+  mapping->finish();
+  return limits;
+}
+
+// The robots are controlled as what their bases are: settings that were left at their defaults take
+// the weakest base of the scenario.
+void assume_actuation(Scenario& scenario) {
+  struct Quantity {
+    double RobotSettings::*setting;
+    double UnicycleLimits::*limit;
+    bool least;  // of several bases the least is the weakest
+  };
+  using Limits = UnicycleLimits;
+  constexpr std::array<Quantity, 8> kQuantities{
+      {{&RobotSettings::linear_acceleration_max, &Limits::linear_acceleration, true},
+       {&RobotSettings::angular_acceleration_max, &Limits::angular_acceleration, true},
+       {&RobotSettings::linear_braking_max, &Limits::linear_braking, true},
+       {&RobotSettings::angular_braking_max, &Limits::angular_braking, true},
+       {&RobotSettings::linear_delay, &Limits::linear_delay, false},
+       {&RobotSettings::angular_delay, &Limits::angular_delay, false},
+       {&RobotSettings::linear_lag, &Limits::linear_lag, false},
+       {&RobotSettings::angular_lag, &Limits::angular_lag, false}}};
+  RobotSettings& robot = scenario.settings.robot;
+  const RobotSettings defaults;
+  for (const Quantity& quantity : kQuantities) {
+    if (robot.*quantity.setting != defaults.*quantity.setting) continue;
+    std::optional<double> weakest;
+    for (const RobotTask& task : scenario.robots) {
+      const double value = task.actuation ? (*task.actuation).*quantity.limit : 0.0;
+      if (value <= 0.0) continue;  // as accelerated, or at once
+      weakest = !weakest         ? value
+                : quantity.least ? std::min(*weakest, value)
+                                 : std::max(*weakest, value);
+    }
+    if (weakest) robot.*quantity.setting = *weakest;
+  }
+}
+
+std::vector<RobotTask> read_robots(YamlMapping& root,
+                                   const OccupancyGrid& map,
+                                   const RobotSettings& settings) {
   std::vector<RobotTask> robots;
   std::set<std::string> names;
   if (!root.has("robots")) root.complain("robots", "expected a list of robots, found no such key");
@@ -50,6 +118,7 @@ std::vector<RobotTask> read_robots(YamlMapping& root, const OccupancyGrid& map) 
     robot.name = read_name(mapping, fmt::format("robot {}", robots.size() + 1), names);
     const std::vector<double> start = mapping.numbers("start", 3, 3);
     const std::vector<double> goal = mapping.numbers("goal", 2, 3);
+    robot.actuation = read_actuation(mapping, settings);
     mapping.finish();
     if (start.size() == 3) {
       robot.start = {.position = {start[0], start[1]}, .heading = start[2]};
@@ -181,7 +250,11 @@ Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes) {
   }
   read_models(root, scenario);
   read_radio(root, scenario.radio);
-  scenario.robots = read_robots(root, scenario.map);
+  scenario.robots = read_robots(root, scenario.map, scenario.settings.robot);
+  assume_actuation(scenario);
+  if (const Expected<void> valid = validate(scenario.settings); !file.error && !valid) {
+    root.complain("robots", "actuation: " + valid.error().message);
+  }
   scenario.bodies = read_bodies(root);
   if (!file.error) add_pedestrians(root, folder, scenario, notes);
   root.finish();

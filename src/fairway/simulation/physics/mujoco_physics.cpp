@@ -9,7 +9,6 @@
 
 #include "fairway/base/contract.hpp"
 #include "fairway/geometry/angle.hpp"
-#include "fairway/safety/stop_check.hpp"
 #include "fairway/simulation/physics/mujoco_loading.hpp"
 
 namespace fairway {
@@ -28,9 +27,9 @@ void MujocoPhysics::DeleteData::operator()(mjData_* data) const noexcept { mj_de
 
 MujocoPhysics::MujocoPhysics(const Scenario& scenario, const MujocoRobot& robot)
     : robot_(robot),
-      limits_(scenario.settings.robot),
       wheel_base_(wheel_base_of(robot, scenario.settings.robot)),
       ramped_(scenario.robots.size()),
+      controllers_(scenario.robots.size()),
       model_(load_mujoco_model(mujoco_model(scenario, robot))),
       data_(mj_makeData(model_.get())) {
   geom_robot_.assign(static_cast<std::size_t>(model_->ngeom), -1);
@@ -62,16 +61,18 @@ void MujocoPhysics::advance(std::span<const Twist2> commands,
     data_->mocap_pos[3 * i + 1] = bodies[i].position.y();
   }
   for (int n = 0; n < steps; ++n) {
-    ramp(commands, dt / steps);
+    ramp(commands, robots, dt / steps);
     mj_step(model_.get(), data_.get());
     note_contacts(touched);
   }
   read(robots);
 }
 
-void MujocoPhysics::ramp(std::span<const Twist2> commands, double dt) noexcept {
+void MujocoPhysics::ramp(std::span<const Twist2> commands,
+                         const std::vector<UnicycleRobot>& robots,
+                         double dt) noexcept {
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    ramped_[i] = limited_change(ramped_[i], commands[i], limits_, dt);
+    ramped_[i] = controllers_[i].follow(ramped_[i], commands[i], robots[i].limits, dt);
     const double across = 0.5 * wheel_base_ * ramped_[i].angular;
     data_->ctrl[2 * i] = (ramped_[i].linear - across) / robot_.wheel_radius;
     data_->ctrl[2 * i + 1] = (ramped_[i].linear + across) / robot_.wheel_radius;

@@ -14,8 +14,8 @@ namespace fairway {
 
 /// The robots of a scenario as rigid bodies on driven wheels, moved by MuJoCo.
 ///
-/// The base's own controller ramps its wheel speeds towards a command with the acceleration limits
-/// of the settings, as the unicycle does; motors, wheels and floor then do what they can.
+/// The base's own controller follows a command with its delay, its lag and its acceleration limits,
+/// as the unicycle's does; motors, wheels and floor then do what they can.
 class MujocoPhysics final : public Physics {
  public:
   /// @throws std::runtime_error with MuJoCo's words when it does not accept the model.
@@ -40,14 +40,16 @@ class MujocoPhysics final : public Physics {
     void operator()(mjData_* data) const noexcept;
   };
 
-  void ramp(std::span<const Twist2> commands, double dt) noexcept;
+  void ramp(std::span<const Twist2> commands,
+            const std::vector<UnicycleRobot>& robots,
+            double dt) noexcept;
   void read(std::vector<UnicycleRobot>& robots) const;
   void note_contacts(std::vector<std::uint8_t>& touched) const;
 
   MujocoRobot robot_;
-  RobotSettings limits_;
   double wheel_base_;
-  std::vector<Twist2> ramped_;   // what the base's controller asks of the wheels
+  std::vector<Twist2> ramped_;  // what the base's controller asks of the wheels
+  std::vector<BaseController> controllers_;
   std::vector<int> robot_body_;  // per robot, MuJoCo's number of its body
   std::vector<int> geom_robot_;  // per geom, the robot whose chassis it is; -1 for none
   std::unique_ptr<mjModel_, DeleteModel> model_;

@@ -77,6 +77,40 @@ TEST(ScenarioFile, ReadsSensingAndPhysics) {
       << wrong.error().message;
 }
 
+TEST(ScenarioFile, SaysWhatTheBasesReallyDo) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string head = "map: m.yaml\nsettings: {robot: {linear_lag: 0.05}}\nrobots:\n";
+  const auto scenario = read_scenario(folder.write(
+      "s.yaml",
+      head + "  - {start: [1, 1, 0], goal: [8, 4]}\n"
+             "  - start: [2, 2, 0]\n    goal: [8, 4]\n"
+             "    actuation: {delay: {linear: 0.3, lateral: 0.2, angular: 0.1},\n"
+             "      lag: {linear: 0.2}, acceleration: {linear: 1}, braking: {angular: 3}}\n"));
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_FALSE(scenario->robots[0].actuation);
+  ASSERT_TRUE(scenario->robots[1].actuation);
+  const UnicycleLimits& base = *scenario->robots[1].actuation;
+  EXPECT_EQ(base.linear_delay, 0.3);
+  EXPECT_EQ(base.angular_delay, 0.1);
+  EXPECT_EQ(base.linear_lag, 0.2);
+  EXPECT_EQ(base.linear_acceleration, 1.0);
+  EXPECT_EQ(base.angular_acceleration, 4.0) << "as the settings say";
+  EXPECT_EQ(base.linear_braking, 0.0) << "as it accelerates";
+  EXPECT_EQ(base.angular_braking, 3.0);
+  // Settings that were not changed are those of the base; others stay.
+  EXPECT_EQ(scenario->settings.robot.linear_delay, 0.3);
+  EXPECT_EQ(scenario->settings.robot.linear_acceleration_max, 1.0);
+  EXPECT_EQ(scenario->settings.robot.linear_lag, 0.05);
+  const auto wrong = read_scenario(folder.write(
+      "w.yaml",
+      head + "  - {start: [1, 1, 0], goal: [8, 4], actuation: {delay: {linear: 0.7}}}\n"));
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message.find("delay.linear: expected a number from 0 to 0.6"),
+            std::string::npos)
+      << wrong.error().message;
+}
+
 TEST(ScenarioFile, ReadsTheRadio) {
   const TemporaryFolder folder;
   write_map(folder);

@@ -90,8 +90,9 @@ TEST(SettingsFile, AnErrorNamesFileLineKeyRangeAndValue) {
             "s.yaml:2: corridor.method: expected mdsrc or fewest, found 'astar'");
   EXPECT_EQ(complaint("preset: fast"), "s.yaml:1: preset: expected default or paper, found 'fast'");
   EXPECT_EQ(complaint("robot:\n  raduis: 1"),
-            "s.yaml:2: robot.'raduis': expected one of angular_acceleration_max, angular_max, "
-            "discs, length, linear_acceleration_max, "
+            "s.yaml:2: robot.'raduis': expected one of angular_acceleration_max, "
+            "angular_braking_max, angular_delay, angular_lag, angular_max, "
+            "discs, length, linear_acceleration_max, linear_braking_max, linear_delay, linear_lag, "
             "linear_max, linear_min, radius, width, found an "
             "unknown key");
   EXPECT_EQ(complaint("\nmcp: {}").substr(0, 17), "s.yaml:2: 'mcp': ");
@@ -134,7 +135,9 @@ TEST(SettingsFile, ReportsErrorsInAnAssignment) {
   EXPECT_EQ(complaint_about("robot.breadth=1"),
             "'robot.breadth': expected one of radius, length, width, discs, linear_min, "
             "linear_max, angular_max, "
-            "linear_acceleration_max, angular_acceleration_max, found an unknown key");
+            "linear_acceleration_max, angular_acceleration_max, linear_braking_max, "
+            "angular_braking_max, linear_delay, angular_delay, linear_lag, angular_lag, found an "
+            "unknown key");
   EXPECT_NE(complaint_about("body.width=1").find("found an unknown group"), std::string::npos);
   EXPECT_EQ(complaint_about("radius=1"), "expected group.name=value, found 'radius=1'");
   for (const char* text : {"", "=", ".", "robot.radius", "robot.radius=", "robot.radius=nan",

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace fairway {
+
+/// How a cycle lies in time.
+enum class Punctuality : std::uint8_t {
+  First,    ///< there was none before it
+  OnTime,   ///< within the longest hold, or earlier than a period
+  Late,     ///< later than the longest hold after the one before
+  Invalid,  ///< the time is not finite, or not after that of the cycle before
+};
+
+/// The time of a cycle, seen from the one before.
+struct CycleTiming {
+  Punctuality punctuality = Punctuality::First;
+  double elapsed = 0.0;  ///< since the cycle before, or a period where that is not known [s]
+  double shift = 0.0;    ///< by which the clock was set, where it was [s]
+};
+
+/// Measures the time from one cycle to the next, whatever the clock of the caller does.
+class CycleTimer {
+ public:
+  /// @param longest  Until when a cycle is on time [s].
+  [[nodiscard]] CycleTiming next(double time, double period, double longest) noexcept {
+    constexpr double kRounding = 1e-6;  // of a period; sums of periods are rounded
+    CycleTiming timing{.elapsed = period};
+    if (!std::isfinite(time)) {
+      timing.punctuality = Punctuality::Invalid;
+      return timing;
+    }
+    if (began_) {
+      const double elapsed = time - last_;
+      if (!(elapsed > kRounding * period)) {
+        timing.punctuality = Punctuality::Invalid;
+        timing.shift = elapsed - period;
+      } else {
+        const bool late = elapsed > longest + kRounding * period;
+        timing.punctuality = late ? Punctuality::Late : Punctuality::OnTime;
+        timing.elapsed = std::abs(elapsed - period) < kRounding * period ? period : elapsed;
+      }
+    }
+    remember(timing, time, period, longest);
+    began_ = true;
+    last_ = time;
+    return timing;
+  }
+
+  /// The longest interval of the last seconds that was not on time [s]; 0 for none.
+  [[nodiscard]] double longest_late() const noexcept { return late_; }
+
+  /// Whether the cycles of the last seconds were noticeably earlier or later than a period.
+  [[nodiscard]] bool irregular() const noexcept { return irregular_; }
+
+ private:
+  // Where one cycle was late or early the next one may be, too.
+  void remember(const CycleTiming& timing, double time, double period, double longest) noexcept {
+    constexpr double kMemory = 10.0;  // [s]
+    constexpr double kMost = 3.0;     // [s]; more is a pause, after which the robot starts again
+    constexpr double kNoticeable = 0.02;  // of a period
+    if (timing.punctuality == Punctuality::Late && timing.elapsed <= std::max(kMost, longest)) {
+      late_ = std::max(late_, timing.elapsed);
+      late_at_ = time;
+    }
+    if (std::abs(timing.elapsed - period) > kNoticeable * period) {
+      irregular_ = true;
+      irregular_at_ = time;
+    }
+    if (!(std::abs(time - late_at_) <= kMemory)) late_ = 0.0;
+    if (!(std::abs(time - irregular_at_) <= kMemory)) irregular_ = false;
+  }
+
+  bool began_ = false;
+  double last_ = 0.0;
+  double late_ = 0.0;
+  double late_at_ = 0.0;
+  bool irregular_ = false;
+  double irregular_at_ = 0.0;
+};
+
+}  // namespace fairway
