@@ -23,7 +23,7 @@ struct Direction {
   int x;
   int y;
 };
-constexpr std::array<Direction, 8> kDirections{{{.x = 1, .y = 0},
+constexpr std::array<Direction, 8> kNeighbours{{{.x = 1, .y = 0},
                                                 {.x = 0, .y = 1},
                                                 {.x = -1, .y = 0},
                                                 {.x = 0, .y = -1},
@@ -107,9 +107,9 @@ std::optional<int> RetreatSearch::expand(const PassingEnvironment& around, int& 
     const int node = queue_[static_cast<std::size_t>(first_++)];
     --budget;
     if (node != kStart && suits(around, at(node))) return node;
-    for (std::size_t d = 0; d < kDirections.size(); ++d) {
-      const int x = node % kSide + kDirections[d].x;
-      const int y = node / kSide + kDirections[d].y;
+    for (std::size_t d = 0; d < kNeighbours.size(); ++d) {
+      const int x = node % kSide + kNeighbours[d].x;
+      const int y = node / kSide + kNeighbours[d].y;
       if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
       const int next = y * kSide + x;
       if (from_[static_cast<std::size_t>(next)] == kUnseen &&
@@ -128,7 +128,7 @@ void RetreatSearch::follow_back(int place) noexcept {
   for (int node = place;;) {
     queue_[static_cast<std::size_t>(count_++)] = static_cast<std::uint16_t>(node);
     if (node == kStart) break;
-    const Direction& came = kDirections[from_[static_cast<std::size_t>(node)]];
+    const Direction& came = kNeighbours[from_[static_cast<std::size_t>(node)]];
     node -= came.y * kSide + came.x;
   }
   std::reverse(queue_.begin(), queue_.begin() + count_);
