@@ -49,8 +49,10 @@ struct SpeedChange {
   const double wanted =
       axis.lag > 0.0 ? speed + (command - speed) * -std::expm1(-time / axis.lag) : command;
   const double end = limited_change(speed, wanted, axis, time);
-  // With a lag the speed is about linear in such a time; without one it is linear, and then holds.
-  if (axis.lag > 0.0 || end != command) return {.mean = 0.5 * (speed + end), .end = end};
+  constexpr double kSame = 1e-9;
+  const bool reached = std::abs(end - wanted) < kSame;
+  if (!reached) return {.mean = 0.5 * (speed + end), .end = end};
+  if (axis.lag > 0.0) return {.mean = command - (end - speed) * axis.lag / time, .end = end};
   const double rate = std::abs(end) < std::abs(speed) ? axis.braking : axis.acceleration;
   const double ramp = std::min(time, std::abs(end - speed) / rate);
   return {.mean = end + 0.5 * (speed - end) * ramp / time, .end = end};

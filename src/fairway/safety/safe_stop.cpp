@@ -39,6 +39,19 @@ void run_towards(const Twist2& current,
     command = now = limited_change(now, wanted, robot, period);
 }
 
+constexpr std::size_t kMostStanding = 64;
+
+// Those of `moving` that stand still.
+MovingObstacles standing_among(MovingObstacles moving,
+                               std::array<MovingObstacle, kMostStanding>& standing) noexcept {
+  constexpr double kStill = 0.1;  // [m/s]
+  std::size_t count = 0;
+  for (const MovingObstacle& obstacle : moving) {
+    if (obstacle.velocity.norm() < kStill && count < kMostStanding) standing[count++] = obstacle;
+  }
+  return {standing.data(), count};
+}
+
 // `wanted` itself where the limits allow it in `time`, else as near to it as they do.
 Twist2 within_reach(const Twist2& from,
                     const Twist2& wanted,
@@ -182,9 +195,10 @@ bool SafeStop::evade(const StopSituation& situation,
   double latest = than + period_;
   bool found = false;
   // A manoeuvre that a moving obstacle would meet is looked at no further than to there. Static
-  // obstacles must be out of all of it, since moving ones may do otherwise.
+  // obstacles and people who stand must be out of all of it, since others may do otherwise.
   StopSituation alone = situation;
-  alone.around.moving = {};
+  std::array<MovingObstacle, kMostStanding> standing;
+  alone.around.moving = standing_among(situation.around.moving, standing);
   alone.around.fleet = {};
   const auto consider = [&](std::span<const Twist2> way) {
     const StopSequence stop = follow_then_brake(way, way.size() - 1, robot_, period_);
