@@ -57,18 +57,23 @@ void clear_cells(std::span<std::uint64_t> words, int first, int last) noexcept {
 }
 
 // Returns where a path of equally spaced points doubles back, as an index; the last index if it
-// does not. That is in the middle between the first two points that are much nearer to each other
-// than along the path: at the tip of a turn. A bend of less than 98 degrees is no turn.
+// does not. A point returns to an earlier one if it is much nearer to it than along the path; the
+// tip of the turn is in the middle between them. A bend of less than 98 degrees is no turn.
 std::size_t index_of_return(const std::vector<Vector2d>& points,
                             double spacing,
                             double apart) noexcept {
   constexpr double kMuchNearer = 0.65;
   for (std::size_t i = 2; i < points.size(); ++i) {
+    double least = kMuchNearer;
+    std::size_t tip = points.size();
     for (std::size_t j = 0; j + 2 <= i; ++j) {
       const double distance = (points[i] - points[j]).norm();
-      const double along = static_cast<double>(i - j) * spacing;
-      if (distance < apart && distance < kMuchNearer * along) return (i + j) / 2;
+      const double ratio = distance / (static_cast<double>(i - j) * spacing);
+      if (distance >= apart || ratio >= least) continue;
+      least = ratio;
+      tip = (i + j) / 2;
     }
+    if (tip < points.size()) return tip;
   }
   return points.size() - 1;
 }
