@@ -15,7 +15,7 @@ namespace {
 // A part of the path that is missed by more than kSkipped [m] counts as skipped. A strip with the
 // bound kSoftBound [m] prevents that, at a right-angled corner too.
 constexpr double kSkipped = 0.25;
-constexpr double kSoftBound = 0.15;
+constexpr double kSoftBound = 0.2;
 
 PieceLimits limits_of(const FollowerSettings& settings) noexcept {
   // Strips that touch would be one: parts of a piece must be further apart.
@@ -134,6 +134,7 @@ bool PathFollower::needs_piece(double time) const noexcept {
 }
 
 void PathFollower::set_map(const FollowerInput& input) {
+  map_is_set_ = true;
   if (strip_.waypoints.empty()) {
     navigator_.set_map(input.obstacles);
     return;
@@ -285,8 +286,9 @@ FollowerStep PathFollower::update(const FollowerInput& input) {
     piece_.reset();
     strip_ = {};
   }
-  set_map(input);
+  map_is_set_ = false;
   if (follows) update_piece(input, measurements);
+  if (!map_is_set_) set_map(input);
   FollowerStep step = judged(navigator_.update(measurements), input);
   if (!progress_.empty() && !has_frame && is_zero(step.command)) {
     step.fault = FollowerFault::NoFrame;

@@ -126,8 +126,9 @@ class PathFollower {
   bool piece_failed_ = false;  // no plan was found for it
   Path strip_;                 // center line of the strip, in the costmap's frame; empty: no strip
   double strip_bound_ = 0.0;
-  BitGrid map_;          // with the strip
-  std::string blocked_;  // why there is no piece
+  bool map_is_set_ = false;  // in this cycle
+  BitGrid map_;              // with the strip
+  std::string blocked_;      // why there is no piece
   FollowerFault blocked_fault_ = FollowerFault::NoControl;
   double best_ = 0.0;                    // greatest arc length reached
   std::optional<double> progress_time_;  // when it was reached

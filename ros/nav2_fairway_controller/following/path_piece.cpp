@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "fairway/map/free_space.hpp"
 
@@ -42,19 +44,36 @@ std::vector<Vector2d> points_between(const PathProgress& path,
   return points;
 }
 
+// Clears the bits of the columns from `first` to `last` in a row of words.
+void clear_cells(std::span<std::uint64_t> words, int first, int last) noexcept {
+  if (first > last) return;
+  const auto begin = static_cast<std::size_t>(first) / 64;
+  const auto end = static_cast<std::size_t>(last) / 64;
+  for (std::size_t w = begin; w <= end; ++w) {
+    const std::uint64_t from = w == begin ? ~0ULL << (first % 64) : ~0ULL;
+    const std::uint64_t up_to = w == end ? ~0ULL >> (63 - last % 64) : ~0ULL;
+    words[w] &= ~(from & up_to);
+  }
+}
+
 // Returns where a path of equally spaced points doubles back, as an index; the last index if it
-// does not. That is in the middle between the first two points that are much nearer to each other
-// than along the path: at the tip of a turn. A bend of less than 98 degrees is no turn.
+// does not. A point returns to an earlier one if it is much nearer to it than along the path; the
+// tip of the turn is in the middle between them. A bend of less than 98 degrees is no turn.
 std::size_t index_of_return(const std::vector<Vector2d>& points,
                             double spacing,
                             double apart) noexcept {
   constexpr double kMuchNearer = 0.65;
   for (std::size_t i = 2; i < points.size(); ++i) {
+    double least = kMuchNearer;
+    std::size_t tip = points.size();
     for (std::size_t j = 0; j + 2 <= i; ++j) {
       const double distance = (points[i] - points[j]).norm();
-      const double along = static_cast<double>(i - j) * spacing;
-      if (distance < apart && distance < kMuchNearer * along) return (i + j) / 2;
+      const double ratio = distance / (static_cast<double>(i - j) * spacing);
+      if (distance >= apart || ratio >= least) continue;
+      least = ratio;
+      tip = (i + j) / 2;
     }
+    if (tip < points.size()) return tip;
   }
   return points.size() - 1;
 }
@@ -133,45 +152,34 @@ BitGrid strip_around(
     const Path& piece, const BitGrid& obstacles, double radius, double bound, double loose) {
   const GridFrame& map = obstacles.frame();
   BitGrid strip(map, true);
-  // Cells whose centres are within the reach of a line are free.
-  const auto words = (static_cast<std::size_t>(map.width) + 63) / 64;
+  // The strip is a chain of discs. Between two points that are kSpacing apart it is narrower by far
+  // less than a cell.
   strip.rewrite([&](auto&& row) {
-    const auto clear = [&](int y, int first, int last) {
-      const std::span<std::uint64_t> cells = row(y);
-      for (int x = std::max(0, first); x <= std::min(map.width - 1, last); ++x)
-        cells[static_cast<std::size_t>(x) / 64] &= ~(1ULL << (x % 64));
-    };
-    for (std::size_t i = 0; i + 1 < piece.waypoints.size(); ++i) {
-      const double beside = i == 0 ? loose : bound;
+    const auto add_disc = [&](const Vector2d& point, double beside) {
+      const Vector2d at = map.to_grid(point);
       const double reach = (radius + beside) / map.resolution;
-      const Vector2d a = map.to_grid(piece.waypoints[i]);
-      const Vector2d b = map.to_grid(piece.waypoints[i + 1]);
-      const double low = std::min(a.y(), b.y()) - reach;
-      const double high = std::max(a.y(), b.y()) + reach;
-      for (int y = std::max(0, static_cast<int>(low)); y < map.height && y <= high; ++y) {
-        // The columns within reach of the line: the union over its points of the chords of their
-        // circles, bounded by sampling the line once per cell.
-        double left = map.width;
-        double right = -1.0;
-        const int samples = 1 + static_cast<int>((b - a).norm());
-        for (int s = 0; s <= samples; ++s) {
-          const Vector2d at = a + (b - a) * s / samples;
-          const double off = y + 0.5 - at.y();
-          const double square = reach * reach - off * off;
-          if (square < 0.0) continue;
-          left = std::min(left, at.x() - std::sqrt(square));
-          right = std::max(right, at.x() + std::sqrt(square));
-        }
-        if (right >= left) {
-          clear(y, static_cast<int>(std::ceil(left - 0.5)),
-                static_cast<int>(std::floor(right - 0.5)));
-        }
+      const int low = std::max(0, static_cast<int>(std::ceil(at.y() - reach - 0.5)));
+      const int high = std::min(map.height - 1, static_cast<int>(std::floor(at.y() + reach - 0.5)));
+      for (int y = low; y <= high; ++y) {
+        const double off = y + 0.5 - at.y();
+        const double half = std::sqrt(std::max(0.0, reach * reach - off * off));
+        clear_cells(row(y), std::max(0, static_cast<int>(std::ceil(at.x() - half - 0.5))),
+                    std::min(map.width - 1, static_cast<int>(std::floor(at.x() + half - 0.5))));
       }
+    };
+    const std::vector<Vector2d>& points = piece.waypoints;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      add_disc(points[i], bound);
+    if (points.size() > 1) {
+      const Vector2d link = points[1] - points[0];
+      const int steps = 1 + static_cast<int>(link.norm() / kSpacing);
+      for (int i = 0; i <= steps; ++i)
+        add_disc(points[0] + link * i / steps, loose);
     }
     for (int y = 0; y < map.height; ++y) {
       const std::span<const std::uint64_t> blocked = obstacles.row(y);
       const std::span<std::uint64_t> cells = row(y);
-      for (std::size_t w = 0; w < words; ++w)
+      for (std::size_t w = 0; w < cells.size(); ++w)
         cells[w] |= blocked[w];
     }
   });

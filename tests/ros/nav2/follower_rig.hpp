@@ -113,10 +113,14 @@ struct Rig {
   }
 
   FollowerStep step() {
-    const BitGrid obstacles = window();
+    BitGrid obstacles = window();
+    Pose2 shifted = obstacles.frame().origin;
+    shifted.position += offset;
+    obstacles.move_to(shifted);
+    const Pose2 pose{.position = robot().pose.position + offset, .heading = robot().pose.heading};
     const double now = world.time();
     const FollowerStep answer = follower.update({.time = now,
-                                                 .pose = robot().pose,
+                                                 .pose = pose,
                                                  .pose_time = now,
                                                  .twist = robot().twist,
                                                  .obstacles = obstacles,
@@ -172,6 +176,7 @@ struct Rig {
   bridge::ObstacleBoard board;
   bool costmap_alive = true;
   std::optional<Pose2> frame = Pose2{};
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();  // of poses and costmap from the world [m]
   std::optional<GoalTolerance> goal;
   std::vector<Eigen::Vector2d> track;
   double last_speed = 0.0;

@@ -35,6 +35,21 @@ INSTANTIATE_TEST_SUITE_P(Jumps,
                                          Pose2{.position = {1.0, 0.0}},
                                          Pose2{.position = {0.3, 0.0}, .heading = 0.1}));
 
+// With a costmap in the frame of the map, the pose jumps and the path does not.
+TEST(PoseJump, BrakesWithinTheLimitsAndArrives) {
+  for (const double jump : {0.1, 0.4, 1.0}) {
+    SCOPED_TRACE(jump);
+    Rig rig(Rig::free_hall({.position = {1, 3}, .heading = 0}));
+    rig.follower.set_path(Rig::dense({{1, 3}, {10, 3}}), {});
+    rig.drive(3.0);
+    rig.offset = Vector2d(0.0, jump);
+    const FollowerStep last = rig.drive(40.0);
+    EXPECT_EQ(last.status, NavigationStatus::GoalReached) << last.reason;
+    EXPECT_LT((rig.robot().pose.position + rig.offset - Vector2d(10, 3)).norm(), 0.12);
+    EXPECT_LE(rig.greatest_change, 0.2 + 1e-9);
+  }
+}
+
 TEST(FrameDrift, IsFollowedWithoutStops) {
   Rig rig(Rig::free_hall({.position = {1, 3}, .heading = 0}));
   const Path path = Rig::dense({{1, 3}, {10, 3}});
