@@ -246,7 +246,7 @@ TEST_F(NavigatorTest, AMessageGivesTheRobotAndItsPath) {
   for (int k = 0; k < 10; ++k)
     static_cast<void>(run.cycle());
   const SharedMotion message = run.navigator().share(3, run.time(), run.pose());
-  EXPECT_TRUE(is_finite(message));
+  EXPECT_TRUE(is_plausible(message));
   EXPECT_EQ(message.robot, 3U);
   EXPECT_TRUE(message.under_way);
   EXPECT_EQ(message.position, run.pose().position);
