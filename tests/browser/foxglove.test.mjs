@@ -58,10 +58,15 @@ test('no message arrives after unsubscribing', async () => {
   const id = client.subscribe(channels.find(({ topic }) => topic === '/fairway/world').id);
   await next(client, 'message');
   client.unsubscribe(id);
-  await new Promise((done) => setTimeout(done, 300));
+  // The server handles requests in order: the first message of a later subscription ends the time
+  // in which messages of the earlier one may still arrive.
+  const later = client.subscribe(channels.find(({ topic }) => topic === '/robot/pose').id);
   let late = 0;
-  client.on('message', () => ++late);
-  await new Promise((done) => setTimeout(done, 500));
+  let seen = 0;
+  await new Promise((resolve) => client.on('message', ({ subscriptionId }) => {
+    if (subscriptionId === later && ++seen === 10) resolve();
+    if (subscriptionId === id && seen > 0) ++late;
+  }));
   assert.equal(late, 0);
   client.close();
 });

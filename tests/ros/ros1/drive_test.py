@@ -137,7 +137,7 @@ class DriveTest(unittest.TestCase):
     def settle(self):
         self.client.cancel_all_goals()
         self.mute.publish("")
-        time.sleep(1.0)
+        self.ros.wait_for(lambda: self.robot.speed() == 0.0, 10, "the robot to stop")
 
     def test_1_goals_are_reached_with_feedback(self):
         for goal in GOALS:
@@ -211,8 +211,7 @@ class DriveTest(unittest.TestCase):
     def test_8_termination_brakes_and_ends_with_zero(self):
         self.drive_off(FAR)
         self.assertEqual(self.ros.end(self.node, signal.SIGTERM), 0)
-        time.sleep(0.2)
-        self.assertEqual(self.robot.commands[-1][1:], (0.0, 0.0))
+        self.ros.wait_for(lambda: self.robot.commands[-1][1:] == (0.0, 0.0), 5, "a last command of zero")
         self.assertIs(self.robot.contact, False)
 
     def test_9a_the_recording_holds_everything(self):
