@@ -20,6 +20,9 @@ ros1_packages=(libroscpp-dev libtf2-ros-dev libactionlib-dev libmove-base-msgs-d
   python3-visualization-msgs python3-tf2-msgs python3-rosparam)
 # ROS 2 on the wire, optional; iproute2 makes the networks for its test.
 dds_packages=(cyclonedds-dev cyclonedds-tools iproute2)
+# The Python package, optional: numpy to use it; pytest, mypy and matplotlib for its tests.
+python_packages=(python3-dev pybind11-dev python3-numpy python3-venv python3-pip python3-pytest python3-matplotlib
+  mypy)
 # The checks of .ci; the formatter's version is pinned, because it determines the result.
 format_packages=(git clang-format-14)
 tidy_packages=(git clang clang-tidy)

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "fairway/base/error.hpp"
+
+namespace fairway::python {
+
+namespace py = pybind11;
+
+/// Runs a function that uses nothing of Python, so that other threads of Python can run.
+template <typename Call>
+auto without_gil(Call&& call) {
+  const py::gil_scoped_release release;
+  return call();
+}
+
+/// Returns the value, or throws the error, which Python receives as a ValueError.
+template <typename Value>
+Value value_of(Expected<Value> result) {
+  if (!result) throw std::invalid_argument(result.error().message);
+  if constexpr (!std::is_void_v<Value>) return std::move(*result);
+}
+
+/// Passes warnings, as those about old names of settings, to Python's `warnings`.
+inline void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& text : warnings) {
+    if (PyErr_WarnEx(PyExc_DeprecationWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  }
+}
+
+}  // namespace fairway::python
