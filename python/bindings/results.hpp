@@ -9,6 +9,7 @@
 #include <pybind11/pybind11.h>
 
 #include "fairway/base/error.hpp"
+#include "fairway/io/file_notes.hpp"
 
 namespace fairway::python {
 
@@ -28,11 +29,18 @@ Value value_of(Expected<Value> result) {
   if constexpr (!std::is_void_v<Value>) return std::move(*result);
 }
 
-/// Passes warnings, as those about old names of settings, to Python's `warnings`.
-inline void warn(const std::vector<std::string>& warnings) {
-  for (const std::string& text : warnings) {
-    if (PyErr_WarnEx(PyExc_DeprecationWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+/// Passes texts to Python's `warnings`; those about old names of settings are deprecations.
+inline void warn(const std::vector<std::string>& texts,
+                 PyObject* category = PyExc_DeprecationWarning) {
+  for (const std::string& text : texts) {
+    if (PyErr_WarnEx(category, text.c_str(), 1) != 0) throw py::error_already_set();
   }
+}
+
+/// Passes what the reader of a file notes to Python's `warnings`.
+inline void warn(const io::FileNotes& notes) {
+  warn(notes.warnings, PyExc_UserWarning);
+  warn(notes.old_names);
 }
 
 }  // namespace fairway::python

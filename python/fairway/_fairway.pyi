@@ -200,7 +200,7 @@ class _Navigator:
         max_range: float = 30.0,
         last_pose: _Numbers | None = None,
         position: _Numbers | None = None,
-    ) -> None: ...
+    ) -> bool: ...
     def update(
         self,
         time: float,

@@ -68,10 +68,10 @@ def stub() -> str:
 
 
 def docstring(text: str) -> list:
-    """The docstring of an attribute in lines of at most 100 characters."""
+    """The docstring of an attribute in lines of at most 120 characters."""
     lines, line = [], '"""'
     for word in text.split():
-        if len(line) + 1 + len(word) > 92:
+        if len(line) + 1 + len(word) > 110:
             lines.append(line)
             line = word
         else:

@@ -35,7 +35,7 @@ Step update(SharedNavigator<Navigator>& self,
 }
 
 template <typename Navigator>
-void observe(SharedNavigator<Navigator>& self,
+bool observe(SharedNavigator<Navigator>& self,
              double time,
              const py::object& ranges,
              const Pose2& pose,
@@ -47,7 +47,7 @@ void observe(SharedNavigator<Navigator>& self,
              const std::optional<Eigen::Vector2d>& position) {
   const Scan scan = make_scan(time, ranges, pose, first_angle, angle_step, {min_range, max_range},
                               last_pose, position);
-  self.run([&](Navigator& n) { n.observe(scan.scan, scan.position); });
+  return self.run([&](Navigator& n) { return n.observe(scan.scan, scan.position); });
 }
 
 template <typename Navigator>
@@ -92,7 +92,8 @@ void bind_navigator_calls(py::class_<SharedNavigator<Navigator>>& type) {
            py::arg("angle_step") = py::none(), py::arg("min_range") = 0.0,
            py::arg("max_range") = 30.0, py::arg("last_pose") = py::none(),
            py::arg("position") = py::none(),
-           "Processes one lidar scan. `pose` is that of the sensor at the first beam, `last_pose` "
+           "Processes one lidar scan, and returns whether it was taken in. `pose` is that of the "
+           "sensor at the first beam, `last_pose` "
            "at the last; `position` is that of the robot. The default `angle_step` spreads the "
            "beams over a full turn. An infinite range is free up to `max_range`; NaN is invalid.")
       .def("update", &update<Navigator>, py::arg("time"), py::arg("pose"), py::kw_only(),

@@ -30,8 +30,8 @@ class Builder {
                                       const Cell& last) {
     const py::gil_scoped_release release;
     const std::scoped_lock lock(mutex_);
-    return builder_.update(obstacles(map), {.min = {.x = first.second, .y = first.first},
-                                            .max = {.x = last.second, .y = last.first}});
+    return builder_.update(obstacles(map), {.first = {.x = first.second, .y = first.first},
+                                            .last = {.x = last.second, .y = last.first}});
   }
 
  private:

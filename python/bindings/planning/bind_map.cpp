@@ -71,6 +71,13 @@ py::array_t<std::int8_t> map_to_array(const OccupancyGrid& grid) {
   return array;
 }
 
+OccupancyGrid read_map_file(const std::filesystem::path& path) {
+  io::FileNotes notes;
+  OccupancyGrid map = value_of(without_gil([&] { return io::read_map(path.string(), &notes); }));
+  warn(notes);
+  return map;
+}
+
 }  // namespace
 
 void bind_map(py::module_& module) {
@@ -80,12 +87,8 @@ void bind_map(py::module_& module) {
                   "Makes a map from cells[row, column]: 0 free, 100 occupied, -1 unknown; of an "
                   "array of bool, True is occupied. Row 0 is the lowest y and begins at `origin`, "
                   "the pose of its lower-left corner.")
-      .def_static(
-          "read",
-          [](const std::filesystem::path& path) {
-            return value_of(without_gil([&] { return io::read_map(path.string()); }));
-          },
-          py::arg("path"), "Reads a map_server map from its YAML file and the picture named there.")
+      .def_static("read", &read_map_file, py::arg("path"),
+                  "Reads a map_server map from its YAML file and the picture named there.")
       .def("to_array", &map_to_array, "Returns the cells as `from_array` takes them, as int8.")
       .def_property_readonly(
           "shape",

@@ -16,10 +16,10 @@ namespace fairway::python {
 namespace {
 
 Scenario read_scenario_file(const std::filesystem::path& path) {
-  std::vector<std::string> warnings;
+  io::FileNotes notes;
   Scenario scenario =
-      value_of(without_gil([&] { return io::read_scenario(path.string(), &warnings); }));
-  warn(warnings);
+      value_of(without_gil([&] { return io::read_scenario(path.string(), &notes); }));
+  warn(notes);
   return scenario;
 }
 
