@@ -13,7 +13,7 @@ settings = fairway.Settings()
 period = settings.navigation.control_period  # [s]
 navigator = fairway.MapNavigator(settings, grid)
 navigator.set_goal(9, 1)
-robot = (1, 1, 0)  # x, y, heading
+robot = (1.0, 1.0, 0.0)  # x, y, heading
 
 for cycle in range(600):
     step = navigator.update(cycle * period, robot)

@@ -10,8 +10,8 @@ import fairway
 settings = fairway.Settings()
 period = settings.navigation.control_period  # [s]
 grid = fairway.Map.from_array(np.zeros((200, 200), np.int8), 0.05)
-starts = [(1, 5), (8, 1.5), (8, 8.5)]
-goals = [(9, 5), (2, 8.5), (2, 1.5)]
+starts = [(1.0, 5.0), (8.0, 1.5), (8.0, 8.5)]
+goals = [(9.0, 5.0), (2.0, 8.5), (2.0, 1.5)]
 poses = [(*s, math.atan2(g[1] - s[1], g[0] - s[0])) for s, g in zip(starts, goals)]
 robots = [fairway.MapNavigator(settings, grid) for _ in starts]
 for robot, goal in zip(robots, goals):

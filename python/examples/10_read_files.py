@@ -7,7 +7,7 @@ import sys
 import fairway
 
 root = pathlib.Path(__file__).resolve().parents[2]
-files = sys.argv[1:] or [root / "scenarios/maps/workshop.yaml", root / "examples/small_carrier.yaml"]
+files = sys.argv[1:] or [f"{root}/scenarios/maps/workshop.yaml", f"{root}/examples/small_carrier.yaml"]
 try:
     grid = fairway.Map.read(files[0])
     settings = fairway.Settings.read(files[1])
@@ -17,7 +17,7 @@ except ValueError as error:
 
 navigator = fairway.MapNavigator(settings, grid)
 navigator.set_goal(22.2, 14.6)
-robot = (2, 4.4, 0)
+robot = (2.0, 4.4, 0.0)
 period = settings.navigation.control_period
 for cycle in range(2000):
     step = navigator.update(cycle * period, robot)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 import os
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -19,17 +20,19 @@ class Problem:
 
     dt: float
     integration: str
-    start: tuple[float, float, float]
-    command_min: tuple[float, float]
-    command_max: tuple[float, float]
-    previous_command: tuple[float, float]
-    max_change: tuple[float, float]
+    start: _Numbers
+    command_min: _Numbers
+    command_max: _Numbers
+    previous_command: _Numbers
+    max_change: _Numbers
     stop_at_end: bool
     penalise_first_change: bool
     barrier_retention: float
     violation_weight: float
-    command_weight: tuple[float, float]
-    change_weight: tuple[float, float]
+    command_weight: _Numbers
+    change_weight: _Numbers
+    targets: Any  # an array of N x 3; anything that NumPy converts to one can be assigned
+    target_weights: Any  # the same, or one row for all steps
     def __init__(
         self, horizon: int = 10, dt: float = 0.1, integration: str = "midpoint"
     ) -> None: ...
@@ -39,14 +42,6 @@ class Problem:
     def horizon(self) -> int: ...
     @property
     def num_obstacles(self) -> int: ...
-    @property
-    def targets(self) -> _Array: ...
-    @targets.setter
-    def targets(self, targets: npt.ArrayLike) -> None: ...
-    @property
-    def target_weights(self) -> _Array: ...
-    @target_weights.setter
-    def target_weights(self, weights: npt.ArrayLike) -> None: ...
     def set_region(self, step: int, rectangles: Sequence[Rectangle]) -> None: ...
     def set_corridor(self, rectangle: Rectangle) -> None: ...
     def add_obstacle(self, positions: npt.ArrayLike, keep_out: float) -> None: ...

@@ -125,7 +125,7 @@ def test_drives_without_a_map():
     for cycle in range(300):
         # The distance to the walls of a room of 12 m x 12 m around the origin.
         directions = np.column_stack([np.cos(angles + pose[2]), np.sin(angles + pose[2])])
-        with np.errstate(divide="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore"):
             walls = (6 * np.sign(directions) - np.array(pose[:2])) / directions
         navigator.observe(cycle * PERIOD, np.nanmin(walls, axis=1), pose, max_range=20.0)
         step = navigator.update(cycle * PERIOD, pose)

@@ -96,7 +96,7 @@ def test_a_rectangle_is_turned_about_its_seed():
     np.testing.assert_allclose(rectangle.center, (1, 3))
     np.testing.assert_allclose(rectangle.to_world((3, 0)), (1, 5))
     np.testing.assert_allclose(rectangle.to_local((1, 5)), (3, 0), atol=1e-12)
-    np.testing.assert_allclose(rectangle.corners, [(2, 1), (2, 5), (0, 5), (0, 1)])
+    np.testing.assert_allclose(rectangle.corners, [(2, 1), (2, 5), (0, 5), (0, 1)], atol=1e-12)
     assert rectangle.contains((2, 5), 1e-9) and not rectangle.contains((2.1, 3))
     assert rectangle.shrunk(1.5).is_empty
     rectangle.max = (5, 1)

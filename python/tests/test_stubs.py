@@ -19,7 +19,7 @@ ROOT = PYTHON.parent
 USUAL = {"__init__", "__module__", "__doc__", "__new__", "__repr__", "__str__", "__setstate__",
          "__getstate__", "__slots__", "__ne__", "__hash__", "__pybind11_module_local", "__annotations__",
          "__dict__", "__weakref__", "__entries", "__members__", "__int__", "__index__", "__eq__",
-         "__init_subclass__"}
+         "__init_subclass__", "_settings"}
 
 
 def stubs() -> dict:

@@ -71,7 +71,7 @@ def docstring(text: str) -> list:
     """The docstring of an attribute in lines of at most 120 characters."""
     lines, line = [], '"""'
     for word in text.split():
-        if len(line) + 1 + len(word) > 110:
+        if len(line) + 1 + len(word) > 116:
             lines.append(line)
             line = word
         else:
