@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings.hpp"
 
+namespace fairway::python {
+
 PYBIND11_MODULE(_fairway, module) {
-  using namespace fairway::python;
   module.doc() = "Compiled part of the package fairway.";
   module.attr("__version__") = FAIRWAY_VERSION;
   bind_settings(module);  // in this order: a signature names only types that are already known
@@ -22,3 +23,5 @@ PYBIND11_MODULE(_fairway, module) {
   bind_recording(module);
   bind_barn(module);
 }
+
+}  // namespace fairway::python

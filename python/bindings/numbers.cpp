@@ -6,7 +6,7 @@
 namespace fairway::python {
 
 void refuse(const std::string& name, const std::string& expected, py::handle found) {
-  const std::string text = py::repr(found).cast<std::string>();
+  const auto text = py::repr(found).cast<std::string>();
   throw py::value_error(name + ": expected " + expected + ", found " + io::excerpt(text));
 }
 

@@ -51,8 +51,9 @@ def test_callbacks_see_the_run():
     assert step.linear == episode.trace["command_linear"][5]
 
 
-def test_a_callback_ends_the_run():
-    episode = fairway.simulate(crossing(), on_cycle=lambda time: time < 1)
+@pytest.mark.parametrize("kind", [bool, np.bool_, int])
+def test_a_callback_ends_the_run(kind):
+    episode = fairway.simulate(crossing(), on_cycle=lambda time: kind(time < 1))
     assert not episode.success and episode.time == pytest.approx(1.0, abs=0.11)
 
 

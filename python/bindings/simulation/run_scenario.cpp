@@ -23,6 +23,13 @@ void check_scenario(const Scenario& scenario) {
     throw py::value_error("engine: expected unicycle, found mujoco, which only the tool has");
 }
 
+// Whether the answer of a callback lets the run continue: nothing, or what counts as true.
+bool continues(const py::object& answer) {
+  const int truth = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+  if (truth < 0) throw py::error_already_set();
+  return truth != 0;
+}
+
 /// The outputs of a run: files are opened before it and completed after it.
 class Outputs {
  public:
@@ -66,15 +73,12 @@ EpisodeResult run_scenario(const Scenario& scenario,
   Outputs outputs(log, report);
   outputs.observers().add(callbacks);
   const auto control = std::make_shared<RunControl>();
-  const auto goes_on = [](const py::object& answer) {
-    return answer.is_none() || answer.cast<bool>();
-  };
   EpisodeHooks hooks{.clock = thread_cpu_seconds,
                      .on_cycle =
                          [&](double time) {
                            bool more = true;
                            const bool fine = callbacks.run([&] {
-                             if (!on_cycle.is_none()) more = goes_on(on_cycle(time));
+                             if (!on_cycle.is_none()) more = continues(on_cycle(time));
                            });
                            return fine && more;
                          },
@@ -83,7 +87,7 @@ EpisodeResult run_scenario(const Scenario& scenario,
     hooks.play = [&](EpisodeControl& run) {
       bool more = true;
       control->open(&run);
-      const bool fine = callbacks.run([&] { more = goes_on(play(control)); });
+      const bool fine = callbacks.run([&] { more = continues(play(control)); });
       control->open(nullptr);
       return fine && more;
     };
