@@ -10,26 +10,6 @@ class RobotSettings:
     """Settings of the group `robot`."""
 
     radius: float
-<<<<<<< HEAD
-    """[m] radius of the disc that covers the robot (a number from 0.01 to 10; default 0.25)"""
-    length: float
-    """[m] length of a rectangular body; 0: the body is the disc (a number from 0 to 20; default 0)"""
-    width: float
-    """[m] width of a rectangular body; 0: the body is the disc (a number from 0 to 20; default 0)"""
-    discs: npt.NDArray[np.float64]
-    """[m] discs that form the body, in the robot's frame; none: the body is the rectangle or the disc (up to 8 of [x,
-    y, radius], radius from 0.01 to 10, x and y from -20 to 20; default [])"""
-    linear_min: float
-    """[m/s] least linear speed; negative allows reversing (a number from -10 to 10; default 0)"""
-    linear_max: float
-    """[m/s] greatest linear speed (a number from 0.01 to 10; default 1)"""
-    angular_max: float
-    """[rad/s] greatest angular speed (a number from 0.01 to 20; default 1.5)"""
-    linear_acceleration_max: float
-    """[m/s^2] greatest change of linear speed per second (a number from 0.01 to 1000; default 2)"""
-    angular_acceleration_max: float
-    """[rad/s^2] greatest change of angular speed per second (a number from 0.01 to 1000; default 4)"""
-=======
     """[m] radius of the disc that covers the robot"""
     length: float
     """[m] length of a rectangular body; 0: the body is the disc"""
@@ -59,34 +39,17 @@ class RobotSettings:
     """[s] time constant with which the base's linear speed follows its command"""
     angular_lag: float
     """[s] time constant with which the base's angular speed follows its command"""
->>>>>>> python
 
 class MapSettings:
     """Settings of the group `map`."""
 
     unknown_is_occupied: bool
-<<<<<<< HEAD
-    """whether unknown cells count as obstacles (true or false; default true)"""
-=======
     """whether unknown cells count as obstacles"""
->>>>>>> python
 
 class PathSettings:
     """Settings of the group `path`."""
 
     margin: float
-<<<<<<< HEAD
-    """[m] clearance that every path keeps beyond the robot's radius; a greater value closes narrow gaps (a number from
-    0 to 10; default 0.02)"""
-    comfort_distance: float
-    """[m] clearance beyond the margin below which a metre of path costs more; a greater value keeps paths further from
-    obstacles (a number from 0 to 10; default 0.3)"""
-    comfort_weight: float
-    """extra cost of a metre of path at the least clearance; a greater value accepts longer detours for more clearance
-    (a number from 0 to 100; default 1.5)"""
-    any_angle: bool
-    """whether paths are straightened into lines of sight instead of following the grid (true or false; default true)"""
-=======
     """[m] clearance that every path keeps beyond the robot's radius; a greater value closes narrow gaps"""
     comfort_distance: float
     """[m] clearance beyond the margin below which a metre of path costs more; a greater value keeps paths further from
@@ -95,37 +58,11 @@ class PathSettings:
     """extra cost of a metre of path at the least clearance; a greater value accepts longer detours for more clearance"""
     any_angle: bool
     """whether paths are straightened into lines of sight instead of following the grid"""
->>>>>>> python
 
 class CorridorSettings:
     """Settings of the group `corridor`."""
 
     method: str
-<<<<<<< HEAD
-    """how rectangles are built: mdsrc (Algorithms 1 and 2 of the paper) or fewest (as few and as large as possible)
-    (mdsrc or fewest; default fewest)"""
-    space: str
-    """where rectangles are free: workspace (of obstacles, as in the paper) or configuration (for the centre of the
-    robot's disc) (workspace or configuration; default configuration)"""
-    num_orientations: int
-    """number of orientations that mdsrc tries; more give larger rectangles and take longer (an integer from 1 to 360;
-    default 10)"""
-    growth_step: float
-    """[m] step by which a side advances in mdsrc; a smaller step takes longer (a number from 0.001 to 10; default 0.1)"""
-    max_growth: float
-    """[m] greatest distance of a side from the seed in mdsrc (a number from 0.05 to 1000; default 8)"""
-    longest_side: float
-    """[m] longest side of a rectangle of fewest; a greater value gives fewer and larger rectangles (a number from 0.1
-    to 1000; default 16)"""
-    inward_offset: float
-    """[m] least distance between the robot's centre and the sides, in workspace only (a number from 0 to 10; default
-    0.3)"""
-    min_overlap_area: float
-    """[m^2] least overlap of consecutive rectangles; a greater value eases the change from one to the next (a number
-    from 0 to 100; default 0.01)"""
-    waypoint_spacing: float
-    """[m] spacing of the path points that mdsrc grows rectangles from (a number from 0.01 to 10; default 0.1)"""
-=======
     """how rectangles are built: mdsrc (Algorithms 1 and 2 of the paper) or fewest (as few and as large as possible)"""
     space: str
     """where rectangles are free: workspace (of obstacles, as in the paper) or configuration (for the centre of the
@@ -144,76 +81,21 @@ class CorridorSettings:
     """[m^2] least overlap of consecutive rectangles; a greater value eases the change from one to the next"""
     waypoint_spacing: float
     """[m] spacing of the path points that mdsrc grows rectangles from"""
->>>>>>> python
 
 class PlanningSettings:
     """Settings of the group `planning`."""
 
     background: bool
-<<<<<<< HEAD
-    """whether plans are made in a thread, so that no control cycle waits; if not, the cycle that needs a plan makes it
-    (true or false; default false)"""
-    rebuild_period: float
-    """[s] period of new plans; 0: a new plan only when it is needed (a number from 0 to 1000; default 0)"""
-    retry_period: float
-    """[s] time between attempts while no plan is found or a better one is searched (a number from 0.05 to 1000; default
-    0.5)"""
-=======
     """whether plans are made in a thread, so that no control cycle waits; if not, the cycle that needs a plan makes it"""
     rebuild_period: float
     """[s] period of new plans; 0: a new plan only when it is needed"""
     retry_period: float
     """[s] time between attempts while no plan is found or a better one is searched"""
->>>>>>> python
 
 class MpcSettings:
     """Settings of the group `mpc`."""
 
     horizon: int
-<<<<<<< HEAD
-    """[steps] number of steps planned ahead; more steps look further ahead and take longer (an integer from 1 to 50;
-    default 20)"""
-    step_length: float
-    """[s] time between the steps of the horizon; a greater value looks further ahead and models motion less exactly (a
-    number from 0.01 to 1; default 0.1)"""
-    integration: str
-    """integration of the model over a step: euler (as in the paper) or midpoint (more exact) (euler or midpoint;
-    default midpoint)"""
-    weight_position: float
-    """[1/m^2] weight of the distance to the target (Q1); a greater value follows the reference path more closely (a
-    number from 0 to 1000000; default 20)"""
-    weight_heading: float
-    """[1/rad^2] weight of the deviation from the target heading (Q1); a greater value aligns the robot with the
-    reference path sooner (a number from 0 to 1000000; default 0.5)"""
-    weight_next_position: float
-    """[1/m^2] weight of the distance to the second target (Q2); a greater value draws the robot towards it earlier (a
-    number from 0 to 1000000; default 5)"""
-    weight_next_heading: float
-    """[1/rad^2] weight of the deviation from the second target heading (Q2) (a number from 0 to 1000000; default 0.05)"""
-    weight_linear: float
-    """[s^2/m^2] weight of linear speed (R); a greater value drives more slowly (a number from 0 to 1000000; default
-    0.1)"""
-    weight_angular: float
-    """[s^2/rad^2] weight of angular speed (R); a greater value turns more gently (a number from 0 to 1000000; default
-    0.1)"""
-    weight_linear_change: float
-    """[s^2/m^2] weight of a change of linear speed (S); a greater value accelerates more gently (a number from 0 to
-    1000000; default 0.1)"""
-    weight_angular_change: float
-    """[s^2/rad^2] weight of a change of angular speed (S); a greater value steers more smoothly (a number from 0 to
-    1000000; default 0.1)"""
-    penalise_first_change: bool
-    """whether the change from the command being executed is weighted too (true or false; default true)"""
-    decay_rate: float
-    """[1/s] greatest rate at which a barrier may decrease (gamma), at most 1/step_length; a greater value approaches
-    moving obstacles faster (a number from 0.01 to 100; default 5)"""
-    violation_weight: float
-    """[1/m] penalty weight of leaving the corridor or entering a keep-out disc; too small a value trades violations for
-    progress (a number from 1 to 100000000; default 10000)"""
-    max_iterations: int
-    """iteration budget of one solve; a greater value converges more often and may take longer (an integer from 1 to
-    10000; default 100)"""
-=======
     """[steps] number of steps planned ahead; more steps look further ahead and take longer"""
     step_length: float
     """[s] time between the steps of the horizon; a greater value looks further ahead and models motion less exactly"""
@@ -246,28 +128,12 @@ class MpcSettings:
     progress"""
     max_iterations: int
     """iteration budget of one solve; a greater value converges more often and may take longer"""
->>>>>>> python
 
 class TrackingSettings:
     """Settings of the group `tracking`."""
 
     target_mode: str
     """targets of the controller: reference_path (moving along the shortest path), dual_waypoints (of the paper) or
-<<<<<<< HEAD
-    overlap_centroid (SMPC) (reference_path, dual_waypoints or overlap_centroid; default reference_path)"""
-    step_regions: bool
-    """whether each step of the horizon is constrained to the rectangle it is expected in; if not, all are to the
-    current one (true or false; default true)"""
-    corner_deviation: float
-    """[m] distance by which the robot may cut a corner of the reference path; a greater value allows more speed there
-    (a number from 0.001 to 10; default 0.15)"""
-    corner_clearance: float
-    """[m] distance that the reference path keeps from the corners of overlaps, where there is space; a greater value
-    takes corners wider (a number from 0 to 1; default 0.08)"""
-    chord_length: float
-    """[m] look-ahead on the reference path for the target heading; a greater value turns earlier (a number from 0.01 to
-    10; default 0.4)"""
-=======
     overlap_centroid (SMPC)"""
     step_regions: bool
     """whether each step of the horizon is constrained to the rectangle it is expected in; if not, all are to the
@@ -279,21 +145,11 @@ class TrackingSettings:
     takes corners wider"""
     chord_length: float
     """[m] look-ahead on the reference path for the target heading; a greater value turns earlier"""
->>>>>>> python
 
 class PredictionSettings:
     """Settings of the group `prediction`."""
 
     obstacle_margin: float
-<<<<<<< HEAD
-    """[m] distance kept from moving obstacles beyond both radii (a number from 0 to 10; default 0.1)"""
-    predict_motion: bool
-    """predict that moving obstacles keep their velocity; if not, that they stand still (true or false; default true)"""
-    obstacle_growth: float
-    """[m/s] growth of that distance per second ahead, since predictions err (a number from 0 to 10; default 0.1)"""
-    obstacle_growth_max: float
-    """[m] greatest growth of that distance (a number from 0 to 10; default 0.2)"""
-=======
     """[m] distance kept from moving obstacles beyond both radii"""
     predict_motion: bool
     """predict that moving obstacles keep their velocity; if not, that they stand still"""
@@ -301,30 +157,11 @@ class PredictionSettings:
     """[m/s] growth of that distance per second ahead, since predictions err"""
     obstacle_growth_max: float
     """[m] greatest growth of that distance"""
->>>>>>> python
 
 class SafetySettings:
     """Settings of the group `safety`."""
 
     actuation_lag: float
-<<<<<<< HEAD
-    """[cycles] time until the base follows a command, in control periods; 0.5 is a linear ramp (a number from 0 to 5;
-    default 0.5)"""
-    stop_margin: float
-    """[m] clearance beyond the body in the check of the stop (a number from 0 to 1; default 0.002)"""
-    turn_clearance_tolerance: float
-    """[m] how far a body that is no disc may go where its covering disc does not fit (a number from 0 to 10; default
-    0.02)"""
-    pose_timeout: float
-    """[s] oldest pose that is used (a number from 0.01 to 100; default 0.2)"""
-    pose_jump: float
-    """[m] distance between a pose and the one predicted from the commands, beyond half of the distance driven since,
-    that counts as a jump (a number from 0.01 to 1000; default 0.2)"""
-    map_timeout: float
-    """[s] oldest changing map that is used (a number from 0.01 to 100; default 0.3)"""
-    tracks_timeout: float
-    """[s] oldest obstacle tracks that are used (a number from 0.01 to 100; default 0.5)"""
-=======
     """[cycles] time until the base follows a command, in control periods; 0.5 is a linear ramp"""
     longest_hold: float
     """[cycles] longest time from one command to the next that the check of the stop covers, in control periods; a later
@@ -344,27 +181,11 @@ class SafetySettings:
     """[s] oldest changing map that is used"""
     tracks_timeout: float
     """[s] oldest obstacle tracks that are used"""
->>>>>>> python
 
 class NavigationSettings:
     """Settings of the group `navigation`."""
 
     control_period: float
-<<<<<<< HEAD
-    """[s] period of the commands; it must match the rate at which the base receives them (a number from 0.005 to 1;
-    default 0.1)"""
-    goal_tolerance: float
-    """[m] distance at which the goal counts as reached; a greater value arrives sooner and less exactly (a number from
-    0.001 to 10; default 0.1)"""
-    heading_tolerance: float
-    """[rad] heading error at which the heading of the goal counts as reached; 3.15 ignores the heading (a number from
-    0.001 to 3.15; default 0.1)"""
-    stall_timeout: float
-    """[s] standstill away from the goal after which a recovery starts; a greater value waits longer for obstacles to
-    move (a number from 0.05 to 1000; default 0.4)"""
-    patience: float
-    """[s] time without progress after which the goal is dropped; 0: never (a number from 0 to 100000; default 0)"""
-=======
     """[s] period of the commands; it must match the rate at which the base receives them"""
     goal_tolerance: float
     """[m] distance at which the goal counts as reached; a greater value arrives sooner and less exactly"""
@@ -375,59 +196,11 @@ class NavigationSettings:
     move"""
     patience: float
     """[s] time without progress after which the goal is dropped; 0: never"""
->>>>>>> python
 
 class PerceptionSettings:
     """Settings of the group `perception`."""
 
     window: float
-<<<<<<< HEAD
-    """[m] side of the square map around the robot; a greater value remembers a wider area and takes longer (a number
-    from 4 to 200; default 22)"""
-    resolution: float
-    """[m] side of a cell of the map; a smaller value resolves narrower gaps and takes longer (a number from 0.01 to
-    0.5; default 0.05)"""
-    reach: float
-    """[m] greatest length at which beams are used; longer ones are cut (a number from 0.5 to 100; default 12)"""
-    hit_depth: float
-    """[m] distance added to a beam's end before it is entered into the map, which offsets the part of a cell that
-    extends in front of the hit; a greater value keeps narrow gaps open (a number from 0 to 0.2; default 0.02)"""
-    hit_snap: float
-    """[m] distance within which a hit in front of a known obstacle counts for that obstacle; a greater value suppresses
-    more range noise (a number from 0 to 0.2; default 0.03)"""
-    hit_evidence: int
-    """evidence added to the cell in which a beam ends; a greater value adds obstacles sooner (an integer from 1 to 100;
-    default 6)"""
-    miss_evidence: int
-    """evidence removed from a cell that a beam crosses; a greater value clears cells sooner (an integer from 1 to 100;
-    default 1)"""
-    most_evidence: int
-    """greatest evidence of an occupied cell; a greater value holds obstacles longer (an integer from 1 to 100; default
-    12)"""
-    least_evidence: int
-    """evidence of a surely free cell (negative); a lower value needs more scans to add an obstacle there (an integer
-    from -100 to -1; default -6)"""
-    cluster_gap: float
-    """[m] greatest gap between neighbouring points of one moving object; a greater value joins objects that are close
-    together (a number from 0.01 to 10; default 0.3)"""
-    object_size: float
-    """[m] greatest diameter of a moving object; larger ones are static (a number from 0.1 to 10; default 1.4)"""
-    moving_speed: float
-    """[m/s] speed below which an object counts as static (a number from 0 to 10; default 0.2)"""
-    moving_distance: float
-    """[m] distance that an object must move before it counts as moving; a greater value gives fewer false detections
-    and later true ones (a number from 0 to 10; default 0.15)"""
-    acceleration_noise: float
-    """[m/s^2] acceleration noise of moving objects; a greater value follows changes of velocity sooner and smooths less
-    (a number from 0.01 to 100; default 1.5)"""
-    forget_after: float
-    """[s] time after which a hidden moving object is forgotten (a number from 0 to 100; default 2)"""
-    uncertainty_share: float
-    """number of standard deviations of its position added to a moving object's radius; a greater value keeps more
-    distance (a number from 0 to 10; default 1)"""
-    max_beams: int
-    """number of beams used of a scan, the first ones (an integer from 1 to 100000; default 4096)"""
-=======
     """[m] side of the square map around the robot; a greater value remembers a wider area and takes longer"""
     resolution: float
     """[m] side of a cell of the map; a smaller value resolves narrower gaps and takes longer"""
@@ -466,7 +239,6 @@ class PerceptionSettings:
     distance"""
     max_beams: int
     """number of beams used of a scan, the first ones"""
->>>>>>> python
 
 class Settings:
     """All settings of Fairway, by groups. An assignment checks type and range."""

@@ -56,10 +56,7 @@ class LimitingFactor:
     InvalidTime: ClassVar[LimitingFactor]
     SmallerPlan: ClassVar[LimitingFactor]
     InvalidScan: ClassVar[LimitingFactor]
-<<<<<<< HEAD
-=======
     LateCycle: ClassVar[LimitingFactor]
->>>>>>> python
     def __init__(self, value: int) -> None: ...
     def __int__(self) -> int: ...
     def __index__(self) -> int: ...

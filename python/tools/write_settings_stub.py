@@ -61,22 +61,14 @@ def stub() -> str:
         for key, attribute in vars(kind).items():
             if isinstance(attribute, property):
                 text += f"    {key}: {type_text(getattr(group, key))}\n"
-<<<<<<< HEAD
-                text += "".join(f"    {line}\n" for line in docstring(attribute.__doc__))
-=======
                 text += "".join(f"    {line}\n" for line in docstring(attribute.__doc__.rsplit(" (", 1)[0]))
->>>>>>> python
         text += "\n"
         groups += f"    @property\n    def {name}(self) -> {kind.__name__}: ...\n"
     return text + SETTINGS.replace("{groups}\n", groups)
 
 
 def docstring(text: str) -> list:
-<<<<<<< HEAD
-    """The docstring of an attribute in lines of at most 120 characters."""
-=======
     """What an attribute means, without its range, in lines of at most 120 characters."""
->>>>>>> python
     lines, line = [], '"""'
     for word in text.split():
         if len(line) + 1 + len(word) > 116:

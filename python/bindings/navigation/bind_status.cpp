@@ -16,11 +16,7 @@ constexpr std::array kLimitNames = {
     "None_",         "Speed",           "Acceleration", "Corridor",     "MovingObstacle",
     "StopNotProven", "OutsideCorridor", "StalePose",    "StaleMap",     "StaleTracks",
     "InvalidPose",   "InvalidTracks",   "PoseJump",     "SolverFailed", "NoPath",
-<<<<<<< HEAD
-    "InvalidGoal",   "InvalidTime",     "SmallerPlan",  "InvalidScan"};
-=======
     "InvalidGoal",   "InvalidTime",     "SmallerPlan",  "InvalidScan",  "LateCycle"};
->>>>>>> python
 
 // A value that is not listed yet gets a name from its text: "goal reached" becomes GoalReached.
 std::string name_from(const char* text) {
