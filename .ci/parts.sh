@@ -1,7 +1,7 @@
 # Parts of a check with their times; sourced by .ci/run and .ci/nightly.
 #   part NAME COMMAND...   runs the command, and continues after a failure
 #   part_within MINUTES NAME COMMAND...
-#                          the same if MINUTES more keep the whole run below 45; otherwise it says so
+#                          the same if MINUTES more keep the whole run below 40; otherwise it says so
 #   finish                 prints the failures and "N passed, N failed"; returns 1 after a failure
 passed=0
 failed=0
@@ -34,7 +34,7 @@ part() {
 part_within() {
   local minutes=$1
   shift
-  if [ $((SECONDS + 60 * minutes)) -le $((45 * 60)) ]; then
+  if [ $((SECONDS + 60 * minutes)) -le $((40 * 60)) ]; then
     part "$@"
   else
     echo "== $1: left out, it may take $minutes minutes; run by hand: ${*:2}"

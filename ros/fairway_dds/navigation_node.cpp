@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bridge/message_conversions.hpp"
+#include "fairway/base/utf8_text.hpp"
 #include "fairway_dds/dds_conversions.hpp"
 
 namespace fairway::dds {

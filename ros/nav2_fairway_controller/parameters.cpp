@@ -5,7 +5,7 @@
 #include <exception>
 #include <utility>
 
-#include "fairway/navigation/renamed_settings.hpp"
+#include "fairway/navigation/settings.hpp"
 #include "nav2_fairway_controller/following/speed_limit.hpp"
 
 namespace fairway::nav2 {

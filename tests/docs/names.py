@@ -27,7 +27,7 @@ def setting_names(tool: pathlib.Path) -> set:
 def check_settings(root: pathlib.Path, tool: pathlib.Path, pages: list) -> list:
     names = setting_names(tool)
     groups = {name.split(".")[0] for name in names}
-    renamed = root / "src/fairway/navigation/renamed_settings.hpp"
+    renamed = root / "src/fairway/navigation/settings.hpp"
     old = set(re.findall(r"\"([a-z_]+\.[a-z_]+)\"", renamed.read_text()))
     # A task of `fairway bodies` has a robot as well, with keys of its own.
     tasks = root / "experiments/bodies/body_task_file.cpp"

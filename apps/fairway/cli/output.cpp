@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "fairway/base/utf8_text.hpp"
 #include "fairway/io/drawing/canvas.hpp"
 #include "fairway/io/whole_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "fairway/mpc/control_solver.hpp"
+#include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/settings.hpp"
 
 namespace fairway::reproduction {

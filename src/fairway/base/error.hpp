@@ -6,8 +6,6 @@
 
 #include <tl/expected.hpp>
 
-#include "fairway/base/utf8_text.hpp"
-
 namespace fairway {
 
 /// Explains to the user, in one line, why a file, a key or a number was rejected.
@@ -23,8 +21,6 @@ using Expected = tl::expected<T, Error>;
 
 /// Makes the failed form of every Expected, with a message of one line of valid UTF-8:
 /// `return fail("...");`.
-[[nodiscard]] inline tl::unexpected<Error> fail(std::string_view message) {
-  return tl::unexpected<Error>(Error{one_line(message)});
-}
+[[nodiscard]] tl::unexpected<Error> fail(std::string_view message);
 
 }  // namespace fairway

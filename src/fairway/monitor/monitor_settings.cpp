@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/monitor/monitor_settings.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "fairway/monitor/safety_monitor.hpp"
 
 namespace fairway {
 

@@ -96,4 +96,18 @@ struct InitialGuess {
   std::array<Twist2, kMaxHorizon> commands;
 };
 
+/// Interface of the solvers of the optimal control problem: the real-time solver and IPOPT.
+class ControlSolver {
+ public:
+  ControlSolver() = default;
+  ControlSolver(const ControlSolver&) = delete;
+  ControlSolver& operator=(const ControlSolver&) = delete;
+  virtual ~ControlSolver() = default;
+
+  /// Solves `problem` from `guess`. The result is finite and satisfies the hard constraints; it
+  /// stays valid until the next call.
+  [[nodiscard]] virtual const MpcSolution& solve(const ControlProblem& problem,
+                                                 const InitialGuess& guess) noexcept = 0;
+};
+
 }  // namespace fairway

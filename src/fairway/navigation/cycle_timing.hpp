@@ -31,6 +31,7 @@ class CycleTimer {
     CycleTiming timing{.elapsed = period};
     if (!std::isfinite(time)) {
       timing.punctuality = Punctuality::Invalid;
+      last_ += period;  // a command is sent in this cycle too
       return timing;
     }
     if (began_) {

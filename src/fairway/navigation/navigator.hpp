@@ -7,7 +7,7 @@
 #include <span>
 
 #include "fairway/fleet/fleet_coordinator.hpp"
-#include "fairway/mpc/control_solver.hpp"
+#include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/cycle_timing.hpp"
 #include "fairway/navigation/dead_reckoning.hpp"
 #include "fairway/navigation/goal_check.hpp"

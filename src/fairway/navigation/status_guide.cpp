@@ -226,8 +226,8 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
               .remedy = "Repair the driver, or the description of the robot."};
     case LimitingFactor::LateCycle:
       return {.meaning =
-                  "The cycle came later than `safety.longest_hold` after the one before, "
-                  "longer than the stop was proven for: the robot brakes.",
+                  "The cycle came later than `safety.longest_hold` control periods after the one "
+                  "before, longer than the stop was proven for: the robot brakes.",
               .causes = "A computer that is too busy; a control loop without real-time priority.",
               .remedy =
                   "Call `update` in time. Raise `safety.longest_hold` if late cycles cannot "

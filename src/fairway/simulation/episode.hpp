@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fairway/mpc/control_solver.hpp"
+#include "fairway/mpc/solution.hpp"
 #include "fairway/simulation/episode_control.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 #include "fairway/simulation/scenario.hpp"

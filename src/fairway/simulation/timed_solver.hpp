@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "fairway/mpc/control_solver.hpp"
+#include "fairway/mpc/solution.hpp"
 
 namespace fairway {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "fairway/mpc/control_solver.hpp"
+#include "fairway/mpc/solution.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 #include "fairway/tracking/step_regions.hpp"
 #include "fairway/tracking/tracking_settings.hpp"

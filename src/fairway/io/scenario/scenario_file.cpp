@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fairway/base/utf8_text.hpp"
 #include "fairway/geometry/angle.hpp"
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/io/number_text.hpp"

@@ -9,7 +9,7 @@
 #include "fairway/io/yaml/setting_text.hpp"
 #include "fairway/io/yaml/settings_mapping.hpp"
 #include "fairway/io/yaml/yaml_document.hpp"
-#include "fairway/navigation/renamed_settings.hpp"
+#include "fairway/navigation/settings.hpp"
 
 namespace fairway::io {
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "fairway/mpc/control_problem.hpp"
-#include "fairway/mpc/control_solver.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/mpc/solution.hpp"
 

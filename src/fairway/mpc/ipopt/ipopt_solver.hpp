@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "fairway/mpc/control_problem.hpp"
-#include "fairway/mpc/control_solver.hpp"
 #include "fairway/mpc/solution.hpp"
 
 namespace fairway {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "fairway/map/occupancy_grid.hpp"
-#include "fairway/mpc/control_solver.hpp"
+#include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"

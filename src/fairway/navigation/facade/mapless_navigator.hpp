@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "fairway/mpc/control_solver.hpp"
+#include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Settings under their names up to version 0.1.
-#include "fairway/navigation/renamed_settings.hpp"
-
 #include <algorithm>
 #include <map>
 
@@ -9,6 +7,7 @@
 
 #include "fairway/io/yaml/setting_text.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
+#include "fairway/navigation/settings.hpp"
 
 namespace fairway::io {
 namespace {
