@@ -9,7 +9,7 @@
 #include <pybind11/pybind11.h>
 
 #include "fairway/base/error.hpp"
-#include "fairway/io/file_notes.hpp"
+#include "fairway/io/maps/map_file.hpp"
 
 namespace fairway::python {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "fairway/base/error.hpp"
-#include "fairway/io/file_notes.hpp"
+#include "fairway/io/maps/map_file.hpp"
 
 namespace fairway::app {
 

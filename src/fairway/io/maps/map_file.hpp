@@ -3,12 +3,19 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "fairway/base/error.hpp"
-#include "fairway/io/file_notes.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 
 namespace fairway::io {
+
+/// What a reader notes besides its result, for a caller that wants to know.
+struct FileNotes {
+  std::vector<std::string> files;      ///< that were read, as they were opened
+  std::vector<std::string> warnings;   ///< about content that is accepted but suspicious
+  std::vector<std::string> old_names;  ///< of settings, as "old (now new)"
+};
 
 struct MapImage;
 

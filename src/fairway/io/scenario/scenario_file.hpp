@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fairway/base/error.hpp"
-#include "fairway/io/file_notes.hpp"
+#include "fairway/io/maps/map_file.hpp"
 #include "fairway/simulation/scenario.hpp"
 
 namespace fairway::io {
