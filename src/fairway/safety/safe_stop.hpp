@@ -52,12 +52,13 @@ class SafeStop {
                           std::span<const Twist2> commands) noexcept;
 
   /// When the stop that is fallen back on touches a moving obstacle [s from now]; infinite for
-  /// never within `hold`. Static obstacles were checked when it was taken.
+  /// never within `hold`. Static obstacles were checked when it was taken. The margin of the proof
+  /// does not count here.
   [[nodiscard]] double contact_time(const StopSituation& situation) const noexcept;
 
   /// Takes the manoeuvre that touches a moving obstacle last, if that is clearly later than `than`
   /// [s]: `commands`, or the hardest turns and runs that the limits allow. Never one that touches
-  /// a static obstacle.
+  /// a static obstacle. The margin from moving obstacles is kept where a manoeuvre can keep it.
   /// @return whether one was taken; its first command is then the next.
   [[nodiscard]] bool evade(const StopSituation& situation,
                            std::span<const Twist2> commands,

@@ -2,6 +2,7 @@
 #include "fairway/safety/safe_stop.hpp"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -61,6 +62,37 @@ TEST_F(AmongRobots, OnlyOneOfTwoCloseRobotsMovesWithLateMessages) {
   const Pose2 away{.position = {3.0, 0.51}, .heading = 1.57};
   EXPECT_TRUE(may(away, 0.2, 0.1, 2, 1)) << "both may drive apart";
   EXPECT_TRUE(may(beside, 0.0, 0.1, 2, 1)) << "or stop";
+}
+
+// A robot at standstill, and an obstacle that comes from the left and passes beside it.
+class BesideAPasser : public testing::Test {
+ protected:
+  [[nodiscard]] StopSituation at_distance(double lateral, double margin) {
+    passer_.position.y() = lateral;
+    return {.pose = {.position = {0, 0}, .heading = 0.0},
+            .current = {},
+            .around = {.obstacles = &open_,
+                       .body = Footprint::disc(0.25),
+                       .moving = {&passer_, 1},
+                       .moving_margin = margin},
+            .hold = 4.0};
+  }
+
+  BitGrid open_{{.width = 100, .height = 100, .resolution = 0.1, .origin = {{-5, -5}, 0}}, false};
+  MovingObstacle passer_{.position = {-1.5, 0}, .velocity = {1, 0}, .radius = 0.3};
+  SafeStop stop_{RobotSettings{}, kPeriod};
+};
+
+// An obstacle within the margin of the proof does not touch the robot, which then stays.
+TEST_F(BesideAPasser, IsTouchedByAContactOnly) {
+  EXPECT_TRUE(std::isinf(stop_.contact_time(at_distance(0.58, 0.06))));
+  EXPECT_LT(stop_.contact_time(at_distance(0.52, 0.06)), 2.0);
+}
+
+// Where no manoeuvre keeps the margin, one that only delays or avoids the contact is taken.
+TEST_F(BesideAPasser, EvadesAContactWithinTheMargin) {
+  const StopSituation now = at_distance(0.1, 2.0);
+  EXPECT_TRUE(stop_.evade(now, {}, stop_.contact_time(now)));
 }
 
 // Found by safe_stop_soak: an evasion that would touch a moving obstacle was accepted without a
