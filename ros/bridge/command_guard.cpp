@@ -37,14 +37,19 @@ MonitorSettings monitor_settings(const Settings& settings) {
   constexpr double kLate = 1.5;  // periods from one command to the next, at most
   const RobotSettings& robot = settings.robot;
   const double period = settings.navigation.control_period;
-  return {.footprint = polygons_of(footprint_of(robot)),
-          .linear_acceleration = std::clamp(robot.linear_acceleration_max, 0.2, 20.0),
-          .angular_acceleration = std::clamp(robot.angular_acceleration_max, 0.2, 100.0),
-          .delay = std::clamp(settings.safety.actuation_lag * period, 0.0, 1.0),
-          .hold = std::clamp(kLate * period, 0.01, 1.0),
-          // Less than what the navigator keeps, so that it does not limit what was proven.
-          .margin = 0.5 * settings.safety.stop_margin,
-          .max_age = std::clamp(settings.safety.map_timeout + period, 0.01, 10.0)};
+  return {
+      .footprint = polygons_of(footprint_of(robot)),
+      .linear_acceleration = std::clamp(robot.linear_acceleration_max, 0.2, 20.0),
+      .angular_acceleration = std::clamp(robot.angular_acceleration_max, 0.2, 100.0),
+      .delay = std::clamp(settings.safety.actuation_lag * period, 0.0, 1.0),
+      .hold = std::clamp(kLate * period, 0.01, 1.0),
+      // Less than what the navigator keeps, so that it does not limit what was proven.
+      .margin = 0.5 * settings.safety.stop_margin,
+      // The navigator brakes along its own ramp where scans stop; the monitor acts if it does not.
+      .max_age = std::clamp(
+          settings.safety.map_timeout + period +
+              std::max(robot.linear_max, -robot.linear_min) / robot.linear_acceleration_max,
+          0.01, 10.0)};
 }
 
 const char* to_text(MonitorReason reason) noexcept {

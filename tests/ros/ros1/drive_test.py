@@ -237,7 +237,9 @@ class DriveTest(unittest.TestCase):
             "/cmd_vel", "/odom", "/tf", "/tf_static", "/map", "/fairway/plan", "/fairway/corridor",
             "/fairway/prediction", "/fairway/status", "/diagnostics", "/move_base/result"})
         self.assertGreater(len(scan_to_command), 100)
-        limit = 2.0 * 0.1 + 1e-9  # [m/s] per cycle
+        # The stop is a function of time: after a cycle that is late by half a period, the longest that
+        # is on time, the command has changed by as much as the acceleration allows until then.
+        limit = 2.0 * 1.5 * 0.1 + 1e-9  # [m/s] per cycle
         steps = [abs(b - a) for a, b in zip(linear, linear[1:])]
         self.assertLessEqual(max(steps), limit)
         self.assertEqual(linear[-1], 0.0)
