@@ -206,8 +206,8 @@ bool SafeStop::evade(const StopSituation& situation,
   CollisionEnvironment around = situation.around;
   const auto consider = [&](std::span<const Twist2> way) {
     const StopSequence stop = follow_then_brake(way, way.size() - 1, robot_, period_);
-    const StopOutcome outcome = follow_stop(situation.pose, manoeuvre(situation, way[0], stop),
-                                            situation.hold, around);
+    const StopOutcome outcome =
+        follow_stop(situation.pose, manoeuvre(situation, way[0], stop), situation.hold, around);
     if (outcome.verdict == StopVerdict::HitsStatic) return;
     const bool whole = outcome.verdict == StopVerdict::Free;
     const double time = whole ? std::numeric_limits<double>::infinity() : outcome.time;
