@@ -156,6 +156,8 @@ void MapNavigator::State::start_plan(const Measurements& m) {
   tight_start_ = !has_clearance(m.pose.position);
   asked_number_ = task_number_;
   plan_time_ = m.time;
+  // The plan to a new goal is made on the map as it is: earlier changes need no other one.
+  if (task_is_new_) map_changed_ = map_moved_ = scans_changed_ = false;
   task_is_new_ = false;
   planned = true;
   planning->start(
