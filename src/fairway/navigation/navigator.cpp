@@ -39,9 +39,6 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
       bad != LimitingFactor::None) {
     return stop(status_for(bad), bad);
   }
-  if (!clock_.plausible(given.time, period_)) {
-    return stop(NavigationStatus::BadInput, LimitingFactor::InvalidTime);
-  }
   if (const LimitingFactor bad = check_timing(); bad != LimitingFactor::None) {
     solution_.horizon = 0;
     return stop(status_for(bad), bad);

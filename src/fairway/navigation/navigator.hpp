@@ -111,7 +111,6 @@ class Navigator {
   BaseResponse response_;  // of the base now
   Pose2 ahead_;            // where the robot will be when it answers to the command of this cycle
   SafeStop stop_;
-  CycleClock clock_;
   DeadReckoning reckoning_;
   GoalCheck goal_check_;
   double plan_time_ = -1.0;  // when the present plan was first driven on
