@@ -138,7 +138,8 @@ bool SafeStop::take(const StopSituation& situation, std::span<const Twist2> comm
     tried = follow;
     const StopSequence stop = follow_then_brake(commands, follow, robot_, period_);
     const StopVerdict verdict = prove(situation, commands[0], stop);
-    if (verdict == StopVerdict::HitsStatic) return false;
+    refusal_ = verdict;
+    if (is_final(verdict)) return false;
     if (verdict != StopVerdict::Free) continue;
     first_ = commands[0];
     last_ = commands[0];
@@ -209,7 +210,7 @@ bool SafeStop::evade(const StopSituation& situation,
     const StopSequence stop = follow_then_brake(way, way.size() - 1, robot_, period_);
     const StopOutcome outcome =
         follow_stop(situation.pose, manoeuvre(situation, way[0], stop), situation.hold, around);
-    if (outcome.verdict == StopVerdict::HitsStatic) return;
+    if (is_final(outcome.verdict)) return;
     const bool whole = outcome.verdict == StopVerdict::Free;
     const double time = whole ? std::numeric_limits<double>::infinity() : outcome.time;
     if (!(time > latest) || prove(alone, way[0], stop) != StopVerdict::Free) return;
