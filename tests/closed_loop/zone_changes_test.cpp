@@ -99,7 +99,7 @@ TEST_F(ZoneChanges, AZoneRightInFrontStopsTheRobotByName) {
       {{.kind = ZoneKind::KeepOut, .polygon = {{x, -1.0}, {x + 9, -1.0}, {x + 9, 7.0}, {x, 7.0}}}});
   bool named = false;
   for (int i = 0; i < 200; ++i)
-    named = named || cycle().limit == LimitingFactor::KeepOutZone;
+    named = cycle().limit == LimitingFactor::KeepOutZone || named;
   EXPECT_TRUE(named);
   EXPECT_EQ(robot_.twist.linear, 0.0);
   EXPECT_LT(robot_.pose.position.x(), x + 0.7);
@@ -114,7 +114,7 @@ TEST_F(ZoneChanges, ARobotOutsideOfNewStripsStaysThere) {
                          .reference = ZoneReference::Centre}});
   bool named = false;
   for (int i = 0; i < 200; ++i)
-    named = named || cycle().limit == LimitingFactor::Strip;
+    named = cycle().limit == LimitingFactor::Strip || named;
   EXPECT_TRUE(named);
   EXPECT_EQ(robot_.twist.linear, 0.0);
 }

@@ -5,6 +5,7 @@
 
 #include "fairway/navigation/limiting_factor.hpp"
 #include "fairway/navigation/navigator.hpp"
+#include "fairway/safety/zone_check.hpp"
 
 namespace fairway {
 
@@ -60,6 +61,16 @@ NavigationStep Navigator::stay_on_hold() noexcept {
 // Names the zone or the hold behind what limits the robot.
 void Navigator::name_limits(const NavigationInput& input, NavigationStep& step) const noexcept {
   if (step.limit == LimitingFactor::StopNotProven) step.limit = limit_of(stop_.refusal());
+  const bool placeless =
+      step.limit == LimitingFactor::NoPath || step.limit == LimitingFactor::OutsideCorridor;
+  const ZoneMap* zones = input.map != nullptr ? input.map->zones() : nullptr;
+  if (placeless && zones != nullptr && plan_.path_status != PathStatus::GoalBlocked) {
+    const Eigen::Vector2d& here = input.pose.position;
+    if (const auto zone = zones->forbidding(segment_rectangle(here, here), settings_.robot.radius,
+                                            ZoneSubject::Disc)) {
+      step.limit = limit_of(verdict_of(*zones, *zone));
+    }
+  }
   const bool driving =
       step.status == NavigationStatus::Ok || step.status == NavigationStatus::Degraded;
   if (!driving) return;

@@ -21,8 +21,23 @@ void ZoneBoundary::add(ZonePolygon polygon, std::size_t zone) {
 
 void ZoneBoundary::close() {
   pieces_.clear();
+  measure_runs();
   for (std::size_t i = 0; i < polygons_.size(); ++i)
     add_pieces(i);
+  measure_runs();
+}
+
+void ZoneBoundary::measure_runs() {
+  polygon_runs_.assign((polygons_.size() + kRun - 1) / kRun, {});
+  for (std::size_t i = 0; i < polygons_.size(); ++i) {
+    polygon_runs_[i / kRun].include(polygons_[i].extent().low);
+    polygon_runs_[i / kRun].include(polygons_[i].extent().high);
+  }
+  piece_runs_.assign((pieces_.size() + kRun - 1) / kRun, {});
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    piece_runs_[i / kRun].include(pieces_[i].extent.low);
+    piece_runs_[i / kRun].include(pieces_[i].extent.high);
+  }
 }
 
 // Cuts every edge of a polygon where others begin or end, and keeps the parts with the union on one
@@ -60,31 +75,36 @@ void ZoneBoundary::add_pieces(std::size_t polygon) {
 }
 
 std::optional<std::size_t> ZoneBoundary::polygon_at(const Vector2d& point) const noexcept {
-  for (std::size_t i = 0; i < polygons_.size(); ++i) {
-    const Extent& extent = polygons_[i].extent();
-    const bool near = point.x() >= extent.low.x() && point.x() <= extent.high.x() &&
-                      point.y() >= extent.low.y() && point.y() <= extent.high.y();
-    if (near && polygons_[i].contains(point)) return zones_[i];
-  }
-  return std::nullopt;
+  std::optional<std::size_t> found;
+  const Extent here{.low = point, .high = point};
+  visit_near(polygon_runs_, polygons_.size(), here, 0.0, [&](std::size_t i) {
+    if (polygons_[i].extent().near(here, 0.0) && polygons_[i].contains(point)) found = zones_[i];
+    return found.has_value();
+  });
+  return found;
 }
 
 std::optional<std::size_t> ZoneBoundary::piece_near(const OrientedRectangle& rectangle,
                                                     const Extent& extent,
                                                     double clearance) const noexcept {
-  for (const Piece& piece : pieces_) {
+  std::optional<std::size_t> found;
+  visit_near(piece_runs_, pieces_.size(), extent, clearance, [&](std::size_t i) {
+    const Piece& piece = pieces_[i];
     if (piece.extent.near(extent, clearance) && distance(piece.line, rectangle) <= clearance)
-      return piece.zone;
-  }
-  return std::nullopt;
+      found = piece.zone;
+    return found.has_value();
+  });
+  return found;
 }
 
 double ZoneBoundary::distance_to(const Vector2d& point, double limit) const noexcept {
   double least = limit;
-  for (const Piece& piece : pieces_) {
-    if (piece.extent.near({.low = point, .high = point}, least))
-      least = std::min(least, distance(piece.line, point));
-  }
+  const Extent here{.low = point, .high = point};
+  visit_near(piece_runs_, pieces_.size(), here, limit, [&](std::size_t i) {
+    const Piece& piece = pieces_[i];
+    if (piece.extent.near(here, least)) least = std::min(least, distance(piece.line, point));
+    return false;
+  });
   return least;
 }
 

@@ -45,11 +45,33 @@ class ZoneBoundary {
   [[nodiscard]] double distance_to(const Eigen::Vector2d& point, double limit) const noexcept;
 
  private:
+  // Neighbours in a list are neighbours in space, mostly: a whole run that is far is skipped.
+  static constexpr std::size_t kRun = 16;
+
   void add_pieces(std::size_t polygon);
+  void measure_runs();
+
+  // Calls visit(i) for the entries of all runs near an extent, until it returns true.
+  template <typename Visit>
+  static void visit_near(const std::vector<Extent>& runs,
+                         std::size_t count,
+                         const Extent& extent,
+                         double distance,
+                         Visit&& visit) noexcept {
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      if (!runs[run].near(extent, distance)) continue;
+      const std::size_t end = (run + 1) * kRun < count ? (run + 1) * kRun : count;
+      for (std::size_t i = run * kRun; i < end; ++i) {
+        if (visit(i)) return;
+      }
+    }
+  }
 
   std::vector<ZonePolygon> polygons_;
   std::vector<std::size_t> zones_;  // of the polygons
   std::vector<Piece> pieces_;
+  std::vector<Extent> polygon_runs_;
+  std::vector<Extent> piece_runs_;
 };
 
 }  // namespace fairway

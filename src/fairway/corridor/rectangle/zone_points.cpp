@@ -30,11 +30,19 @@ struct OffsetPiece {
   [[nodiscard]] double foot() const noexcept { return std::clamp(-a.dot(along), 0.0, length); }
 };
 
-// Calls visit(piece) for every piece of a boundary.
+// The extent in the world of all points within `reach` of a point in grid coordinates [cells].
+Extent extent_around(const GridFrame& frame, const Vector2d& point, double reach) noexcept {
+  const Vector2d center = frame.to_world(point);
+  const Vector2d half = Vector2d::Constant(reach * frame.resolution);
+  return {.low = center - half, .high = center + half};
+}
+
+// Calls visit(piece) for every piece of a boundary near an extent in the world.
 template <typename Visit>
 void visit_pieces(const BitGrid& obstacles,
                   const Vector2d& origin,
                   double radius,
+                  const Extent& extent,
                   Visit&& visit) noexcept {
   const ZoneMap* zones = obstacles.zones();
   if (zones == nullptr) return;
@@ -42,6 +50,7 @@ void visit_pieces(const BitGrid& obstacles,
   for (const ZoneMap::Fence& fence : zones->fences()) {
     const double keep = std::max(0.0, radius - fence.less / frame.resolution - kWithin);
     for (const ZoneBoundary::Piece& piece : fence.boundary->pieces()) {
+      if (!piece.extent.near(extent, radius * frame.resolution)) continue;
       const Vector2d a = frame.to_grid(piece.line.a) - origin;
       const Vector2d whole = frame.to_grid(piece.line.b) - origin - a;
       const double length = whole.norm();
@@ -99,7 +108,9 @@ void look_at_zones(const BitGrid& obstacles,
                    double reach,
                    ObstaclePoints& points) noexcept {
   constexpr std::array kPlaces = {0.0, 10.0, -10.0, 40.0, -40.0, 150.0, -150.0};  // [cells]
-  visit_pieces(obstacles, origin, radius, [&](const OffsetPiece& piece) {
+  if (obstacles.zones() == nullptr) return;
+  const Extent extent = extent_around(obstacles.frame(), origin, reach);
+  visit_pieces(obstacles, origin, radius, extent, [&](const OffsetPiece& piece) {
     const double foot = piece.foot();
     if (piece.at(foot).norm() > reach + piece.clearance) return;
     for (const double place : kPlaces) {
@@ -116,7 +127,9 @@ void learn_zones(const BitGrid& obstacles,
                  const Box& box,
                  double radius,
                  ObstaclePoints& points) noexcept {
-  visit_pieces(obstacles, frame.origin, radius, [&](const OffsetPiece& piece) {
+  const Vector2d middle = frame.origin + frame.offset(box.center());
+  const Extent extent = extent_around(obstacles.frame(), middle, 0.5 * (box.max - box.min).norm());
+  visit_pieces(obstacles, frame.origin, radius, extent, [&](const OffsetPiece& piece) {
     const Vector2d from = frame.turned(piece.beside(0.0));
     const Vector2d along = piece.length * frame.turned(piece.along);
     const Shares part = inside(from, along, box);
@@ -134,8 +147,10 @@ std::optional<double> direction_of_nearest_zone(const BitGrid& obstacles,
                                                 const Vector2d& origin,
                                                 double reach) noexcept {
   std::optional<double> angle;
+  if (obstacles.zones() == nullptr) return angle;
   double least = reach;
-  visit_pieces(obstacles, origin, 0.0, [&](const OffsetPiece& piece) {
+  const Extent extent = extent_around(obstacles.frame(), origin, reach);
+  visit_pieces(obstacles, origin, 0.0, extent, [&](const OffsetPiece& piece) {
     const double distance = piece.at(piece.foot()).norm();
     if (distance >= least) return;
     least = distance;

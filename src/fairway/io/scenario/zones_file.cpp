@@ -5,6 +5,7 @@
 
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml/yaml_document.hpp"
+#include "fairway/io/yaml/yaml_mapping.hpp"
 
 namespace fairway::io {
 

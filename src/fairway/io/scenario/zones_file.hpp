@@ -4,10 +4,11 @@
 #include <string>
 
 #include "fairway/base/error.hpp"
-#include "fairway/io/yaml/yaml_mapping.hpp"
 #include "fairway/zones/zones.hpp"
 
 namespace fairway::io {
+
+class YamlMapping;
 
 /// Reads the list `zones` of a mapping; empty for a missing key.
 ///
