@@ -5,9 +5,10 @@
 ///
 /// MapNavigator drives on a map; MaplessNavigator drives on what a lidar measures. Both are
 /// constructed with Settings and called once per control period. The stages can also be used alone:
-/// Planner (path and corridor), build_corridor and RealTimeSolver.
+/// Planner (path and corridor), build_corridor, RealTimeSolver and SafetyMonitor.
 
 #include "fairway/corridor/corridor_builder.hpp"
+#include "fairway/monitor/safety_monitor.hpp"
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"

@@ -16,6 +16,7 @@
 #include "experiments/clocks.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/scenario/scenario_file.hpp"
+#include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/trace_file.hpp"
 #include "fairway/simulation/scenarios/swap_scenario.hpp"
 #include "results/episode_output.hpp"
@@ -31,6 +32,7 @@ struct SimulateCommand {
   std::string start;
   std::string goal;
   std::string swap;
+  std::string zones;
   std::string sensing;
   std::string noise;
   std::string physics;
@@ -109,6 +111,12 @@ Expected<Scenario> SimulateCommand::load() const {
   if (!own) return tl::unexpected(own.error());
   if (const auto valid = validate(*own); !valid) return tl::unexpected(valid.error());
   loaded->settings = *own;
+  if (!zones.empty()) {
+    const Expected<Zones> read = io::read_zones_file(zones);
+    if (!read) return tl::unexpected(read.error());
+    loaded->zones.insert(loaded->zones.end(), read->begin(), read->end());
+    if (const auto valid = validate(loaded->zones); !valid) return tl::unexpected(valid.error());
+  }
   if (!sensing.empty())
     loaded->sensing.sensing = sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
   if (!noise.empty()) {
@@ -137,7 +145,7 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
   if (!json.empty()) {
     Json object = episode_json(world, result);
     add_provenance(object, {.schema = "simulate.v1",
-                            .files = {scenario, map, settings.file},
+                            .files = {scenario, map, settings.file, zones},
                             .map = &world.map,
                             .seed = world.seed,
                             .settings = &world.settings});
@@ -206,6 +214,10 @@ void add_simulate_command(CommandLine& tool) {
            "Robots on a circle in open space swap places with the opposite robot [-, m]; "
            "--seed shifts their starts slightly, 0 does not")
       .type_name("N[,RADIUS]");
+  options
+      .add("--zones", command->zones,
+           "YAML file with a list `zones` that the robots obey, with those of the scenario")
+      .type_name("FILE.yaml");
   options.add("--sensing", command->sensing, "What the robots know; overrides the scenario")
       .one_of({"map", "lidar"});
   options.add("--noise", command->noise, "Errors of lidar and odometry; overrides the scenario")

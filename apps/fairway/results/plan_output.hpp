@@ -8,6 +8,7 @@
 #include "cli/provenance.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/planning/path_obstruction.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway::app {
 
@@ -16,6 +17,7 @@ struct PlanQuery {
   PointArgument start;
   PointArgument goal;
   Settings settings;
+  Zones zones;
   PlannerHooks hooks;
 };
 

@@ -38,11 +38,13 @@ struct NavigationInput {
   double obstacles_time = 0.0;  ///< time of their measurement; see obstacles_due if there are none
   /// Whether a tracker runs continuously: an empty list becomes stale too.
   bool obstacles_due = false;
-  const BitGrid* map = nullptr;  ///< the newest static obstacles; must be valid during the call
-  double map_time = 0.0;         ///< time of their measurement; that of a fixed map is `time`
-  Fleet fleet{};                 ///< other robots, which are not among the obstacles
-  std::uint32_t robot = 0;       ///< number of the robot in the fleet
-  bool planning = false;         ///< whether a plan is being made for a robot that has none
+  /// The newest static obstacles, with the zones; must be valid during the call.
+  const BitGrid* map = nullptr;
+  double map_time = 0.0;    ///< time of their measurement; that of a fixed map is `time`
+  Fleet fleet{};            ///< other robots, which are not among the obstacles
+  std::uint32_t robot = 0;  ///< number of the robot in the fleet
+  bool planning = false;    ///< whether a plan is being made for a robot that has none
+  bool hold = false;        ///< whether the robot is to stop along its corridor, for a while
 };
 
 /// The result of a cycle.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "fairway/perception/moving_object_tracker.hpp"
@@ -21,6 +23,11 @@ class Perception {
   /// @param position  Position of the robot at the scan's time, in the same frame.
   /// @param body_radius  Radius of the disc that covers the robot [m].
   void observe(const LidarScan& scan, const Eigen::Vector2d& position, double body_radius) noexcept;
+
+  /// Sets the zones that both readings of the map carry; null for none.
+  void set_zones(std::shared_ptr<const ZoneMap> zones) noexcept {
+    grid_.set_zones(std::move(zones));
+  }
 
   [[nodiscard]] const RollingGrid& grid() const noexcept { return grid_; }
   [[nodiscard]] const MovingObjectTracker& tracker() const noexcept { return tracker_; }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
@@ -41,6 +43,12 @@ class RollingGrid {
   void insert(std::span<const Beam> beams,
               const Eigen::Vector2d& robot,
               double body_radius) noexcept;
+
+  /// Sets the zones that both readings carry; null for none.
+  void set_zones(std::shared_ptr<const ZoneMap> zones) noexcept {
+    occupied_.set_zones(zones);
+    not_seen_free_.set_zones(std::move(zones));
+  }
 
   [[nodiscard]] const GridFrame& frame() const noexcept { return occupied_.frame(); }
   [[nodiscard]] const BitGrid& occupied() const noexcept { return occupied_; }

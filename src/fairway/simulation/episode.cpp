@@ -77,7 +77,7 @@ class Episode final : public EpisodeControl {
       changed.last = {.x = std::max(changed.last.x, cell.x), .y = std::max(changed.last.y, cell.y)};
     }
     if (changed.last.x < 0) return;
-    map_.distances.update(map_.obstacles, changed);
+    map_.measure(changed);
     for (std::size_t i = 0; i < drivers_.size(); ++i) {
       if (!done_[i] && drivers_[i]->note_map_change(world_)) show_plan(i);
     }
@@ -101,6 +101,9 @@ class Episode final : public EpisodeControl {
  private:
   // Makes a driver without a plan for every robot; the robot keeps its current motion.
   void make_drivers() {
+    if (!scenario_.zones.empty()) {
+      map_.set_zones(std::make_shared<const ZoneMap>(scenario_.zones, settings_.robot.radius));
+    }
     if (hooks_.solver == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings_.mpc);
     ControlSolver* solver = hooks_.solver == nullptr ? own_solver_.get() : hooks_.solver;
     if (hooks_.clock) solver = &timed_solver_.emplace(*solver, hooks_.clock);
@@ -239,9 +242,10 @@ class Episode final : public EpisodeControl {
       robot.approach = met.approach;
       robot.min_clearance = met.min_clearance;
       robot.min_separation = met.min_separation;
+      robot.zones = met.zones;
       robot.plan = drivers_[i]->navigator().plan();
       if (!robot.reached) robot.time = met.collided ? met.collision_time : world_.time();
-      result_.success = result_.success && robot.reached && !robot.collided;
+      result_.success = result_.success && robot.reached && !robot.collided && robot.zones.none();
     }
   }
 

@@ -29,7 +29,10 @@ class MapDriver final : public RobotDriver {
             context.settings.planning.background
                 ? MapNavigator(context.settings, context.solver)
                 : MapNavigator(context.settings, context.map, context.planner, context.solver)) {
-    if (context.settings.planning.background) navigator_.set_map(context.map.obstacles);
+    if (context.settings.planning.background) {
+      navigator_.set_map(context.map.obstacles);
+      navigator_.set_zones(context.scenario.zones);
+    }
     navigator_.reset(world.robots()[robot].twist);
     navigator_.lend_clock(context.clock);
     tell(world);
@@ -123,6 +126,7 @@ class LidarDriver final : public RobotDriver {
         senses_(context.scenario.sensing, world, robot, context.scenario.seed + robot),
         navigator_(context.settings, context.solver, world.robots()[robot].pose.position),
         robot_(robot) {
+    if (!context.scenario.zones.empty()) navigator_.set_zones(context.scenario.zones);
     navigator_.reset(world.robots()[robot].twist);
   }
 

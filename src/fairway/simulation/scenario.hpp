@@ -14,6 +14,7 @@
 #include "fairway/simulation/moving_body.hpp"
 #include "fairway/simulation/sensors/sensing.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway {
 
@@ -43,6 +44,7 @@ struct Scenario {
   Settings settings;  ///< of every robot
   std::vector<RobotTask> robots;
   std::vector<MovingBody> bodies;
+  Zones zones;                       ///< for every robot
   SensingModel sensing;              ///< what each robot knows of the world
   Engine engine = Engine::Unicycle;  ///< the caller of run_episode makes it (EpisodeHooks::physics)
   RadioModel radio;                  ///< how robots communicate

@@ -29,6 +29,7 @@ double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d
 World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
     : obstacles_(scenario.map, unknown_cells(scenario.settings.map)),
       footprint_(footprint_of(scenario.settings.robot)),
+      zones_(scenario.zones),
       bodies_(scenario.bodies),
       physics_(std::move(physics)) {
   for (const RobotTask& task : scenario.robots) {
@@ -39,8 +40,10 @@ World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
   touched_.assign(robots_.size(), 0);
   encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
                                       .min_separation = std::numeric_limits<double>::infinity()});
-  for (std::size_t i = 0; i < robots_.size(); ++i)
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
     judge(i);
+    judged_.push_back(robots_[i].pose);
+  }
 }
 
 void World::advance(const std::vector<Twist2>& commands, double dt) {
@@ -52,6 +55,16 @@ void World::advance(const std::vector<Twist2>& commands, double dt) {
     move(commands, dt / steps);
     for (std::size_t i = 0; i < robots_.size(); ++i)
       judge(i);
+    if (!zones_.empty()) judge_all_zones();
+  }
+}
+
+void World::judge_all_zones() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const UnicycleRobot& robot = robots_[i];
+    judge_zones(zones_, footprint_, judged_[i], robot.pose, robot.twist.linear,
+                encounters_[i].zones);
+    judged_[i] = robot.pose;
   }
 }
 

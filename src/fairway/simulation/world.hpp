@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
+#include "fairway/simulation/judges/zone_judge.hpp"
 #include "fairway/simulation/moving_body.hpp"
 #include "fairway/simulation/physics.hpp"
 #include "fairway/simulation/scenario.hpp"
@@ -22,6 +23,7 @@ struct Encounter {
   double approach = 0.0;
   double min_clearance;   ///< least distance from the body to a static obstacle [m]
   double min_separation;  ///< least distance to another body, infinite without any [m]
+  ZoneBreaches zones{};   ///< how far it has broken the zones
 };
 
 /// The true world: robots, bodies that move, and static obstacles. It judges contact with the true
@@ -73,6 +75,7 @@ class World {
  private:
   void move(const std::vector<Twist2>& commands, double dt);
   void judge(std::size_t robot);
+  void judge_all_zones();
   struct Gap {
     double length;             // infinite without moving obstacles [m]
     Eigen::Vector2d position;  // centre of the nearest body or robot
@@ -84,6 +87,8 @@ class World {
   std::vector<UnicycleRobot> robots_;
   std::vector<std::optional<UnicycleLimits>> actuation_;  // of each, where the scenario says so
   std::vector<Encounter> encounters_;
+  Zones zones_;
+  std::vector<Pose2> judged_;  // poses at the last step, for the zones
   std::vector<MovingBody> bodies_;
   std::unique_ptr<Physics> physics_;
   std::vector<std::uint8_t> touched_;       // per robot, reported by the engine

@@ -13,6 +13,7 @@
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/scenario/tracks_file.hpp"
+#include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml/settings_mapping.hpp"
 #include "fairway/io/yaml/yaml_document.hpp"
@@ -258,6 +259,7 @@ Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes) {
     root.complain("robots", "actuation: " + valid.error().message);
   }
   scenario.bodies = read_bodies(root);
+  scenario.zones = read_zones(root);
   if (!file.error) add_pedestrians(root, folder, scenario, notes);
   root.finish();
   if (file.error) return tl::unexpected(*file.error);

@@ -78,7 +78,7 @@ std::string begin_text(const Scenario& scenario) {
                  {"bodies", std::move(bodies)},
                  {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
                  {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
-                 {"statuses", texts(NavigationStatus::GaveUp)},
+                 {"statuses", texts(kLastNavigationStatus)},
                  {"limits", texts(kLastLimitingFactor)},
                  {"rows", texts(ConstraintKind::Barrier)},
                  {"settings", settings_list(scenario.settings)}});

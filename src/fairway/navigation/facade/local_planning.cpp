@@ -22,7 +22,7 @@ LocalPlanning::LocalPlanning(const Settings& settings, const BitGrid& seen) : se
                          std::max(settings_.path.comfort_distance, cell) + kMore * cell;
   if (matters <= DistanceField::kMostReach * cell) map_.distances.set_reach(matters);
   map_.obstacles = seen;
-  map_.distances.update(map_.obstacles);
+  map_.measure();
 }
 
 double LocalPlanning::corridor_length(const Settings& settings) noexcept {

@@ -38,6 +38,11 @@ void MaplessNavigator::cancel() {
   state_->navigator.cancel();
 }
 
+void MaplessNavigator::set_zones(const Zones& zones) { state_->set_zones(zones); }
+void MaplessNavigator::hold() noexcept { state_->hold = true; }
+void MaplessNavigator::resume() noexcept { state_->hold = false; }
+bool MaplessNavigator::on_hold() const noexcept { return state_->hold; }
+
 void MaplessNavigator::reset(const Twist2& actual) noexcept { state_->navigator.reset(actual); }
 
 void MaplessNavigator::set_settings(const Settings& settings) {

@@ -9,6 +9,7 @@
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"
 #include "fairway/planning/plan.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway {
 
@@ -54,6 +55,15 @@ class MaplessNavigator {
 
   /// Drops the goal: the robot brakes to a standstill, and stays stopped without a goal.
   void cancel();
+
+  /// Replaces the zones, as MapNavigator::set_zones does; they are in the frame of the poses.
+  /// @throws std::invalid_argument unless validate(zones) holds.
+  void set_zones(const Zones& zones);
+
+  /// Stops along the corridor, and drives on, as MapNavigator does.
+  void hold() noexcept;
+  void resume() noexcept;
+  [[nodiscard]] bool on_hold() const noexcept;
 
   /// Sets the actual twist, as MapNavigator::reset does.
   void reset(const Twist2& actual = {}) noexcept;

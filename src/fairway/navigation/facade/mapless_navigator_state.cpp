@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -64,9 +65,21 @@ void MaplessNavigator::State::set_task(NavigationTask given) {
   if (!task.can_be_done()) navigator.cancel();
 }
 
+void MaplessNavigator::State::set_zones(const Zones& given) {
+  if (const Expected<void> valid = validate(given); !valid)
+    throw std::invalid_argument(valid.error().message);
+  zones = given;
+  perception.set_zones(given.empty() ? nullptr
+                                     : std::make_shared<const ZoneMap>(given, wider.robot.radius));
+  asked_for_plan_ = true;
+  plan_time_ = -kInfinity;  // at once
+}
+
 // The thread of a plan that is being made ends on its own: nothing waits for it here.
 void MaplessNavigator::State::continue_from(State& older) {
   navigator.reset(older.sent);
+  hold = older.hold;
+  if (!older.zones.empty()) set_zones(older.zones);
   ending_ = std::move(older.ending_);
   ending_.push_back(std::move(older.planning));
   if (older.task.task()) set_task(*older.task.task());
@@ -206,6 +219,7 @@ NavigationStep MaplessNavigator::State::replay(const NavigationInput& recorded,
                                                std::optional<Plan> plan) {
   follows_new_plan = plan.has_value();
   rolled_ = false;
+  hold = recorded.hold;
   if (plan) {
     plan_is_current = true;
     leads_to_goal_ = task.task() && plan->usable() && plan->whole &&
@@ -220,6 +234,7 @@ NavigationStep MaplessNavigator::State::drive(const Measurements& m, bool planni
   input = input_of(m);
   input.map = &perception.grid().not_seen_free();
   input.map_time = perception.time();
+  input.hold = hold;
   input.planning = planning_now;
   merge_tracked(perception, moving_, input);
   const NavigationStep step = judged(navigator.update(input));

@@ -21,6 +21,7 @@ struct MaplessNavigator::State {
   void continue_from(State& older);
 
   void set_task(NavigationTask given);
+  void set_zones(const Zones& given);
   [[nodiscard]] bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
   [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
@@ -37,6 +38,8 @@ struct MaplessNavigator::State {
   bool follows_new_plan = false;  // whether the last cycle took over a plan
   bool plan_is_current = false;
   Twist2 sent;
+  Zones zones;
+  bool hold = false;
 
  private:
   [[nodiscard]] bool needs_plan(double time, const Eigen::Vector2d& position) const noexcept;
