@@ -15,6 +15,7 @@
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
 #include "fairway/io/number_text.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/trace_file.hpp"
@@ -36,6 +37,7 @@ struct SimulateCommand {
   std::string sensing;
   std::string noise;
   std::string physics;
+  std::string body;
   std::optional<int> seed;
   std::optional<double> time_limit;
   std::string json;
@@ -123,6 +125,18 @@ Expected<Scenario> SimulateCommand::load() const {
     use_noise(loaded->sensing, noise == "standard" ? SensorNoise::Standard : SensorNoise::None);
   }
   if (!physics.empty()) loaded->engine = physics == "mujoco" ? Engine::Mujoco : Engine::Unicycle;
+  if (!body.empty()) {
+    const Expected<RobotModel> model = io::read_robot_model(body);
+    if (!model) return tl::unexpected(model.error());
+    note_input(body);
+    for (RobotTask& robot : loaded->robots)
+      robot.model = *model;
+    describe_models(*loaded);
+  }
+  if (const auto fits = check_models(*loaded); !fits) return tl::unexpected(fits.error());
+  if (has_models(*loaded) && !outputs.log.empty())
+    return fail(
+        "--log: expected robots without a body of their own, found one: it cannot be replayed");
   if (seed) loaded->seed = static_cast<std::uint64_t>(*seed);
   if (time_limit) loaded->time_limit = *time_limit;
   return loaded;
@@ -224,6 +238,10 @@ void add_simulate_command(CommandLine& tool) {
       .one_of({"none", "standard"});
   options.add("--physics", command->physics, "What moves the robots; overrides the scenario")
       .one_of({"unicycle", "mujoco"});
+  options
+      .add("--body", command->body,
+           "Outline and base of all robots, as under `robot:` of a scenario's robot")
+      .type_name("FILE.yaml");
   options.add("--seed", command->seed, "Seed of all random numbers").not_negative();
   options.add("--time-limit", command->time_limit, "Longest run [s]")
       .check(number_between(0.001, 1e5));

@@ -55,6 +55,8 @@ struct NavigationStep {
   bool wants_plan = false;    ///< whether the navigator requests a new plan; the facades make it
   std::size_t rectangle = 0;  ///< index of the corridor's rectangle that contains the robot
   const MpcSolution* plan = nullptr;  ///< predicted motion; valid until the next cycle; may be null
+  double lateral = 0.0;   ///< of a command to an omnidirectional base, to the left [m/s]
+  double steering = 0.0;  ///< angle of the steered wheel of a car or tricycle, also at rest [rad]
 };
 
 }  // namespace fairway

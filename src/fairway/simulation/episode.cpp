@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fairway/base/contract.hpp"
-#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/simulation/robot_driver.hpp"
 #include "fairway/simulation/timed_solver.hpp"
@@ -157,7 +156,7 @@ class Episode final : public EpisodeControl {
     RobotResult& result = result_.robots[i];
     if (done_[i] || world_.encounters()[i].collided) {
       done_[i] = true;
-      commands_[i] = {};
+      command(i, {});
       drivers_[i]->tell_standing(world_);
       return;
     }
@@ -167,7 +166,7 @@ class Episode final : public EpisodeControl {
       result.cycle_seconds.push_back(cycle.seconds);
       result.solve_seconds.push_back(timed_solver_->take_seconds());
     }
-    commands_[i] = step.command;
+    command(i, step);
     if (cycle.new_plan) show_plan(i);
     record(i, cycle);
     if (step.status == NavigationStatus::GoalReached) {
@@ -177,12 +176,21 @@ class Episode final : public EpisodeControl {
     }
   }
 
+  void command(std::size_t i, const NavigationStep& step) {
+    commands_[i] = step.command;
+    const BodyRobot* robot = world_.model_of(i);
+    if (robot == nullptr) return;
+    const bool steered = is_steered(robot->model.base);
+    world_.send(i, {.linear = step.command.linear,
+                    .lateral = step.lateral,
+                    .turn = steered ? step.steering : step.command.angular});
+  }
+
   void record(std::size_t i, const DrivenCycle& cycle) {
     const NavigationStep& step = cycle.step;
     RobotResult& result = result_.robots[i];
     const UnicycleRobot& robot = world_.robots()[i];
-    const double clearance = footprint_clearance(world_.obstacles(), footprint_of(settings_.robot),
-                                                 robot.pose, World::kClearanceLimit);
+    const double clearance = world_.clearance(i);
     if (hooks_.observer != nullptr) {
       hooks_.observer->on_cycle({.robot = i,
                                  .input = cycle.input,
@@ -190,7 +198,7 @@ class Episode final : public EpisodeControl {
                                  .twist = robot.twist,
                                  .clearance = clearance,
                                  .seconds = cycle.seconds,
-                                 .mark = limit_mark(drivers_[i]->navigator(), step),
+                                 .mark = drivers_[i]->mark(step),
                                  .occupied = cycle.occupied});
     }
     ++result.cycles;
@@ -205,11 +213,15 @@ class Episode final : public EpisodeControl {
                                   .limit = step.limit,
                                   .rectangle = step.rectangle,
                                   .clearance = clearance});
+    const BodyRobot* model = world_.model_of(i);
+    if (model == nullptr || model->model.base.kind != BaseKind::Omni) return;
+    result_.trace.rows.back().lateral = model->twist().lateral;
+    result_.trace.lateral = true;
   }
 
   void show_plan(std::size_t i) {
     if (hooks_.observer != nullptr) {
-      hooks_.observer->on_plan(world_.time(), i, drivers_[i]->navigator().plan());
+      hooks_.observer->on_plan(world_.time(), i, drivers_[i]->plan());
     }
   }
 
@@ -243,7 +255,7 @@ class Episode final : public EpisodeControl {
       robot.min_clearance = met.min_clearance;
       robot.min_separation = met.min_separation;
       robot.zones = met.zones;
-      robot.plan = drivers_[i]->navigator().plan();
+      robot.plan = drivers_[i]->plan();
       if (!robot.reached) robot.time = met.collided ? met.collision_time : world_.time();
       result_.success = result_.success && robot.reached && !robot.collided && robot.zones.none();
     }

@@ -35,6 +35,12 @@ World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
   for (const RobotTask& task : scenario.robots) {
     robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
     actuation_.push_back(task.actuation);
+    models_.emplace_back();
+    clearances_.emplace_back();
+    if (!task.model) continue;
+    if (!distances_) distances_.emplace(obstacles_);
+    models_.back() = {.model = *task.model, .pose = task.start};
+    clearances_.back().emplace(obstacles_, *distances_, task.model->body);
   }
   set_robots(scenario.settings);
   touched_.assign(robots_.size(), 0);
@@ -84,7 +90,54 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
     return;
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (!encounters_[i].collided) robots_[i].advance(commands[i], dt);
+    if (encounters_[i].collided) continue;
+    if (!models_[i]) {
+      robots_[i].advance(commands[i], dt);
+      continue;
+    }
+    models_[i]->advance(dt);
+    const PlanarTwist twist = models_[i]->twist();
+    robots_[i].pose = models_[i]->pose;
+    robots_[i].twist = {.linear = twist.linear, .angular = twist.angular};
+  }
+}
+
+void World::send(std::size_t robot, const BaseInput& input) {
+  models_.at(robot).value().sent = input;
+}
+
+const BodyRobot* World::model_of(std::size_t robot) const {
+  const std::optional<BodyRobot>& model = models_.at(robot);
+  return model ? &*model : nullptr;
+}
+
+double World::clearance(std::size_t robot) const {
+  const Pose2& pose = robots_.at(robot).pose;
+  if (models_[robot]) return clearances_[robot]->distance(pose, kClearanceLimit);
+  return footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
+}
+
+double World::body_distance(std::size_t robot, const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d local = inverse_transform(robots_[robot].pose, point);
+  return models_[robot] ? models_[robot]->model.body.distance(local) : footprint_.distance(local);
+}
+
+// Another robot as discs that cover it, which move with it.
+void World::add_robot_discs(std::size_t robot, std::vector<MovingObstacle>& seen) const {
+  const UnicycleRobot& r = robots_[robot];
+  if (!models_[robot]) {
+    seen.push_back({.position = r.pose.position,
+                    .velocity = r.twist.linear * direction(r.pose.heading),
+                    .radius = footprint_.circumscribed_radius()});
+    return;
+  }
+  const PlanarTwist twist = models_[robot]->twist();
+  for (const Footprint::Disc& disc : models_[robot]->model.body.cover()) {
+    const Eigen::Vector2d speed(twist.linear - twist.angular * disc.center.y(),
+                                twist.lateral + twist.angular * disc.center.x());
+    seen.push_back({.position = transform(r.pose, disc.center),
+                    .velocity = rotated(speed, r.pose.heading),
+                    .radius = disc.radius});
   }
 }
 
@@ -94,7 +147,7 @@ World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
   Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};
   const auto look_at = [&](const Eigen::Vector2d& position, double radius) {
-    const double length = footprint_.distance(inverse_transform(pose, position)) - radius;
+    const double length = body_distance(robot, position) - radius;
     if (length < gap.length) gap = {.length = length, .position = position};
   };
   for (const MovingBody& body : bodies_) {
@@ -103,18 +156,34 @@ World::Gap World::gap_to_moving(std::size_t robot) const {
     look_at(now.position, now.radius);
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other != robot) look_at(robots_[other].pose.position, footprint_.circumscribed_radius());
+    if (other == robot) continue;
+    if (!models_[other]) {
+      look_at(robots_[other].pose.position, footprint_.circumscribed_radius());
+      continue;
+    }
+    for (const Footprint::Disc& disc : models_[other]->model.body.cover())
+      look_at(transform(robots_[other].pose, disc.center), disc.radius);
   }
   return gap;
+}
+
+void World::measure_clearance(std::size_t robot) {
+  double& least = encounters_[robot].min_clearance;
+  const Pose2& pose = robots_[robot].pose;
+  if (models_[robot]) {
+    if (clearances_[robot]->is_free(pose, std::max(least, 0.0))) return;
+    constexpr double kTouching = -1e-9;
+    const double now = clearances_[robot]->distance(pose, kClearanceLimit);
+    least = std::min(least, now > 0.0 ? now : kTouching);
+  } else if (!is_free(obstacles_, footprint_, pose, least)) {
+    least = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
+  }
 }
 
 void World::judge(std::size_t robot) {
   Encounter& met = encounters_[robot];
   if (met.collided) return;
-  const Pose2& pose = robots_[robot].pose;
-  if (!is_free(obstacles_, footprint_, pose, met.min_clearance)) {
-    met.min_clearance = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
-  }
+  measure_clearance(robot);
   const Gap gap = gap_to_moving(robot);
   met.min_separation = std::min(met.min_separation, gap.length);
   const bool touches = met.min_clearance < 0.0 || met.min_separation < 0.0;
@@ -123,6 +192,7 @@ void World::judge(std::size_t robot) {
     met.collision_time = time_;
     met.approach = approach(robots_[robot], met.min_clearance < 0.0, gap.position);
     if (!physics_) robots_[robot].twist = {};
+    if (models_[robot]) models_[robot]->input = {};
   }
 }
 
@@ -130,18 +200,18 @@ bool World::set_blocked(CellIndex cell, bool blocked) {
   const GridFrame& frame = obstacles_.frame();
   if (!frame.contains(cell)) return false;
   if (blocked) {
-    for (const UnicycleRobot& robot : robots_) {
-      const Eigen::Vector2d center = frame.to_grid(robot.pose.position);
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const Eigen::Vector2d center = frame.to_grid(robots_[i].pose.position);
+      const double radius = models_[i] ? models_[i]->model.body.circumscribed_radius()
+                                       : footprint_.circumscribed_radius();
       const Eigen::Vector2d corner(cell.x, cell.y);
       const Eigen::Vector2d nearest =
           center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
-      if ((nearest - center).norm() * frame.resolution <=
-          footprint_.circumscribed_radius() + kFreeSpaceSkin) {
-        return false;
-      }
+      if ((nearest - center).norm() * frame.resolution <= radius + kFreeSpaceSkin) return false;
     }
   }
   obstacles_.set(cell, blocked);
+  if (distances_) distances_->update(obstacles_, {.first = cell, .last = cell});
   return true;
 }
 
@@ -172,11 +242,7 @@ void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
 void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {
   moving_bodies(seen);
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other == robot) continue;
-    const UnicycleRobot& r = robots_[other];
-    seen.push_back({.position = r.pose.position,
-                    .velocity = r.twist.linear * direction(r.pose.heading),
-                    .radius = footprint_.circumscribed_radius()});
+    if (other != robot) add_robot_discs(other, seen);
   }
 }
 

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
+#include "fairway/map/body_clearance.hpp"
+#include "fairway/map/distance_field.hpp"
+#include "fairway/simulation/bodies/body_robot.hpp"
 #include "fairway/simulation/judges/zone_judge.hpp"
 #include "fairway/simulation/moving_body.hpp"
 #include "fairway/simulation/physics.hpp"
@@ -42,6 +45,16 @@ class World {
   /// an obstacle does not move any more.
   void advance(const std::vector<Twist2>& commands, double dt);
 
+  /// Sends a command to a robot with a model, which executes it instead of its entry of `commands`.
+  /// @pre the robot has a model.
+  void send(std::size_t robot, const BaseInput& input);
+
+  /// A robot with a model; null for one without.
+  [[nodiscard]] const BodyRobot* model_of(std::size_t robot) const;
+
+  /// Distance from the body of a robot to static obstacles, at most kClearanceLimit [m].
+  [[nodiscard]] double clearance(std::size_t robot) const;
+
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] const std::vector<UnicycleRobot>& robots() const noexcept { return robots_; }
   [[nodiscard]] const std::vector<Encounter>& encounters() const noexcept { return encounters_; }
@@ -76,6 +89,9 @@ class World {
   void move(const std::vector<Twist2>& commands, double dt);
   void judge(std::size_t robot);
   void judge_all_zones();
+  void measure_clearance(std::size_t robot);
+  [[nodiscard]] double body_distance(std::size_t robot, const Eigen::Vector2d& point) const;
+  void add_robot_discs(std::size_t robot, std::vector<MovingObstacle>& seen) const;
   struct Gap {
     double length;             // infinite without moving obstacles [m]
     Eigen::Vector2d position;  // centre of the nearest body or robot
@@ -86,6 +102,9 @@ class World {
   Footprint footprint_;
   std::vector<UnicycleRobot> robots_;
   std::vector<std::optional<UnicycleLimits>> actuation_;  // of each, where the scenario says so
+  std::vector<std::optional<BodyRobot>> models_;          // of each, where the scenario says so
+  std::optional<DistanceField> distances_;                // only with such robots
+  std::vector<std::optional<BodyClearance>> clearances_;
   std::vector<Encounter> encounters_;
   Zones zones_;
   std::vector<Pose2> judged_;  // poses at the last step, for the zones

@@ -9,6 +9,7 @@
 #include "fairway/io/mcap/mcap_format.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/recording/exact_zones.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -80,6 +81,7 @@ std::string scenario_text(const Scenario& scenario) {
                                 : list({to.x(), to.y()})) +
             "\n";
     if (robot.actuation) text += actuation_text(*robot.actuation);
+    if (robot.model) text += "    robot:\n" + robot_model_yaml(*robot.model, 6);
   }
   if (!scenario.bodies.empty()) text += "obstacles:\n";
   for (const MovingBody& body : scenario.bodies) {
