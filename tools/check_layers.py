@@ -15,7 +15,7 @@ TARGETS = [
     ("fairway", [], [
         "base", "geometry", "monitor", "zones", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc",
         "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
-        "mpc/interior_point", "planning", "tracking", "safety", "fleet", "perception", "navigation",
+        "mpc/interior_point", "planning", "tracking", "safety", "fleet", "localization", "perception", "navigation",
         "navigation/facade", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [

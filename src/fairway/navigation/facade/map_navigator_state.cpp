@@ -15,6 +15,12 @@ namespace fairway {
 
 namespace {
 
+// The poses on a map are those of the map's localisation, which scans do not correct.
+PerceptionSettings on_a_map(PerceptionSettings settings) noexcept {
+  settings.match_scans = false;
+  return settings;
+}
+
 // Returns the cells of `map` under the window of another grid.
 CellWindow window_under(const GridFrame& window, const GridFrame& map) noexcept {
   CellWindow cells = kNoCells;
@@ -59,7 +65,7 @@ void MapNavigator::State::set_settings(const Settings& given) {
   planning->set_settings(settings);  // a plan that is being made ends first, and is not used
   const Eigen::Vector2d& here = input.pose.position;
   if (perception) {
-    perception.emplace(settings.perception,
+    perception.emplace(on_a_map(settings.perception),
                        is_plausible(here) ? here : Eigen::Vector2d(Eigen::Vector2d::Zero()));
   }
   if (task.task()) set_task(NavigationTask(*task.task()));
@@ -100,9 +106,9 @@ void MapNavigator::State::change(const CellWindow& window, bool moved) {
 bool MapNavigator::State::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
   scan_refused_ = !is_plausible(scan, position);
   if (scan_refused_ && !perception)
-    perception.emplace(settings.perception, Eigen::Vector2d::Zero());
+    perception.emplace(on_a_map(settings.perception), Eigen::Vector2d::Zero());
   if (scan_refused_) return false;
-  if (!perception) perception.emplace(settings.perception, position);
+  if (!perception) perception.emplace(on_a_map(settings.perception), position);
   perception->observe(scan, position, settings.robot.radius);
   scans_changed_ = true;
   if (map) overlay_scans();

@@ -75,8 +75,8 @@ class MaplessNavigator {
   /// Runs one control cycle: plans if needed, then drives, as MapNavigator::update does.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
 
-  /// Repeats a cycle of a recorded run whose plans were made in a thread: takes over `plan` if the
-  /// recorded cycle did, makes no plan itself, and drives as `update` does.
+  /// Repeats a cycle of a recorded run, whose pose is already the one corrected by scans. Plans that
+  /// were made in a thread are not made again: `plan` is taken over if the recorded cycle did.
   [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
 
   /// Returns the message to the other robots, as MapNavigator::share does.
@@ -94,6 +94,14 @@ class MaplessNavigator {
 
   /// Returns whether the last cycle started to follow another plan.
   [[nodiscard]] bool follows_new_plan() const noexcept;
+
+  /// Returns the robot's pose in the frame of goal and local map, for a pose by odometry. They
+  /// differ only with `perception.match_scans`.
+  [[nodiscard]] Pose2 corrected(const Pose2& odometry) const noexcept;
+
+  /// Returns the covariance of a corrected pose, of (x, y, heading) [m, rad]; none without
+  /// `perception.match_scans`.
+  [[nodiscard]] std::optional<Eigen::Matrix3d> pose_covariance() const noexcept;
 
   /// Moving obstacles that the lidar tracks.
   [[nodiscard]] MovingObstacles tracked() const noexcept;

@@ -82,11 +82,7 @@ NavigationStep ReplayCheck::replay(const NavigationCycle& cycle) {
   }
   if (without_map_.empty()) return navigators_.at(cycle.robot).update(input);
   MaplessNavigator& navigator = without_map_.at(cycle.robot);
-  if (background_) {
-    return navigator.replay(input, std::exchange(arrived_.at(cycle.robot), std::nullopt));
-  }
-  input.hold ? navigator.hold() : navigator.resume();
-  return navigator.update({.time = input.time, .pose = input.pose, .pose_time = input.pose_time});
+  return navigator.replay(input, std::exchange(arrived_.at(cycle.robot), std::nullopt));
 }
 
 void ReplayCheck::on_cycle(const NavigationCycle& cycle) {
