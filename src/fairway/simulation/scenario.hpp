@@ -24,6 +24,7 @@ struct RobotTask {
   Goal goal;
   /// What its base really does, where that is not what the settings say.
   std::optional<UnicycleLimits> actuation{};
+  bool idle = false;  ///< has no goal until it receives one during the run; `goal` is not used
 };
 
 /// What moves the robots.

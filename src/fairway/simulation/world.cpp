@@ -16,6 +16,19 @@ namespace {
 
 constexpr double kFarAway = 1000.0;  // [m]
 
+Encounter unharmed() noexcept {
+  return {.min_clearance = World::kClearanceLimit,
+          .min_separation = std::numeric_limits<double>::infinity()};
+}
+
+// Speed of something at `from` towards `to`.
+double speed_towards(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& velocity,
+                     const Eigen::Vector2d& to) noexcept {
+  const double distance = (to - from).norm();
+  return distance > 0.0 ? velocity.dot(to - from) / distance : velocity.norm();
+}
+
 double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d& other) noexcept {
   if (standing) return std::abs(robot.twist.linear);
   const Eigen::Vector2d towards = other - robot.pose.position;
@@ -37,8 +50,7 @@ World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
   }
   set_robots(scenario.settings);
   touched_.assign(robots_.size(), 0);
-  encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
-                                      .min_separation = std::numeric_limits<double>::infinity()});
+  encounters_.assign(robots_.size(), unharmed());
   for (std::size_t i = 0; i < robots_.size(); ++i)
     judge(i);
 }
@@ -71,7 +83,7 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
     return;
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (!encounters_[i].collided) robots_[i].advance(commands[i], dt);
+    if (!encounters_[i].collided && !encounters_[i].absent) robots_[i].advance(commands[i], dt);
   }
 }
 
@@ -80,24 +92,28 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
 World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
   Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};
-  const auto look_at = [&](const Eigen::Vector2d& position, double radius) {
-    const double length = footprint_.distance(inverse_transform(pose, position)) - radius;
-    if (length < gap.length) gap = {.length = length, .position = position};
+  const auto look_at = [&](const MovingObstacle& now, Contact::With with, std::size_t other) {
+    const double length = footprint_.distance(inverse_transform(pose, now.position)) - now.radius;
+    if (!(length < gap.length)) return;
+    gap = {.length = length,
+           .position = now.position,
+           .velocity = now.velocity,
+           .with = with,
+           .other = other};
   };
-  for (const MovingBody& body : bodies_) {
-    if (!body.is_there(time_)) continue;
-    const MovingObstacle now = body.at(time_);
-    look_at(now.position, now.radius);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].is_there(time_)) look_at(bodies_[i].at(time_), Contact::With::Body, i);
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other != robot) look_at(robots_[other].pose.position, footprint_.circumscribed_radius());
+    if (other != robot && !encounters_[other].absent)
+      look_at(as_obstacle(other), Contact::With::Robot, other);
   }
   return gap;
 }
 
 void World::judge(std::size_t robot) {
   Encounter& met = encounters_[robot];
-  if (met.collided) return;
+  if (met.collided || met.absent) return;
   const Pose2& pose = robots_[robot].pose;
   if (!is_free(obstacles_, footprint_, pose, met.min_clearance)) {
     met.min_clearance = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
@@ -109,6 +125,11 @@ void World::judge(std::size_t robot) {
     met.collided = true;
     met.collision_time = time_;
     met.approach = approach(robots_[robot], met.min_clearance < 0.0, gap.position);
+    const bool is_static = met.min_clearance < gap.length;
+    met.contact = {.with = is_static ? Contact::With::StaticObstacle : gap.with,
+                   .other = gap.other,
+                   .other_approach =
+                       is_static ? 0.0 : speed_towards(gap.position, gap.velocity, pose.position)};
     if (!physics_) robots_[robot].twist = {};
   }
 }
@@ -117,7 +138,9 @@ bool World::set_blocked(CellIndex cell, bool blocked) {
   const GridFrame& frame = obstacles_.frame();
   if (!frame.contains(cell)) return false;
   if (blocked) {
-    for (const UnicycleRobot& robot : robots_) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (encounters_[i].absent) continue;
+      const UnicycleRobot& robot = robots_[i];
       const Eigen::Vector2d center = frame.to_grid(robot.pose.position);
       const Eigen::Vector2d corner(cell.x, cell.y);
       const Eigen::Vector2d nearest =
@@ -143,6 +166,32 @@ void World::remove_body(std::size_t index) {
   bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+void World::place_robot(std::size_t index, const Pose2& pose) {
+  FAIRWAY_EXPECTS(index < robots_.size());
+  robots_[index].pose = pose;
+  robots_[index].twist = {};
+  robots_[index].controller = {};
+  encounters_[index] = unharmed();
+  judge(index);
+}
+
+void World::add_robot(const RobotTask& task, const Settings& settings) {
+  FAIRWAY_EXPECTS(!physics_);
+  robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
+  actuation_.push_back(task.actuation);
+  touched_.push_back(0);
+  encounters_.push_back(unharmed());
+  set_robots(settings);
+  judge(robots_.size() - 1);
+}
+
+void World::set_present(std::size_t index, bool present) {
+  FAIRWAY_EXPECTS(index < robots_.size());
+  if (present == !encounters_[index].absent) return;
+  encounters_[index].absent = !present;
+  if (present) place_robot(index, robots_[index].pose);
+}
+
 void World::set_robots(const Settings& settings) {
   footprint_ = footprint_of(settings.robot);
   for (std::size_t i = 0; i < robots_.size(); ++i)
@@ -159,12 +208,15 @@ void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
 void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {
   moving_bodies(seen);
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other == robot) continue;
-    const UnicycleRobot& r = robots_[other];
-    seen.push_back({.position = r.pose.position,
-                    .velocity = r.twist.linear * direction(r.pose.heading),
-                    .radius = footprint_.circumscribed_radius()});
+    if (other != robot && !encounters_[other].absent) seen.push_back(as_obstacle(other));
   }
+}
+
+MovingObstacle World::as_obstacle(std::size_t robot) const {
+  const UnicycleRobot& r = robots_[robot];
+  return {.position = r.pose.position,
+          .velocity = r.twist.linear * direction(r.pose.heading),
+          .radius = footprint_.circumscribed_radius()};
 }
 
 }  // namespace fairway

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,10 +14,22 @@
 
 namespace fairway {
 
+/// What a robot touched, for messages to users.
+struct Contact {
+  enum class With : std::uint8_t { Nothing, StaticObstacle, Body, Robot };
+
+  With with = With::Nothing;
+  std::size_t other = 0;  ///< index of the body or robot
+  /// Speed of the other towards the robot at the contact; not above 0 if it moved away [m/s].
+  double other_approach = 0.0;
+};
+
 /// What the simulator observed of one robot, at its own fine steps.
 struct Encounter {
   bool collided = false;
+  bool absent = false;          ///< the robot was removed from the running world
   double collision_time = 0.0;  ///< of the first contact [s]
+  Contact contact{};
   /// The robot's own speed towards the moving obstacle at the contact, or its speed at a static
   /// obstacle [m/s]. Not above 0: the robot was hit at standstill or while it moved away.
   double approach = 0.0;
@@ -58,6 +71,16 @@ class World {
   /// Removes a body; the indices after it decrease by one. @pre it exists.
   void remove_body(std::size_t index);
 
+  /// Places a robot at standstill, and forgets its contact. @pre it exists.
+  void place_robot(std::size_t index, const Pose2& pose);
+
+  /// Adds a robot at standstill. @pre there is no physics engine.
+  void add_robot(const RobotTask& task, const Settings& settings);
+
+  /// Removes a robot from the world but keeps its index, or puts it back where it was. An absent
+  /// robot does not move, and touches nothing. @pre it exists.
+  void set_present(std::size_t index, bool present);
+
   /// Applies the body of the robots, and the limits of those whose base the scenario does not
   /// describe.
   void set_robots(const Settings& settings);
@@ -76,8 +99,12 @@ class World {
   struct Gap {
     double length;             // infinite without moving obstacles [m]
     Eigen::Vector2d position;  // centre of the nearest body or robot
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+    Contact::With with = Contact::With::Nothing;
+    std::size_t other = 0;
   };
   [[nodiscard]] Gap gap_to_moving(std::size_t robot) const;
+  [[nodiscard]] MovingObstacle as_obstacle(std::size_t robot) const;
 
   BitGrid obstacles_;
   Footprint footprint_;
