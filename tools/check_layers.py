@@ -19,7 +19,8 @@ TARGETS = [
         "navigation/facade", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
-        "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation", "simulation/scenarios", "simulation/recorded",
+        "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation", "simulation/interactive", "simulation/scenarios",
+        "simulation/recorded",
         "simulation/physics"]),
     ("fairway_io", ["fairway", "fairway_simulation"], [
         "io", "io/yaml", "io/maps", "io/drawing", "io/scenario", "io/mcap", "io/recording",

@@ -80,7 +80,12 @@ test('its layers and its legend exist and can be hidden', () => withPage(async (
     await page.check(`[data-layer="${layer}"]`);
     assert.equal(await picture(page), all, layer);
   }
-  assert.match(await page.textContent('#legend'), /lidar/);
+  const legend = await page.textContent('#legend');
+  assert.match(legend, /Lidar points/);
+  // Cells and tracks are two things, in two colours.
+  assert.match(legend, /Mapped obstacle.*Tracked object/);
+  const colors = await page.evaluate(() => [...document.querySelectorAll('#legend i')].map((mark) => mark.style.borderTopColor));
+  assert.equal(new Set(colors).size, colors.length);
 }));
 
 test('shows its goal and its limiting factor', () => withPage(async (page) => {
@@ -91,7 +96,7 @@ test('shows its goal and its limiting factor', () => withPage(async (page) => {
   });
   assert.ok(Math.abs(goal.x - task[0]) < 1e-3 && Math.abs(goal.y - task[1]) < 1e-3);
   assert.ok(limits > 5);
-  assert.match(await page.textContent('[data-robot="0"]'), /held back by|nothing holds it back|stands/);
+  assert.match(await page.textContent('.card .why'), /Limited by|Active constraint|Unconstrained|Stopped|Waiting/);
 }));
 
 test('its recording has scans and the sensed map in schemas of Foxglove', async () => {
@@ -139,7 +144,7 @@ test('the live page switches the robots between the map and their lidar', async 
     await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 600);
     // Another page shows the same choice.
     await beside.waitForFunction(() => window.fairway?.run?.lidar
-      && document.getElementById('senses').selectedOptions[0].textContent === 'lidar with errors');
+      && document.getElementById('senses').selectedOptions[0].textContent === 'Noisy lidar + odometry');
     // The robot uses its own map, and detects a wall that is drawn across its path.
     await page.waitForFunction(() => (window.fairway.run.frames.at(-1)?.robots[0].cycle?.linear ?? 0) > 0.5);
     await page.evaluate(() => document.getElementById('tool-wall').click());

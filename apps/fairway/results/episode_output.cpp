@@ -13,6 +13,7 @@
 #include "fairway/io/drawing/world_picture.hpp"
 #include "fairway/planning/path_obstruction.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
+#include "results/plan_output.hpp"
 
 namespace fairway::app {
 
@@ -100,6 +101,18 @@ std::string failure_reason(const Scenario& scenario,
   return text;
 }
 
+// What closes every route of a robot that knows the map, where it is now.
+std::optional<PathObstruction> obstruction_of(const Scenario& scenario,
+                                              const EpisodeResult& result,
+                                              std::size_t index) {
+  const RobotResult& robot = result.robots[index];
+  if (robot.collided || robot.plan.usable() || scenario.sensing.sensing != Sensing::Map) return {};
+  const TraceRow* const last = last_row(result, index);
+  const Pose2 pose = last != nullptr ? last->pose : scenario.robots[index].start;
+  const PreparedMap map(scenario.map, unknown_cells(scenario.settings.map));
+  return find_obstruction(map, pose.position, robot.plan, scenario.settings.robot.radius);
+}
+
 }  // namespace
 
 Json episode_json(const Scenario& scenario, const EpisodeResult& result) {
@@ -123,8 +136,10 @@ Json episode_json(const Scenario& scenario, const EpisodeResult& result) {
                           {"solve_us", microseconds_json(robot.solve_seconds)},
                           {"plan_us", microseconds_json(robot.plan_seconds)}});
     if (!scenario.zones.empty()) robots.back()["zones"] = zones_json(robot.zones);
-    if (!robot.reached || robot.collided || !robot.zones.none())
-      robots.back()["reason"] = failure_reason(scenario, result, i);
+    if (robot.reached && !robot.collided && robot.zones.none()) continue;
+    robots.back()["reason"] = failure_reason(scenario, result, i);
+    if (const auto found = obstruction_of(scenario, result, i))
+      robots.back()["obstruction"] = obstruction_json(*found);
   }
   json["robots"] = std::move(robots);
   return json;

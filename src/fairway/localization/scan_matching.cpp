@@ -24,7 +24,7 @@ constexpr double kIndependent = 0.1;      // share
 constexpr double kMatched = 0.05;         // [m]; nearer points lie on the surface
 
 // Reach of the nearest point and scale of the weights, step by step [m].
-constexpr std::array kReach = {0.15, 0.15, 0.12, 0.1, 0.1, 0.1};
+constexpr std::array kMatchReach = {0.15, 0.15, 0.12, 0.1, 0.1, 0.1};
 constexpr std::array kScale = {0.10, 0.06, 0.04, 0.03, 0.03, 0.03};
 
 }  // namespace
@@ -52,7 +52,7 @@ ScanMatch match_scan(const SurfacePoints& map,
   constexpr double kSmallStep = 1e-5;  // [m], [rad]; then the motion has converged
   ScanMatch match;
   const std::size_t stride = std::max<std::size_t>(1, scan.size() / kMostPoints);
-  for (std::size_t step = 0; step < kReach.size(); ++step) {
+  for (std::size_t step = 0; step < kMatchReach.size(); ++step) {
     Matrix3d points = Matrix3d::Zero();
     Vector3d pull = Vector3d::Zero();
     double square = 0.0;
@@ -62,7 +62,7 @@ ScanMatch match_scan(const SurfacePoints& map,
       ++match.used;
       const SurfacePoint now{.position = moved(scan[i].position, center, match.motion),
                              .normal = rotated(scan[i].normal, match.motion.z())};
-      const SurfacePoint* const near = map.nearest(now, kReach[step]);
+      const SurfacePoint* const near = map.nearest(now, kMatchReach[step]);
       if (near == nullptr) continue;
       const SurfacePoint line{.position = near->position,
                               .normal = (near->normal + now.normal).normalized()};

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFurthest = 1e8;  // [m]; further points are ignored
+constexpr double kFurthestPoint = 1e8;  // [m]; further points are ignored
 
 std::int32_t cell_of(double coordinate) noexcept {
   return static_cast<std::int32_t>(std::floor(coordinate / SurfacePoints::kCell));
@@ -54,7 +54,7 @@ SurfacePoints::SurfacePoints(double window)
       cells_((mask_ + 1) * (mask_ + 1)) {}
 
 void SurfacePoints::add(const SurfacePoint& point) noexcept {
-  if (!(point.position.cwiseAbs().maxCoeff() < kFurthest)) return;
+  if (!(point.position.cwiseAbs().maxCoeff() < kFurthestPoint)) return;
   const std::int32_t x = cell_of(point.position.x());
   const std::int32_t y = cell_of(point.position.y());
   Cell& cell = cells_[index(x, y)];
@@ -77,7 +77,7 @@ void SurfacePoints::add(const SurfacePoint& point) noexcept {
 
 const SurfacePoint* SurfacePoints::nearest(const SurfacePoint& to, double reach) const noexcept {
   constexpr double kSameSide = 0.5;  // cosine of the angle between the normals
-  if (!(to.position.cwiseAbs().maxCoeff() < kFurthest)) return nullptr;
+  if (!(to.position.cwiseAbs().maxCoeff() < kFurthestPoint)) return nullptr;
   const SurfacePoint* best = nullptr;
   double least = reach * reach;
   const std::int32_t last_x = cell_of(to.position.x() + reach);

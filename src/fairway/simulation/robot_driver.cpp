@@ -80,8 +80,20 @@ class MapDriver final : public RobotDriver {
   }
 
   bool head_for(const Goal& goal, const World& world) override {
+    // A robot that had arrived was not informed of changes since then.
+    if (context_.settings.planning.background) navigator_.set_map(context_.map.obstacles);
     navigator_.set_goal(goal);
     return plan_now(world);
+  }
+
+  bool cancel(const World& world) override {
+    navigator_.cancel();
+    tell(world);
+    return true;
+  }
+
+  bool take_plan(const World& world) override {
+    return context_.settings.planning.background && plan_now(world);
   }
 
   bool note_map_change(const World& world) override {
@@ -145,6 +157,9 @@ class LidarDriver final : public RobotDriver {
     navigator_.set_goal(goal);
     return false;
   }
+  // A recording contains no cancelled goals of such robots; a new navigator without one is exact.
+  bool cancel(const World& /*world*/) override { return false; }
+  bool take_plan(const World& /*world*/) override { return false; }
   bool note_map_change(const World& /*world*/) override { return false; }
   void tell_standing(const World& world) override { look_around(world.time()); }
 
@@ -226,6 +241,12 @@ class BodyDriver final : public RobotDriver {
     navigator_.set_goal(goal);
     return plan_now(world);
   }
+
+  bool cancel(const World& /*world*/) override {
+    navigator_.cancel();
+    return true;
+  }
+  bool take_plan(const World& /*world*/) override { return false; }
 
   bool note_map_change(const World& world) override {
     navigator_.map_changed();

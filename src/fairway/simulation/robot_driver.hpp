@@ -45,6 +45,12 @@ class RobotDriver {
   /// @return whether it follows another plan now.
   virtual bool head_for(const Goal& goal, const World& world) = 0;
 
+  /// Drops the goal. @return whether the driver has done so; otherwise it has to be made again.
+  virtual bool cancel(const World& world) = 0;
+
+  /// Takes over a plan that a thread has finished. @return whether it follows another plan now.
+  virtual bool take_plan(const World& world) = 0;
+
   /// Handles a changed map. A robot that knows the map checks its plan at once; a robot with a
   /// lidar will see the change.
   /// @return whether it follows another plan now.

@@ -29,6 +29,7 @@ struct RobotTask {
   std::optional<UnicycleLimits> actuation{};
   /// Its outline and base, where it is driven by a BodyNavigator.
   std::optional<RobotModel> model{};
+  bool idle = false;  ///< has no goal until it receives one during the run; `goal` is not used
 };
 
 /// What moves the robots.

@@ -16,6 +16,14 @@ namespace {
 
 constexpr double kFarAway = 1000.0;  // [m]
 
+// Speed of something at `from` towards `to`.
+double speed_towards(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& velocity,
+                     const Eigen::Vector2d& to) noexcept {
+  const double distance = (to - from).norm();
+  return distance > 0.0 ? velocity.dot(to - from) / distance : velocity.norm();
+}
+
 double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d& other) noexcept {
   if (standing) return std::abs(robot.twist.linear);
   const Eigen::Vector2d towards = other - robot.pose.position;
@@ -32,24 +40,11 @@ World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
       zones_(scenario.zones),
       bodies_(scenario.bodies),
       physics_(std::move(physics)) {
-  for (const RobotTask& task : scenario.robots) {
-    robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
-    actuation_.push_back(task.actuation);
-    models_.emplace_back();
-    clearances_.emplace_back();
-    if (!task.model) continue;
-    if (!distances_) distances_.emplace(obstacles_);
-    models_.back() = {.model = *task.model, .pose = task.start};
-    clearances_.back().emplace(obstacles_, *distances_, task.model->body);
-  }
+  for (const RobotTask& task : scenario.robots)
+    append(task);
   set_robots(scenario.settings);
-  touched_.assign(robots_.size(), 0);
-  encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
-                                      .min_separation = std::numeric_limits<double>::infinity()});
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
+  for (std::size_t i = 0; i < robots_.size(); ++i)
     judge(i);
-    judged_.push_back(robots_[i].pose);
-  }
 }
 
 void World::advance(const std::vector<Twist2>& commands, double dt) {
@@ -90,7 +85,7 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
     return;
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (encounters_[i].collided) continue;
+    if (encounters_[i].collided || encounters_[i].absent) continue;
     if (!models_[i]) {
       robots_[i].advance(commands[i], dt);
       continue;
@@ -122,22 +117,23 @@ double World::body_distance(std::size_t robot, const Eigen::Vector2d& point) con
   return models_[robot] ? models_[robot]->model.body.distance(local) : footprint_.distance(local);
 }
 
-// Another robot as discs that cover it, which move with it.
-void World::add_robot_discs(std::size_t robot, std::vector<MovingObstacle>& seen) const {
+// Visits the discs that cover another robot and move with it.
+template <typename Visit>
+void World::visit_discs(std::size_t robot, const Visit& visit) const {
   const UnicycleRobot& r = robots_[robot];
   if (!models_[robot]) {
-    seen.push_back({.position = r.pose.position,
-                    .velocity = r.twist.linear * direction(r.pose.heading),
-                    .radius = footprint_.circumscribed_radius()});
+    visit({.position = r.pose.position,
+           .velocity = r.twist.linear * direction(r.pose.heading),
+           .radius = footprint_.circumscribed_radius()});
     return;
   }
   const PlanarTwist twist = models_[robot]->twist();
   for (const Footprint::Disc& disc : models_[robot]->model.body.cover()) {
     const Eigen::Vector2d speed(twist.linear - twist.angular * disc.center.y(),
                                 twist.lateral + twist.angular * disc.center.x());
-    seen.push_back({.position = transform(r.pose, disc.center),
-                    .velocity = rotated(speed, r.pose.heading),
-                    .radius = disc.radius});
+    visit({.position = transform(r.pose, disc.center),
+           .velocity = rotated(speed, r.pose.heading),
+           .radius = disc.radius});
   }
 }
 
@@ -146,23 +142,23 @@ void World::add_robot_discs(std::size_t robot, std::vector<MovingObstacle>& seen
 World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
   Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};
-  const auto look_at = [&](const Eigen::Vector2d& position, double radius) {
-    const double length = body_distance(robot, position) - radius;
-    if (length < gap.length) gap = {.length = length, .position = position};
+  const auto look_at = [&](const MovingObstacle& now, Contact::With with, std::size_t other) {
+    const double length = body_distance(robot, now.position) - now.radius;
+    if (!(length < gap.length)) return;
+    gap = {.length = length,
+           .position = now.position,
+           .velocity = now.velocity,
+           .with = with,
+           .other = other};
   };
-  for (const MovingBody& body : bodies_) {
-    if (!body.is_there(time_)) continue;
-    const MovingObstacle now = body.at(time_);
-    look_at(now.position, now.radius);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].is_there(time_)) look_at(bodies_[i].at(time_), Contact::With::Body, i);
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other == robot) continue;
-    if (!models_[other]) {
-      look_at(robots_[other].pose.position, footprint_.circumscribed_radius());
-      continue;
-    }
-    for (const Footprint::Disc& disc : models_[other]->model.body.cover())
-      look_at(transform(robots_[other].pose, disc.center), disc.radius);
+    if (other == robot || encounters_[other].absent) continue;
+    visit_discs(other, [&](const MovingObstacle& disc) {
+      look_at(disc, Contact::With::Robot, other);
+    });
   }
   return gap;
 }
@@ -182,7 +178,8 @@ void World::measure_clearance(std::size_t robot) {
 
 void World::judge(std::size_t robot) {
   Encounter& met = encounters_[robot];
-  if (met.collided) return;
+  if (met.collided || met.absent) return;
+  const Pose2& pose = robots_[robot].pose;
   measure_clearance(robot);
   const Gap gap = gap_to_moving(robot);
   met.min_separation = std::min(met.min_separation, gap.length);
@@ -191,45 +188,14 @@ void World::judge(std::size_t robot) {
     met.collided = true;
     met.collision_time = time_;
     met.approach = approach(robots_[robot], met.min_clearance < 0.0, gap.position);
+    const bool is_static = met.min_clearance < gap.length;
+    met.contact = {.with = is_static ? Contact::With::StaticObstacle : gap.with,
+                   .other = gap.other,
+                   .other_approach =
+                       is_static ? 0.0 : speed_towards(gap.position, gap.velocity, pose.position)};
     if (!physics_) robots_[robot].twist = {};
     if (models_[robot]) models_[robot]->input = {};
   }
-}
-
-bool World::set_blocked(CellIndex cell, bool blocked) {
-  const GridFrame& frame = obstacles_.frame();
-  if (!frame.contains(cell)) return false;
-  if (blocked) {
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const Eigen::Vector2d center = frame.to_grid(robots_[i].pose.position);
-      const double radius = models_[i] ? models_[i]->model.body.circumscribed_radius()
-                                       : footprint_.circumscribed_radius();
-      const Eigen::Vector2d corner(cell.x, cell.y);
-      const Eigen::Vector2d nearest =
-          center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
-      if ((nearest - center).norm() * frame.resolution <= radius + kFreeSpaceSkin) return false;
-    }
-  }
-  obstacles_.set(cell, blocked);
-  if (distances_) distances_->update(obstacles_, {.first = cell, .last = cell});
-  return true;
-}
-
-void World::set_body(std::size_t index, const MovingBody& body) {
-  FAIRWAY_EXPECTS(index <= bodies_.size() && !body.key_frames.empty());
-  if (index == bodies_.size()) bodies_.emplace_back();
-  bodies_[index] = body;
-}
-
-void World::remove_body(std::size_t index) {
-  FAIRWAY_EXPECTS(index < bodies_.size());
-  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
-void World::set_robots(const Settings& settings) {
-  footprint_ = footprint_of(settings.robot);
-  for (std::size_t i = 0; i < robots_.size(); ++i)
-    robots_[i].limits = actuation_[i].value_or(limits_of(settings.robot));
 }
 
 void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
@@ -242,7 +208,8 @@ void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
 void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {
   moving_bodies(seen);
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other != robot) add_robot_discs(other, seen);
+    if (other == robot || encounters_[other].absent) continue;
+    visit_discs(other, [&](const MovingObstacle& disc) { seen.push_back(disc); });
   }
 }
 

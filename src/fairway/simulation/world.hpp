@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,10 +18,22 @@
 
 namespace fairway {
 
+/// What a robot touched, for messages to users.
+struct Contact {
+  enum class With : std::uint8_t { Nothing, StaticObstacle, Body, Robot };
+
+  With with = With::Nothing;
+  std::size_t other = 0;  ///< index of the body or robot
+  /// Speed of the other towards the robot at the contact; not above 0 if it moved away [m/s].
+  double other_approach = 0.0;
+};
+
 /// What the simulator observed of one robot, at its own fine steps.
 struct Encounter {
   bool collided = false;
+  bool absent = false;          ///< the robot was removed from the running world
   double collision_time = 0.0;  ///< of the first contact [s]
+  Contact contact{};
   /// The robot's own speed towards the moving obstacle at the contact, or its speed at a static
   /// obstacle [m/s]. Not above 0: the robot was hit at standstill or while it moved away.
   double approach = 0.0;
@@ -73,6 +86,16 @@ class World {
   /// Removes a body; the indices after it decrease by one. @pre it exists.
   void remove_body(std::size_t index);
 
+  /// Places a robot at standstill, and forgets its contact. @pre it exists.
+  void place_robot(std::size_t index, const Pose2& pose);
+
+  /// Adds a robot at standstill. @pre there is no physics engine.
+  void add_robot(const RobotTask& task, const Settings& settings);
+
+  /// Removes a robot from the world but keeps its index, or puts it back where it was. An absent
+  /// robot does not move, and touches nothing. @pre it exists.
+  void set_present(std::size_t index, bool present);
+
   /// Applies the body of the robots, and the limits of those whose base the scenario does not
   /// describe.
   void set_robots(const Settings& settings);
@@ -91,10 +114,15 @@ class World {
   void judge_all_zones();
   void measure_clearance(std::size_t robot);
   [[nodiscard]] double body_distance(std::size_t robot, const Eigen::Vector2d& point) const;
-  void add_robot_discs(std::size_t robot, std::vector<MovingObstacle>& seen) const;
+  template <typename Visit>
+  void visit_discs(std::size_t robot, const Visit& visit) const;
+  void append(const RobotTask& task);
   struct Gap {
     double length;             // infinite without moving obstacles [m]
     Eigen::Vector2d position;  // centre of the nearest body or robot
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+    Contact::With with = Contact::With::Nothing;
+    std::size_t other = 0;
   };
   [[nodiscard]] Gap gap_to_moving(std::size_t robot) const;
 

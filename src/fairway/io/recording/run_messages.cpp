@@ -48,6 +48,25 @@ std::string cell_bytes(const OccupancyGrid& grid) {
   return bytes;
 }
 
+Json robots_json(std::span<const RobotTask> tasks) {
+  Json robots = Json::array();
+  for (const RobotTask& task : tasks) {
+    robots.push_back({{"name", task.name},
+                      {"start", exact::to_json(task.start)},
+                      {"goal", exact::to_json(task.goal)}});
+    if (task.idle) robots.back()["idle"] = true;
+  }
+  return robots;
+}
+
+Json contact_json(const Encounter& met) {
+  return {{"with", static_cast<int>(met.contact.with)},
+          {"other", met.contact.other},
+          {"time", exact::to_json(met.collision_time)},
+          {"approach", exact::to_json(met.approach)},
+          {"other_approach", exact::to_json(met.contact.other_approach)}};
+}
+
 }  // namespace
 
 RunMessages::RunMessages(MessageSink& sink)
@@ -71,9 +90,9 @@ void RunMessages::write(std::uint16_t channel, double time, const std::string& m
   sink_.write(channel, nanoseconds(time), message);
 }
 
-void RunMessages::add_robots(const Scenario& scenario) {
-  for (std::size_t i = robots_.size(); i < scenario.robots.size(); ++i) {
-    Robot robot{.name = topic_part(scenario.robots[i].name)};
+void RunMessages::add_robots(std::span<const RobotTask> tasks) {
+  for (std::size_t i = robots_.size(); i < tasks.size(); ++i) {
+    Robot robot{.name = topic_part(tasks[i].name)};
     const bool taken = robot.name == "fairway" || robot.name == "map" || robot.name == "tf" ||
                        std::any_of(robots_.begin(), robots_.end(),
                                    [&](const Robot& other) { return other.name == robot.name; });
@@ -87,7 +106,7 @@ void RunMessages::add_robots(const Scenario& scenario) {
     robot.scene = own("/scene", "foxglove.SceneUpdate");
     robot.way = own("/way", "foxglove.SceneUpdate");
     robot.frame = foxglove::kMapFrame;
-    if (scenario.sensing.sensing == Sensing::Lidar) {
+    if (lidar_) {
       robot.goal = own("/goal", "fairway.Goal");
       robot.scan = own("/scan", "foxglove.LaserScan");
       robot.lidar = own("/lidar", "fairway.Scan");
@@ -98,9 +117,18 @@ void RunMessages::add_robots(const Scenario& scenario) {
   }
 }
 
+// Robots that are added to a running world: the scenario again, with all of them.
+void RunMessages::on_robots(double time, std::span<const RobotTask> robots) {
+  add_robots(robots);
+  plans_.resize(robots.size());
+  scenario_json_["robots"] = robots_json(robots);
+  scenario_json_["time"] = exact::to_json(time);
+  write(scenario_, time, dumped(scenario_json_));
+}
+
 void RunMessages::on_start(const Scenario& scenario) {
   lidar_ = scenario.sensing.sensing == Sensing::Lidar;
-  add_robots(scenario);
+  add_robots(scenario.robots);
   plans_.assign(scenario.robots.size(), Plan{});
   tracker_.clear();
   body_ = scenario.settings.robot;
@@ -109,12 +137,6 @@ void RunMessages::on_start(const Scenario& scenario) {
   shown_time_ = 0.0;
   write(map_, 0.0, dumped(foxglove::grid(0, scenario.map.frame(), shown_cells_)));
 
-  Json robots = Json::array();
-  for (const RobotTask& task : scenario.robots) {
-    robots.push_back({{"name", task.name},
-                      {"start", exact::to_json(task.start)},
-                      {"goal", exact::to_json(task.goal)}});
-  }
   Json bodies = Json::array();
   for (const MovingBody& body : scenario.bodies) {
     Json frames = Json::array();
@@ -126,18 +148,18 @@ void RunMessages::on_start(const Scenario& scenario) {
                       {"passing", body.passing},
                       {"key_frames", std::move(frames)}});
   }
-  Json json = {{"version", 1},
-               {"name", scenario.name},
-               {"frame", exact::to_json(scenario.map.frame())},
-               {"robots", std::move(robots)},
-               {"bodies", std::move(bodies)},
-               {"time_limit", exact::to_json(scenario.time_limit)},
-               {"seed", scenario.seed},
-               {"sensing", sensing_json(scenario.sensing)},
-               {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
-               {"settings", settings_yaml(scenario.settings)}};
-  if (!scenario.zones.empty()) json["zones"] = exact::to_json(scenario.zones);
-  write(scenario_, 0.0, dumped(json));
+  scenario_json_ = {{"version", 1},
+                    {"name", scenario.name},
+                    {"frame", exact::to_json(scenario.map.frame())},
+                    {"robots", robots_json(scenario.robots)},
+                    {"bodies", std::move(bodies)},
+                    {"time_limit", exact::to_json(scenario.time_limit)},
+                    {"seed", scenario.seed},
+                    {"sensing", sensing_json(scenario.sensing)},
+                    {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
+                    {"settings", settings_yaml(scenario.settings)}};
+  if (!scenario.zones.empty()) scenario_json_["zones"] = exact::to_json(scenario.zones);
+  write(scenario_, 0.0, dumped(scenario_json_));
 }
 
 void RunMessages::on_navigators(double time,
@@ -252,9 +274,12 @@ void RunMessages::on_world(const WorldView& world) {
     bodies.push_back(exact::to_json(body));
   Json robots = Json::array();
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    const Encounter& met = world.encounters[i];
     robots.push_back({{"pose", exact::to_json(world.robots[i].pose)},
                       {"twist", exact::to_json(world.robots[i].twist)},
-                      {"collided", world.encounters[i].collided}});
+                      {"collided", met.collided}});
+    if (met.absent) robots.back()["absent"] = true;
+    if (met.collided) robots.back()["contact"] = contact_json(met);
   }
   write(world_, world.time,
         dumped({{"time", exact::to_json(world.time)},
@@ -269,7 +294,7 @@ void RunMessages::on_world(const WorldView& world) {
                {.red = 0.84, .green = 0.37, .blue = 0.0, .opacity = 0.9});
   }
   for (std::size_t i = 0; i < world.robots.size(); ++i)
-    show_robot(scene, robots_.at(i).name, world.robots[i].pose);
+    if (!world.encounters[i].absent) show_robot(scene, robots_.at(i).name, world.robots[i].pose);
   write(scene_, world.time, dumped(scene.json()));
 }
 

@@ -80,7 +80,8 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
   for (const Json& task : json.at("robots")) {
     scenario.robots.push_back({.name = task.at("name").get<std::string>(),
                                .start = exact::to_pose(task.at("start")),
-                               .goal = exact::to_goal(task.at("goal"))});
+                               .goal = exact::to_goal(task.at("goal")),
+                               .idle = task.value("idle", false)});
     if (!is_plausible(scenario.robots.back().start))
       throw std::invalid_argument("expected a robot that starts at a plausible place");
   }
@@ -126,6 +127,21 @@ std::vector<MovingObstacle> to_obstacles(const Json& list) {
   for (const Json& item : list)
     result.push_back(exact::to_obstacle(item));
   return result;
+}
+
+Encounter to_encounter(const Json& robot) {
+  Encounter met{.collided = robot.at("collided").get<bool>(),
+                .absent = robot.value("absent", false),
+                .min_clearance = 0.0,
+                .min_separation = 0.0};
+  if (!robot.contains("contact")) return met;
+  const Json& contact = robot.at("contact");
+  met.collision_time = exact::to_number(contact.at("time"));
+  met.approach = exact::to_number(contact.at("approach"));
+  met.contact = {.with = checked(contact.at("with"), Contact::With::Robot),
+                 .other = contact.at("other").get<std::size_t>(),
+                 .other_approach = exact::to_number(contact.at("other_approach"))};
+  return met;
 }
 
 NavigationStatus to_status(const Json& number) { return checked(number, kLastNavigationStatus); }
