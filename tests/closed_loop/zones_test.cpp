@@ -27,12 +27,16 @@ Scenario open_floor(const Vector2d& start, const Vector2d& goal) {
   return scenario;
 }
 
-void expect_kept(const Scenario& scenario, const EpisodeResult& result) {
+void expect_no_breach(const EpisodeResult& result) {
   const ZoneBreaches& breaches = result.robots.front().zones;
   EXPECT_LE(breaches.intrusion, 1e-6);
   EXPECT_LE(breaches.excursion, 1e-6);
   EXPECT_LE(breaches.excess, 1e-3);
   EXPECT_LE(breaches.against_lanes, 1e-6);
+}
+
+void expect_kept(const Scenario& scenario, const EpisodeResult& result) {
+  expect_no_breach(result);
   for (const TraceRow& row : result.trace.rows) {
     double outside = std::numeric_limits<double>::infinity();
     for (const Zone& zone : scenario.zones) {
@@ -52,25 +56,31 @@ std::string last_state(const EpisodeResult& result) {
          std::to_string(row.pose.position.x()) + " " + std::to_string(row.pose.position.y());
 }
 
+// Keep-outs and speed limits on the way across the floor.
+Scenario random_floor(test::Random& random) {
+  Scenario scenario = open_floor({1.0, 1.0}, {13.0, 13.0});
+  for (int i = random.integer(2, 7); i > 0; --i) {
+    scenario.zones.push_back(
+        {.kind = ZoneKind::KeepOut,
+         .polygon = test::random_polygon(random, {random.uniform(3, 11), random.uniform(3, 11)},
+                                         random.uniform(0.4, 2.0))});
+  }
+  for (int i = random.integer(1, 3); i > 0; --i) {
+    scenario.zones.push_back(
+        {.kind = ZoneKind::SpeedLimit,
+         .polygon = test::random_polygon(random, {random.uniform(3, 11), random.uniform(3, 11)},
+                                         random.uniform(1.0, 4.0)),
+         .speed = random.uniform(0.15, 0.6)});
+  }
+  return scenario;
+}
+
 TEST(ZonesInClosedLoop, KeepOutsAndSpeedLimitsAreObeyed) {
   int driven = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
-    Scenario scenario = open_floor({1.0, 1.0}, {13.0, 13.0});
-    for (int i = random.integer(2, 7); i > 0; --i) {
-      scenario.zones.push_back(
-          {.kind = ZoneKind::KeepOut,
-           .polygon = test::random_polygon(random, {random.uniform(3, 11), random.uniform(3, 11)},
-                                           random.uniform(0.4, 2.0))});
-    }
-    for (int i = random.integer(1, 3); i > 0; --i) {
-      scenario.zones.push_back(
-          {.kind = ZoneKind::SpeedLimit,
-           .polygon = test::random_polygon(random, {random.uniform(3, 11), random.uniform(3, 11)},
-                                           random.uniform(1.0, 4.0)),
-           .speed = random.uniform(0.15, 0.6)});
-    }
+    const Scenario scenario = random_floor(random);
     const EpisodeResult result = run_episode(scenario);
     expect_kept(scenario, result);
     if (!result.robots.front().plan.usable()) continue;
@@ -78,6 +88,35 @@ TEST(ZonesInClosedLoop, KeepOutsAndSpeedLimitsAreObeyed) {
     EXPECT_TRUE(result.robots.front().reached) << last_state(result);
   }
   EXPECT_GE(driven, 25);
+}
+
+// Bodies that are no discs, and bases that answer late. The simulator judges them.
+TEST(ZonesInClosedLoop, OtherBodiesAndSlowBasesObeyThemToo) {
+  int driven = 0;
+  for (std::uint64_t seed = 31; seed <= 54; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Random random(seed);
+    Scenario scenario = random_floor(random);
+    RobotSettings& robot = scenario.settings.robot;
+    if (seed % 2 == 0) {
+      robot.length = 0.7;
+      robot.width = 0.4;
+      robot.radius = 0.5 * std::hypot(robot.length, robot.width);
+    }
+    if (seed % 3 == 0) {
+      robot.linear_delay = random.uniform(0.0, 0.3);
+      robot.angular_delay = random.uniform(0.0, 0.3);
+      robot.linear_lag = random.uniform(0.0, 0.2);
+      robot.angular_lag = random.uniform(0.0, 0.2);
+    }
+    ASSERT_TRUE(validate(scenario.settings)) << validate(scenario.settings).error().message;
+    const EpisodeResult result = run_episode(scenario);
+    expect_no_breach(result);
+    if (!result.robots.front().plan.usable()) continue;
+    ++driven;
+    EXPECT_TRUE(result.robots.front().reached) << last_state(result);
+  }
+  EXPECT_GE(driven, 18);
 }
 
 // Nodes of a chain of strips. It turns by less than 120 degrees at each: where it turns back, both
