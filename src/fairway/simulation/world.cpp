@@ -145,6 +145,20 @@ bool World::set_blocked(CellIndex cell, bool blocked) {
   return true;
 }
 
+bool World::place_robot(std::size_t robot, const Pose2& pose) {
+  if (physics_ || !is_plausible(pose) || !is_free(obstacles_, footprint_, pose, 0.0)) return false;
+  UnicycleRobot& moved = robots_.at(robot);
+  const Pose2 before = moved.pose;
+  moved.pose = pose;
+  if (gap_to_moving(robot).length <= 0.0) {
+    moved.pose = before;
+    return false;
+  }
+  moved.twist = {};
+  moved.controller = {};
+  return true;
+}
+
 void World::set_body(std::size_t index, const MovingBody& body) {
   FAIRWAY_EXPECTS(index <= bodies_.size() && !body.key_frames.empty());
   if (index == bodies_.size()) bodies_.emplace_back();
