@@ -244,6 +244,31 @@ TEST_P(Orders, WithAFaultNameIt) {
   }
 }
 
+TEST_P(Orders, SurviveAnyChangeOfAField) {
+  const json others{nullptr, -1, 1e300, "x", json::array(), json::object(), true, 4294967296.0};
+  std::size_t refused = 0;
+  json order = fleet.lanes({.nodes = 2, .released = 2});
+  order["edges"][0]["trajectory"] = {
+      {"degree", 1},
+      {"knotVector", {0, 0, 1, 1}},
+      {"controlPoints", {{{"x", 0.0}, {"y", 0.0}}, {{"x", 2.0}, {"y", 0.0}}}}};
+  const json fields = order.flatten();
+  for (const auto& [path, value] : fields.items()) {
+    for (const json& other : others) {
+      FleetDouble one(GetParam());
+      json changed = order;
+      changed[json::json_pointer(path)] = other;
+      one.send(Topic::Order, changed);
+      one.move_to({0.1, 0.0}, true);
+      const json state = one.state();
+      ASSERT_TRUE(state.contains("errors")) << path << " " << other;
+      ASSERT_EQ(state["orderId"] == "", !state["errors"].empty()) << path << " " << other;
+      refused += state["errors"].empty() ? 0U : 1U;
+    }
+  }
+  EXPECT_GT(refused, 150U);
+}
+
 TEST_P(Orders, ThatAreNoJsonAreRefused) {
   for (const char* text : {"", "{", "[]", "null", "{\"orderId\": NaN}", "\xff\xfe"}) {
     FleetDouble other(GetParam());

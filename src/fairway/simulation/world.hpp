@@ -80,6 +80,11 @@ class World {
   /// robot. @return whether the cell now has the requested state.
   bool set_blocked(CellIndex cell, bool blocked);
 
+  /// Puts a robot at a pose, at standstill, as a person would move it by hand. Refuses a pose at
+  /// which it touches an obstacle, and every pose in an engine, which has its own.
+  /// @return whether the robot is there now.
+  bool try_place(std::size_t robot, const Pose2& pose);
+
   /// Replaces the motion of a body; index `num_bodies()` adds a body. @pre it has a key frame.
   void set_body(std::size_t index, const MovingBody& body);
 

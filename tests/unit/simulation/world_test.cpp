@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/simulation/world.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace fairway {
@@ -69,6 +71,21 @@ TEST(World, TwoRobotsThatMeetHaveBothCollided) {
     world.advance({{1.0, 0.0}, {1.0, 0.0}}, 0.1);
   EXPECT_TRUE(world.encounters()[0].collided);
   EXPECT_TRUE(world.encounters()[1].collided);
+}
+
+TEST(World, PutsARobotOnlyWhereItTouchesNothing) {
+  Scenario scenario = open_floor();
+  scenario.map.set({130, 100}, CellState::Occupied);  // [1.5, 1.55] x [0, 0.05]
+  scenario.robots = {{.name = "a", .start = {{-1, 0}, 0}, .goal = {}},
+                     {.name = "b", .start = {{-3, 0}, 0}, .goal = {}}};
+  World world(scenario);
+  world.advance({{1.0, 0.0}, {}}, 0.5);
+  EXPECT_FALSE(world.try_place(0, {{1.4, 0.0}, 0.0}));
+  EXPECT_FALSE(world.try_place(0, {{-3.2, 0.0}, 0.0}));
+  EXPECT_FALSE(world.try_place(0, {{std::nan(""), 0.0}, 0.0}));
+  EXPECT_TRUE(world.try_place(0, {{1.0, 2.0}, 1.0}));
+  EXPECT_EQ(world.robots()[0].pose.position, Eigen::Vector2d(1.0, 2.0));
+  EXPECT_EQ(world.robots()[0].twist.linear, 0.0);
 }
 
 TEST(World, ReportsTheRobotsOwnSpeedAtAContact) {

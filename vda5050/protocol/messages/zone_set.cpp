@@ -110,7 +110,7 @@ double signed_area(const Polygon& polygon) {
 }
 
 bool is_simple(const Polygon& polygon) {
-  constexpr double kLeastArea = 1e-9;  // [m^2]
+  constexpr double kLeastArea = 1e-6;  // [m^2]
   const std::size_t n = polygon.size();
   if (n < 3 || std::abs(signed_area(polygon)) < kLeastArea) return false;
   for (std::size_t i = 0; i < n; ++i) {

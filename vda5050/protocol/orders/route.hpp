@@ -31,6 +31,7 @@ struct RouteLeg {
   std::optional<Strip> strip{};       ///< none: the vehicle chooses its own path
   bool line_is_given = false;         ///< by a trajectory
   std::optional<double> speed_max{};  ///< [m/s]
+  bool returns = false;  ///< the leave has ended: the vehicle goes back to the line and waits
 };
 
 /// Where the vehicle drives now: the legs up to the node at which it must stop.

@@ -130,6 +130,8 @@ class Vehicle {
   void judge_report(const DriveReport& report, double now);
   void rebuild_route();
   [[nodiscard]] RouteLeg leg_in_force(std::size_t index) const;
+  [[nodiscard]] bool lost_leave() const;
+  void note_lost_leave();
   [[nodiscard]] bool is_outside() const;
   [[nodiscard]] double base_left() const;
   // writing
@@ -154,6 +156,7 @@ class Vehicle {
   bool paused_ = false;
   bool cancelling_ = false;
   bool outside_ = false;
+  bool returning_ = false;  // the leave ended beside the line
   bool in_blocked_zone_ = false;
   bool unreachable_ = false;  // until another order or update
 

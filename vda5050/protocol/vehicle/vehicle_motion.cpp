@@ -21,14 +21,24 @@ bool Vehicle::may_drive() const noexcept {
          !queue_.forbids_driving();
 }
 
+// Whether the leave for the present corridor ended while the vehicle was beside its line.
+bool Vehicle::lost_leave() const {
+  if (order_.legs.empty() || !has_motion_) return false;
+  const std::optional<Corridor>& corridor = order_.edges.front().corridor;
+  if (!corridor || !corridor->release_required) return false;
+  if (!leave_.lost(order_.edges.front().sequence)) return false;
+  return nearest_on(order_.legs.front().line, motion_.pose.position).distance > kLineTolerance;
+}
+
 // The leg with the strip that may be used now.
 RouteLeg Vehicle::leg_in_force(std::size_t index) const {
   RouteLeg leg = order_.legs[index];
   const std::optional<Corridor>& corridor = order_.edges[index].corridor;
-  if (corridor && corridor->release_required && !leave_.granted(leg.edge_sequence)) {
-    leg.strip = Strip{.left = std::min(kLineTolerance, corridor->left),
-                      .right = std::min(kLineTolerance, corridor->right)};
-  }
+  if (!corridor || !corridor->release_required || leave_.granted(leg.edge_sequence)) return leg;
+  leg.returns = index == 0 && returning_ && corridor->release_loss == ReleaseLoss::Return;
+  if (leg.returns) return leg;
+  leg.strip = Strip{.left = std::min(kLineTolerance, corridor->left),
+                    .right = std::min(kLineTolerance, corridor->right)};
   return leg;
 }
 
@@ -175,6 +185,18 @@ void Vehicle::judge_report(const DriveReport& report, double now) {
                 references);
 }
 
+// A vehicle beside its line whose leave has ended stops or returns, as the corridor says.
+void Vehicle::note_lost_leave() {
+  const bool lost = lost_leave();
+  if (lost == returning_) return;
+  returning_ = lost;
+  const std::string edge = lost ? order_.edges.front().id : std::string();
+  set_condition(Fault::ReleaseLost, lost,
+                "the leave for the corridor of edge \"" + edge + "\" has ended",
+                {{.key = "edgeId", .value = edge}});
+  rebuild_route();
+}
+
 double Vehicle::base_left() const {
   if (order_.legs.empty()) return 0.0;
   double left = 0.0;
@@ -200,6 +222,7 @@ void Vehicle::update(const VehicleMotion& motion, const DriveReport& report, dou
     changed_ = true;
     rebuild_route();
   }
+  note_lost_leave();
   const bool held = queue_.forbids_driving();
   if (queue_.update(now)) changed_ = true;
   if (held && !queue_.forbids_driving()) enter_edge();

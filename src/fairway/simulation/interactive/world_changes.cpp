@@ -60,6 +60,16 @@ void World::place_robot(std::size_t index, const Pose2& pose) {
   judge(index);
 }
 
+bool World::try_place(std::size_t robot, const Pose2& pose) {
+  if (physics_ || !is_plausible(pose) || !is_free(obstacles_, footprint_, pose, 0.0)) return false;
+  const Pose2 before = robots_.at(robot).pose;
+  robots_[robot].pose = pose;
+  const bool touches = gap_to_moving(robot).length <= 0.0;
+  robots_[robot].pose = before;
+  if (!touches) place_robot(robot, pose);
+  return !touches;
+}
+
 void World::append(const RobotTask& task) {
   robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
   actuation_.push_back(task.actuation);
