@@ -113,4 +113,29 @@ void BitGrid::set(CellIndex cell, bool blocked) noexcept {
   in_band = rows;
 }
 
+void BitGrid::copy(const BitGrid& source, const CellWindow& window) noexcept {
+  FAIRWAY_EXPECTS(source.frame_.width == frame_.width && source.frame_.height == frame_.height);
+  FAIRWAY_EXPECTS(frame_.contains(window.first) && frame_.contains(window.last));
+  const std::size_t first = word_of(window.first.x);
+  const std::size_t last = word_of(window.last.x);
+  for (int y = window.first.y; y <= window.last.y; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y) * words_per_row_;
+    for (std::size_t w = first; w <= last; ++w) {
+      std::uint64_t mask = ~0ULL;
+      if (w == first) mask &= from(window.first.x);
+      if (w == last) mask &= up_to(window.last.x);
+      std::uint64_t& word = words_[row + w];
+      word ^= (word ^ source.words_[row + w]) & mask;
+    }
+  }
+  for (int b = window.first.y / kBandRows; b <= window.last.y / kBandRows; ++b) {
+    for (std::size_t w = first; w <= last; ++w) {
+      std::uint64_t rows = 0;
+      for (int y = kBandRows * b; y < std::min(kBandRows * (b + 1), frame_.height); ++y)
+        rows |= words_[static_cast<std::size_t>(y) * words_per_row_ + w];
+      bands_[static_cast<std::size_t>(b) * words_per_row_ + w] = rows;
+    }
+  }
+}
+
 }  // namespace fairway

@@ -58,6 +58,10 @@ class BitGrid {
   /// Changes one cell. @pre the cell lies in the grid.
   void set(CellIndex cell, bool blocked) noexcept;
 
+  /// Copies the cells of a window from another grid. @pre both have the same size, and the window
+  /// lies in them.
+  void copy(const BitGrid& from, const CellWindow& window) noexcept;
+
   /// Moves the cells to another place: `origin` is the new world pose of the lower-left corner.
   void move_to(const Pose2& origin) noexcept { frame_.origin = origin; }
 

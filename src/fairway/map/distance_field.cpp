@@ -10,7 +10,8 @@
 
 // The transform has two passes (Meijster, Roerdink, Hesselink 2000). The first counts steps along
 // every column; the second finds, along every row, the lower envelope of the parabolas given by the
-// columns' distances.
+// columns' distances. Most cells are near an obstacle; for them it is faster to try the columns
+// around (DistanceRow). Envelopes remain for the runs of cells with one that is further away.
 //
 // The unit is half a cell, so that all numbers are integers. A closed square k > 0 columns away
 // begins 2k - 1 half cells from a cell's centre, at its near edge. So for cell x and a column
@@ -61,31 +62,43 @@ void shorten(std::vector<std::uint16_t>& steps, int most) {
     step = std::min(step, limit);
 }
 
-// Returns the greatest value. std::max_element also finds its position, and so does not vectorise.
-template <std::size_t kCount>
-std::int16_t greatest(const std::array<std::int16_t, kCount>& values) {
-  std::int16_t most = values[0];
-  for (const std::int16_t value : values)
-    most = std::max(most, value);
-  return most;
-}
-
 // Counts steps to the nearest blocked cell of the column, or to the outside, for the columns of
-// some words. `steps` points to row 0; the rows before the first and after the last are 0, for the
-// outside.
+// some words and for rows `first` to `last`. `steps` points to row `first`; the rows before and
+// after are right already.
 void measure_columns(const BitGrid& obstacles,
+                     int first,
+                     int last,
                      std::size_t first_word,
                      std::size_t word_count,
                      std::uint16_t* steps,
                      std::size_t stride) {
-  const int height = obstacles.frame().height;
   std::uint16_t* row = steps;
-  for (int y = 0; y < height; ++y, row += stride)
+  for (int y = first; y <= last; ++y, row += stride)
     step_columns<false>(obstacles.row(y).subspan(first_word, word_count), row - stride, row);
-  for (int y = height - 1; y >= 0; --y) {
+  for (int y = last; y >= first; --y) {
     row -= stride;
     step_columns<true>(obstacles.row(y).subspan(first_word, word_count), row + stride, row);
   }
+}
+
+// Returns the last row from `y` on, in direction `step`, that a change of columns `first` to `last`
+// before row y can concern: there every column has met an obstacle, or the map ends, or `most` rows
+// have passed.
+int last_concerned(const BitGrid& obstacles, int y, int step, int first, int last, int most) {
+  const auto inside = [&](int row) { return row >= 0 && row < obstacles.frame().height; };
+  int furthest = y - step;
+  for (int word = first / 64; word <= last / 64; ++word) {
+    std::uint64_t open = ~0ULL;
+    if (word == first / 64) open &= ~0ULL << (first % 64);
+    if (word == last / 64) open &= ~0ULL >> (63 - last % 64);
+    int row = y - step;
+    for (int count = 0; open != 0 && count < most && inside(row + step); ++count) {
+      row += step;
+      open &= ~obstacles.row(row)[static_cast<std::size_t>(word)];
+    }
+    furthest = step > 0 ? std::max(furthest, row) : std::min(furthest, row);
+  }
+  return furthest;
 }
 
 }  // namespace
@@ -112,7 +125,7 @@ void DistanceField::update(const BitGrid& obstacles) {
     eighths_.resize(n + 1);
     eighths_[n] = 0.125 / static_cast<double>(n);
   }
-  measure_columns(obstacles, 0, stride_ / 64, column_steps_.data() + stride_, stride_);
+  measure_columns(obstacles, 0, frame_.height - 1, 0, stride_ / 64, steps_of(0), stride_);
   if (near_ > 0) shorten(column_steps_, near_);
   for (int y = 0; y < frame_.height; ++y)
     update_row(y, 0, frame_.width - 1);
@@ -121,49 +134,93 @@ void DistanceField::update(const BitGrid& obstacles) {
 void DistanceField::update(const BitGrid& obstacles, const CellWindow& changed) {
   FAIRWAY_EXPECTS(obstacles.frame().width == frame_.width &&
                   obstacles.frame().height == frame_.height);
-  const int first = std::max(0, changed.first.x);
-  const int last = std::min(frame_.width - 1, changed.last.x);
-  if (first > last || std::max(0, changed.first.y) > std::min(frame_.height - 1, changed.last.y))
-    return;
+  const CellWindow window = clipped(changed, frame_);
+  if (is_empty(window)) return;
+  const int first = window.first.x;
+  const int last = window.last.x;
+  const int most = near_ > 0 ? near_ : frame_.height;
+  const int bottom = last_concerned(obstacles, window.first.y - 1, -1, first, last, most);
+  const int top = last_concerned(obstacles, window.last.y + 1, 1, first, last, most);
   const auto first_word = static_cast<std::size_t>(first) / 64;
   const std::size_t words = static_cast<std::size_t>(last) / 64 - first_word + 1;
   const std::size_t lanes = words * 64;
-  window_steps_.assign(lanes * (static_cast<std::size_t>(frame_.height) + 2), 0);
-  measure_columns(obstacles, first_word, words, window_steps_.data() + lanes, lanes);
+  const auto rows = static_cast<std::size_t>(top - bottom + 1);
+  window_steps_.resize(lanes * (rows + 2));
+  std::copy_n(steps_of(bottom - 1) + 64 * first_word, lanes, window_steps_.begin());
+  std::copy_n(steps_of(top + 1) + 64 * first_word, lanes,
+              window_steps_.end() - static_cast<std::ptrdiff_t>(lanes));
+  measure_columns(obstacles, bottom, top, first_word, words, window_steps_.data() + lanes, lanes);
   if (near_ > 0) shorten(window_steps_, near_);
-  for (int y = 0; y < frame_.height; ++y) {
-    const std::uint16_t* now = window_steps_.data() + (static_cast<std::size_t>(y) + 1) * lanes;
-    std::uint16_t* before =
-        column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_ + first_word * 64;
+  const std::uint16_t* now = window_steps_.data() + lanes;
+  for (int y = bottom; y <= top; ++y, now += lanes) {
+    std::uint16_t* const before = steps_of(y) + 64 * first_word;
     if (std::equal(now, now + lanes, before)) continue;
+    const auto changes = std::mismatch(now, now + lanes, before).first - now;
+    std::ptrdiff_t last_change = static_cast<std::ptrdiff_t>(lanes) - 1;
+    while (now[last_change] == before[last_change])
+      --last_change;
     std::copy(now, now + lanes, before);
-    update_row(y, first, last);
+    const auto left = static_cast<int>(64 * first_word);
+    update_around(y, left + static_cast<int>(changes), left + static_cast<int>(last_change));
   }
 }
 
-void DistanceField::update_row(int y, int first, int last) {
-  if (near_ > 0) {
-    update_near(y, std::max(0, first - near_), std::min(frame_.width - 1, last + near_));
-    return;
-  }
-  const std::uint16_t* steps = column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
-  float* distances =
+// Updates row y after a change of the steps of columns `first` to `last`. A column k cells away
+// concerns a cell only if it is at most as far as the obstacle known so far; and towards either
+// side that distance grows by at most one cell per cell.
+void DistanceField::update_around(int y, int first, int last) {
+  const float* const distances =
       cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
-  // A blocked cell shields the cells beyond it: no obstacle behind it is nearer. A change therefore
-  // affects only the runs of free cells that touch it, and each run is computed on its own.
-  while (first > 0 && steps[first - 1] != 0)
-    --first;
-  last = std::min(last + 1, frame_.width - 1);
-  for (int x = first; x <= last;) {
-    if (steps[x] == 0) {
-      distances[x++] = 0.0F;
-      continue;
+  constexpr double kRounding = 1e-5;
+  const double half = 0.5 * frame_.resolution * (1.0 - kRounding);
+  const auto concerned = [&](int x, int k) {
+    return static_cast<double>(distances[x]) >= (2 * k - 1) * half;
+  };
+  int left = first;
+  while (left > 0 && concerned(left - 1, first - left + 1))
+    --left;
+  int right = std::min(last, frame_.width - 1);
+  while (right + 1 < frame_.width && concerned(right + 1, right + 1 - last))
+    ++right;
+  update_row(y, left, right);
+}
+
+void DistanceField::update_row(int y, int first, int last) {
+  constexpr int kPart = DistanceRow::kPart;
+  constexpr float kUnknown = -1.0F;
+  const std::uint16_t* const steps = steps_of(y);
+  float* const distances =
+      cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
+  row_.load(steps, frame_.width, near_ > 0 ? near_ : DistanceRow::kMostColumns, first, last);
+  const auto scale = static_cast<float>(0.5 * frame_.resolution);
+  const auto reach = static_cast<float>(reach_);
+  bool complete = true;
+  // Half of the way to the columns that are tried: there envelopes are faster.
+  const auto hopeless =
+      static_cast<std::int16_t>(near_ > 0 ? row_.far_square() : row_.far_square() / 4);
+  std::array<std::int16_t, kPart> squares;
+  for (int part = first / kPart; part <= last / kPart; ++part) {
+    const bool near = row_.find_squares(part, hopeless, squares.data());
+    const int from = std::max(first, kPart * part);
+    const int to = std::min(last, kPart * part + kPart - 1);
+    const std::int16_t* const square = squares.data() - kPart * part;
+    for (int x = from; x <= to; ++x)
+      distances[x] = std::min(scale * std::sqrt(static_cast<float>(square[x])), reach);
+    if (near || near_ > 0) continue;
+    complete = false;
+    for (int x = from; x <= to; ++x) {
+      if (square[x] >= row_.far_square()) distances[x] = kUnknown;
     }
-    int end = x;
-    while (end < frame_.width && steps[end] != 0)
-      ++end;
-    update_run(steps, x, end, distances);
-    x = end;
+  }
+  for (int x = first; !complete && x <= last; ++x) {
+    if (distances[x] >= 0.0F) continue;
+    // A blocked cell shields the cells beyond it, so each run of free cells is computed on its own.
+    int begin = x;
+    while (begin > 0 && steps[begin - 1] != 0)
+      --begin;
+    while (x < frame_.width && steps[x] != 0)
+      ++x;
+    update_run(steps, begin, x, distances);
   }
 }
 
@@ -206,53 +263,6 @@ void DistanceField::update_run(const std::uint16_t* steps, int first, int end, f
   const auto scale = static_cast<float>(0.5 * frame_.resolution);
   for (int x = first; x < end; ++x)
     distances[x] = scale * std::sqrt(squares_[static_cast<std::size_t>(x)]);
-}
-
-// Updates cells `first` to `last` of a row under a finite reach. All columns within reach are
-// tried, with the same arithmetic for many cells at once.
-void DistanceField::update_near(int y, int first, int last) {
-  const std::uint16_t* steps = column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
-  float* distances =
-      cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
-  constexpr int kPart = 64;
-  const int far = 2 * near_ - 1;
-  const auto farthest = static_cast<std::int16_t>(far * far);
-  std::array<std::int16_t, kPart> best{};
-  near_squares_.resize(static_cast<std::size_t>(kPart + 2 * near_));
-  for (int part = first; part <= last; part += kPart) {
-    const int count = std::min(kPart, last - part + 1);
-    std::int16_t least = farthest;
-    for (int i = 0; i < kPart + 2 * near_; ++i) {
-      const int x = part + i - near_;
-      const bool inside = x >= 0 && x < frame_.width;
-      const int straight = inside && steps[x] > 0 ? 2 * steps[x] - 1 : 0;
-      const auto square = static_cast<std::int16_t>(straight * straight);
-      near_squares_[static_cast<std::size_t>(i)] = square;
-      least = std::min(least, square);
-    }
-    if (least >= farthest) {
-      std::fill_n(distances + part, count, static_cast<float>(reach_));
-      continue;
-    }
-    const std::int16_t* const middle = near_squares_.data() + near_;
-    std::copy_n(middle, kPart, best.begin());
-    constexpr int kOften = 4;  // columns between two checks whether any cell can still improve
-    for (int k = 1; k <= near_; ++k) {
-      const auto across = static_cast<std::int16_t>((2 * k - 1) * (2 * k - 1));
-      if (k % kOften == 0 && least + across >= greatest(best)) break;
-      const std::int16_t* const left = middle - k;
-      const std::int16_t* const right = middle + k;
-      for (int i = 0; i < kPart; ++i) {
-        const auto slanted = static_cast<std::int16_t>(std::min(left[i], right[i]) + across);
-        best[static_cast<std::size_t>(i)] = std::min(best[static_cast<std::size_t>(i)], slanted);
-      }
-    }
-    const auto scale = static_cast<float>(0.5 * frame_.resolution);
-    for (int i = 0; i < count; ++i) {
-      const auto square = static_cast<float>(best[static_cast<std::size_t>(i)]);
-      distances[part + i] = std::min(scale * std::sqrt(square), static_cast<float>(reach_));
-    }
-  }
 }
 
 }  // namespace fairway

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
+#include "fairway/map/distance_row.hpp"
 
 namespace fairway {
 
@@ -21,11 +22,11 @@ class DistanceField {
   explicit DistanceField(const BitGrid& obstacles);
 
   /// Limits distances to `reach` [m]: greater ones are stored as `reach`. A finite reach makes both
-  /// kinds of update several times cheaper. It takes effect with the next full update; the default
+  /// kinds of update cheaper in open spaces. It takes effect with the next full update; the default
   /// is infinite.
   /// @pre reach > 0, and either infinite or at most kMostReach cells.
   void set_reach(double reach) noexcept { reach_ = reach; }
-  static constexpr int kMostReach = 60;
+  static constexpr int kMostReach = DistanceRow::kMostColumns - 1;
 
   /// Recomputes the field for new obstacles in O(cells); reuses its memory if the size is
   /// unchanged.
@@ -33,9 +34,10 @@ class DistanceField {
 
   /// Recomputes the field after a change of obstacles inside `changed` only.
   ///
-  /// The result equals that of a full update to the bit. The window is clipped to the grid. Cost:
-  /// O(height * window width + cells of the rows in which something changed). Does not allocate
-  /// after the first window of this size.
+  /// The result equals that of a full update to the bit. The window is clipped to the grid. Only
+  /// rows up to the next obstacle above and below the window are looked at, and in them only the
+  /// cells whose nearest obstacle the change can concern. Does not allocate after the first window
+  /// of this size.
   /// @pre the obstacles have the same frame as at the last update, and differ from those only
   ///       inside the window.
   void update(const BitGrid& obstacles, const CellWindow& changed);
@@ -61,9 +63,12 @@ class DistanceField {
   [[nodiscard]] std::span<const float> cells() const noexcept { return cells_; }
 
  private:
+  void update_around(int y, int first, int last);
   void update_row(int y, int first, int last);
   void update_run(const std::uint16_t* steps, int first, int end, float* distances);
-  void update_near(int y, int first, int last);
+  [[nodiscard]] std::uint16_t* steps_of(int y) noexcept {
+    return column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
+  }
 
   // A parabola on the lower envelope of a run of free cells: the squared distance through one
   // column edge. From cell `start` on it is the lowest of all.
@@ -86,7 +91,7 @@ class DistanceField {
   std::vector<std::uint8_t> starts_;  // of one row: 1 where the next parabola becomes the lowest
   std::vector<float> squares_;        // of one row, [(half cells)^2]
   std::vector<double> eighths_;       // 1 / (8 n)
-  std::vector<std::int16_t> near_squares_;  // of one row with its surroundings, [(half cells)^2]
+  DistanceRow row_;
 };
 
 }  // namespace fairway

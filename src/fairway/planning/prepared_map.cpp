@@ -19,12 +19,7 @@ void PreparedMap::update(const BitGrid& bits, const CellWindow& changed) {
     measure();
     return;
   }
-  for (int y = inside.first.y; y <= inside.last.y; ++y) {
-    for (int x = inside.first.x; x <= inside.last.x; ++x) {
-      const CellIndex cell{.x = x, .y = y};
-      if (obstacles.blocked(cell) != bits.blocked(cell)) obstacles.set(cell, bits.blocked(cell));
-    }
-  }
+  obstacles.copy(bits, inside);
   measure(inside);
 }
 

@@ -118,6 +118,32 @@ TEST(BitGrid, AnyBlockedAgreesWithALoop) {
   }
 }
 
+TEST(BitGrid, CopiesAWindowAndItsBands) {
+  test::Random random(15);
+  for (int trial = 0; trial < 40; ++trial) {
+    BitGrid to(test::random_world(random, 200));
+    const GridFrame frame = to.frame();
+    BitGrid from(frame, false);
+    BitGrid expected = to;
+    const CellIndex first{random.integer(0, frame.width - 1), random.integer(0, frame.height - 1)};
+    const CellIndex last{random.integer(first.x, frame.width - 1),
+                         random.integer(first.y, frame.height - 1)};
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
+        from.set({x, y}, random.chance(0.2));
+        const bool inside = x >= first.x && x <= last.x && y >= first.y && y <= last.y;
+        if (inside) expected.set({x, y}, from.blocked({x, y}));
+      }
+    }
+    to.copy(from, {.first = first, .last = last});
+    for (int y = 0; y < frame.height; ++y) {
+      ASSERT_TRUE(std::ranges::equal(to.row(y), expected.row(y)));
+      const int b = y / BitGrid::kBandRows;
+      ASSERT_TRUE(std::ranges::equal(to.band(b), expected.band(b)));
+    }
+  }
+}
+
 TEST(BitGrid, WithoutCellsEverythingIsBlocked) { EXPECT_TRUE(BitGrid().blocked({0, 0})); }
 
 TEST(BitGrid, RefusesAFrameThatCannotBe) {

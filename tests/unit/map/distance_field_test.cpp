@@ -97,6 +97,29 @@ TEST(DistanceField, AWindowUpdateGivesTheBitsOfAFullOne) {
   }
 }
 
+// Some cells are further from every obstacle than the trial of near columns reaches.
+TEST(DistanceField, IsExactInOpenSpaces) {
+  test::Random random(16);
+  for (int trial = 0; trial < 4; ++trial) {
+    BitGrid obstacles({.width = 260, .height = 230, .resolution = 0.1, .origin = {}}, false);
+    for (int i = 0; i < trial; ++i)
+      obstacles.set({random.integer(0, 259), random.integer(0, 229)}, true);
+    DistanceField field(obstacles);
+    for (int y = 0; y < 230; y += 7) {
+      for (int x = 0; x < 260; ++x) {
+        const double expected = test::distance_to_blocked(obstacles, {x, y});
+        ASSERT_NEAR(field.at({x, y}), expected, kRounding * expected) << x << ", " << y;
+      }
+    }
+    const CellIndex cell{random.integer(0, 259), random.integer(0, 229)};
+    for (const bool blocked : {true, false}) {
+      obstacles.set(cell, blocked);
+      field.update(obstacles, {.first = cell, .last = cell});
+      ASSERT_TRUE(std::ranges::equal(field.cells(), DistanceField(obstacles).cells()));
+    }
+  }
+}
+
 TEST(DistanceField, WithAReachGivesTheSameBitsUpToIt) {
   test::Random random(15);
   for (int trial = 0; trial < 60; ++trial) {
