@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/navigation/body/body_navigator.hpp"
+#include "fairway/planning/prepared_map.hpp"
 #include "fairway/trajectory/trajectory_tracker.hpp"
 
 namespace fairway {
@@ -69,9 +71,9 @@ void measure(const BodyTask& task, const BodyClearance& clearance, BodyDrive& dr
     drive.length += kPeriod * std::hypot(row.twist.linear, row.twist.lateral);
     if (!clearance.is_free(row.pose, row.twist, kPeriod, 0.0)) drive.collided = true;
     constexpr double kMoving = 1e-3;  // [m/s]
-    if (std::abs(row.twist.linear) < kMoving) continue;
-    if (gear * row.twist.linear < 0.0) ++drive.cusps;
-    gear = row.twist.linear;
+    if (std::abs(row.input.linear) < kMoving) continue;
+    if (gear * row.input.linear < 0.0) ++drive.cusps;
+    gear = row.input.linear;
   }
   const DriveRow& last = drive.rows.back();
   drive.time = last.time;
@@ -83,40 +85,53 @@ void measure(const BodyTask& task, const BodyClearance& clearance, BodyDrive& dr
   drive.success = drive.reason == "arrived";
 }
 
-// Drives a plant along the trajectory, and lets it settle at the end.
-void drive_plant(BodyPlant& plant,
-                 TrajectoryTracker& tracker,
+// Drives a plant to the goal with a BodyNavigator, which plans again where it has to.
+void drive_plant(const BodyTask& task,
+                 BodyPlant& plant,
                  const std::function<double()>& clock,
                  BodyDrive& drive) {
-  constexpr double kLongestSettling = 6.0;  // [s]
-  constexpr double kStill = 2e-3;           // [m/s], [rad/s]
-  constexpr int kStillRows = 15;            // one after the other
-  double settling = 0.0;
-  int still = 0;
+  constexpr double kResponse = 0.04;  // of motors and servos [s]
+  constexpr double kStill = 5e-3;     // [m/s], [rad/s]
+  RobotModel robot{.body = task.body, .base = task.base};
+  robot.base.response_time = kResponse;
+  Settings settings;
+  settings.navigation.control_period = kPeriod;
+  settings.navigation.goal_tolerance = std::max(0.001, 0.8 * task.tolerances.position);
+  settings.navigation.heading_tolerance = std::clamp(0.8 * task.tolerances.heading, 0.001, 3.0);
+  const PreparedMap map(task.map);
+  BodyNavigator navigator(settings, robot, map);
+  navigator.lend_clock(clock);
+  navigator.set_goal({.position = task.goal.position, .heading = wrap_to_pi(task.goal.heading)});
+  static_cast<void>(navigator.plan_now({.time = 0.0, .pose = task.start}));
+  drive.plan_seconds = navigator.planning_seconds();
+  if (!navigator.plan().usable()) {
+    drive.reason = navigator.plan().reason();
+    return;
+  }
+  const bool steered = is_steered(task.base);
   Pose2 pose = plant.pose();
+  BaseInput input;
   for (std::size_t k = 0;; ++k) {
+    const double time = static_cast<double>(k) * kPeriod;
     const double before = clock();
-    const bool drives = !tracker.finished();
-    const BaseInput input = drives ? tracker.update(pose) : tracker.settle(pose);
-    drive.cycle_seconds.push_back(clock() - before);
+    const NavigationStep step = navigator.update({.time = time, .pose = pose});
+    drive.cycle_seconds.push_back(clock() - before - navigator.planning_seconds());
+    input = {.linear = step.command.linear,
+             .lateral = step.lateral,
+             .turn = steered ? step.steering : step.command.angular};
     plant.advance(input, kPeriod);
     const Pose2 next = plant.pose();
     const PlanarTwist twist = (1.0 / kPeriod) * twist_between(pose, next);
-    drive.rows.push_back(
-        {.time = static_cast<double>(k) * kPeriod, .pose = pose, .input = input, .twist = twist});
+    drive.rows.push_back({.time = time, .pose = pose, .input = input, .twist = twist});
     pose = next;
     if (plant.touched()) drive.collided = true;
-    const bool rests = std::abs(input.linear) < kStill && std::abs(input.lateral) < kStill &&
+    const bool rests = step.status == NavigationStatus::GoalReached &&
                        std::hypot(twist.linear, twist.lateral) < kStill &&
                        std::abs(twist.angular) < kStill;
-    still = rests ? still + 1 : 0;
-    settling += drives ? 0.0 : kPeriod;
-    if (drive.collided || (!drives && (still >= kStillRows || settling > kLongestSettling))) break;
+    if (drive.collided || rests || time > task.time_limit) break;
   }
-  BaseInput rest = drive.rows.back().input;
-  rest.linear = rest.lateral = 0.0;
   const double end = static_cast<double>(drive.rows.size()) * kPeriod;
-  drive.rows.push_back({.time = end, .pose = pose, .input = rest, .twist = {}});
+  drive.rows.push_back({.time = end, .pose = pose, .input = input, .twist = {}});
 }
 
 }  // namespace
@@ -131,6 +146,11 @@ BodyDrive drive_task(const BodyTask& task,
   const double begin = clock();
   const DistanceField distances(obstacles);
   const BodyClearance clearance(obstacles, distances, task.body);
+  if (plant) {
+    drive_plant(task, *plant(task), clock, drive);
+    if (!drive.rows.empty()) measure(task, clearance, drive);
+    return drive;
+  }
   const DrivePlan plan = plan_drive(clearance, task.base, task.start, task.goal, kPeriod, settings);
   drive.plan_seconds = clock() - begin;
   if (plan.rows.empty()) {
@@ -138,11 +158,6 @@ BodyDrive drive_task(const BodyTask& task,
     return drive;
   }
   TrajectoryTracker tracker(task.base, plan.rows, kPeriod);
-  if (plant) {
-    drive_plant(*plant(task), tracker, clock, drive);
-    measure(task, clearance, drive);
-    return drive;
-  }
   Pose2 pose = task.start;
   for (std::size_t k = 0; !tracker.finished(); ++k) {
     const double before = clock();

@@ -36,12 +36,4 @@ BaseInput TrajectoryTracker::update(const Pose2& pose) noexcept {
              limited(rest ? row.input : corrected_input(base_, gains_, row.pose, row.input, pose));
 }
 
-BaseInput TrajectoryTracker::settle(const Pose2& pose) noexcept {
-  constexpr double kTolerance = 1e-3;
-  const BaseInput wanted = is_finite(pose)
-                               ? settling_input(base_, rows_.back().pose, sent_, pose, kTolerance)
-                               : resting_input(base_, sent_);
-  return sent_ = limited_input(base_, sent_, wanted, period_);
-}
-
 }  // namespace fairway

@@ -21,10 +21,6 @@ class TrajectoryTracker {
   /// The input for the next period. @return rest when the trajectory is over.
   [[nodiscard]] BaseInput update(const Pose2& pose) noexcept;
 
-  /// The input for another period after the trajectory, which closes what is left to its end; rest
-  /// where that is less than a millimetre and a milliradian.
-  [[nodiscard]] BaseInput settle(const Pose2& pose) noexcept;
-
   [[nodiscard]] bool finished() const noexcept { return next_ >= rows_.size(); }
 
   /// Begins again at the first row, from rest.

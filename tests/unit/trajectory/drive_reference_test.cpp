@@ -12,33 +12,33 @@
 namespace fairway {
 namespace {
 
-constexpr double kPeriod = 0.02;
+constexpr double kRowStep = 0.02;
 
-BaseModel base_of(BaseKind kind) {
+BaseModel reference_base(BaseKind kind) {
   BaseModel base;
   base.kind = kind;
   base.linear_min = -0.8;
   return base;
 }
 
-DriveReference drive_of(const BaseModel& base) {
+DriveReference reference_of(const BaseModel& base) {
   const BitGrid obstacles(GridFrame{.width = 240, .height = 160, .resolution = 0.05, .origin = {}},
                           false);
   const DistanceField distances(obstacles);
   const BodyClearance clearance(obstacles, distances, BodyShape::rectangle(1.2, 0.6, 0.8));
   const DrivePlan plan = plan_drive(clearance, base, {.position = {2.0, 2.0}, .heading = 0.5},
-                                    {.position = {8.0, 5.0}, .heading = -1.0}, kPeriod, {});
-  return DriveReference(base, plan.rows, kPeriod);
+                                    {.position = {8.0, 5.0}, .heading = -1.0}, kRowStep, {});
+  return DriveReference(base, plan.rows, kRowStep);
 }
 
-constexpr std::array<BaseKind, 4> kKinds{BaseKind::Unicycle, BaseKind::Car, BaseKind::Tricycle,
-                                         BaseKind::Omni};
+constexpr std::array<BaseKind, 4> kDrivenKinds{BaseKind::Unicycle, BaseKind::Car,
+                                               BaseKind::Tricycle, BaseKind::Omni};
 
 TEST(DriveReference, PosesAreThoseOfTheRows) {
-  const DriveReference drive = drive_of(base_of(BaseKind::Car));
+  const DriveReference drive = reference_of(reference_base(BaseKind::Car));
   ASSERT_GT(drive.rows().size(), 100U);
   for (std::size_t k = 0; k < drive.rows().size(); ++k) {
-    const Pose2 pose = drive.pose_at(static_cast<double>(k) * kPeriod + 1e-12);
+    const Pose2 pose = drive.pose_at(static_cast<double>(k) * kRowStep + 1e-12);
     EXPECT_NEAR((pose.position - drive.rows()[k].pose.position).norm(), 0.0, 1e-9);
   }
   EXPECT_EQ(drive.pose_at(-1.0).position, drive.rows().front().pose.position);
@@ -47,9 +47,9 @@ TEST(DriveReference, PosesAreThoseOfTheRows) {
 
 // From any phase and rate, braking ends at rest, and no axis changes faster than the base can.
 TEST(DriveReference, BrakingKeepsTheAccelerationsOfTheBase) {
-  for (const BaseKind kind : kKinds) {
-    const BaseModel base = base_of(kind);
-    const DriveReference drive = drive_of(base);
+  for (const BaseKind kind : kDrivenKinds) {
+    const BaseModel base = reference_base(kind);
+    const DriveReference drive = reference_of(base);
     for (double phase = 0.0; phase < drive.duration(); phase += 0.37) {
       for (const double rate : {1.0, 0.5, -0.5}) {
         DriveProgress now{.phase = phase, .rate = rate};
@@ -73,8 +73,8 @@ TEST(DriveReference, BrakingKeepsTheAccelerationsOfTheBase) {
 }
 
 TEST(DriveReference, ASlowerSteeredBaseKeepsItsCurvature) {
-  const BaseModel base = base_of(BaseKind::Tricycle);
-  const DriveReference drive = drive_of(base);
+  const BaseModel base = reference_base(BaseKind::Tricycle);
+  const DriveReference drive = reference_of(base);
   for (double phase = 0.0; phase < drive.duration(); phase += 0.1) {
     const BaseInput fast = drive.input_at({.phase = phase, .rate = 1.0});
     const BaseInput slow = drive.input_at({.phase = phase, .rate = 0.25});
@@ -84,7 +84,7 @@ TEST(DriveReference, ASlowerSteeredBaseKeepsItsCurvature) {
 }
 
 TEST(DriveReference, StaysWithinTheDrive) {
-  const DriveReference drive = drive_of(base_of(BaseKind::Omni));
+  const DriveReference drive = reference_of(reference_base(BaseKind::Omni));
   DriveProgress now;
   for (int i = 0; i < 100; ++i)
     now = drive.advanced(now, -1.0, 0.1);

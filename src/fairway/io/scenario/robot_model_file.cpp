@@ -58,6 +58,7 @@ BaseModel read_base(YamlMapping& robot) {
   base.angular_max = robot.number("angular_max", kSpeed);
   base.linear_acceleration = robot.number("linear_acceleration", kChange);
   base.angular_acceleration = robot.number("angular_acceleration", kChange);
+  base.response_time = robot.number("response_time", {.min = 0.0, .max = 1.0}, 0.0);
   base.wheels = read_wheels(robot);
   return base;
 }
@@ -167,6 +168,7 @@ std::string robot_model_yaml(const RobotModel& model, int indent) {
   number("angular_max", base.angular_max);
   number("linear_acceleration", base.linear_acceleration);
   number("angular_acceleration", base.angular_acceleration);
+  number("response_time", base.response_time);
   const WheelLimit& wheels = base.wheels;
   if (wheels.kind == WheelKind::None) return text;
   std::string form;

@@ -215,6 +215,7 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
       .moving = {.obstacles = m.obstacles,
                  .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
                  .prediction = settings.prediction}};
+  if (has_drive_ && follower.is_lost(m.pose)) wants_plan_ = true;
   if (!has_drive_ || wants_plan_) {
     const bool plans = planning.busy();
     const FollowerStep braked = follower.brake(view);

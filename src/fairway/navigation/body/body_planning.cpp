@@ -75,6 +75,8 @@ PathStatus path_status_of(BodyPathStatus status) noexcept {
 
 DriveSettings drive_settings_for(const BodyShape& body) noexcept {
   DriveSettings settings;
+  constexpr double kReserve = 0.1;  // of the limits, for corrections
+  settings.limit_share = 1.0 - kReserve;
   settings.path.cell = std::clamp(0.045 * body.circumscribed_radius(), 0.04, 0.2);
   return settings;
 }

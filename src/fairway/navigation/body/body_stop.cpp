@@ -39,6 +39,12 @@ StopVerdict check_stop(const BaseModel& base,
   const BodyClearance& clearance = *surroundings.clearance;
   Pose2 now = pose;
   BaseInput from = sent;
+  if (base.response_time > 0.0 && !is_at_rest(base, sent)) {
+    const Pose2 next = driven(base, now, sent, sent, base.response_time);
+    if (!clearance.is_free(now, twist_between(now, next), 1.0, surroundings.margin))
+      return StopVerdict::HitsStatic;
+    now = next;
+  }
   for (int i = -1; i < stop.count; ++i) {
     const BaseInput& to = i < 0 ? input : stop.inputs[static_cast<std::size_t>(i)];
     if (is_at_rest(base, from) && is_at_rest(base, to)) break;
@@ -50,7 +56,7 @@ StopVerdict check_stop(const BaseModel& base,
       if (!clearance.is_free(now, twist_between(now, next), 1.0, surroundings.margin))
         return StopVerdict::HitsStatic;
       now = next;
-      const double time = period * (i + 1 + 0.5 * (half + 1));
+      const double time = base.response_time + period * (i + 1 + 0.5 * (half + 1));
       if (body_separation(clearance.body(), now, surroundings.moving, time) < 0.0)
         return StopVerdict::HitsMoving;
     }

@@ -54,6 +54,8 @@ class DriveFollower {
   [[nodiscard]] FollowerStep brake(const FollowerView& view) noexcept;
 
   [[nodiscard]] bool at_rest() const noexcept;
+  /// Whether a robot at `pose` is too far from where the drive has it.
+  [[nodiscard]] bool is_lost(const Pose2& pose) const noexcept;
   [[nodiscard]] bool finished() const noexcept { return progress_.phase >= reference_.duration(); }
   /// Whether the drive is finished, and what was left to its end is closed as far as possible.
   [[nodiscard]] bool settled() const noexcept { return settled_ && at_rest(); }
@@ -68,12 +70,15 @@ class DriveFollower {
   };
   struct Candidate {
     DriveProgress progress;
+    DriveProgress sent_for;  // where the robot is when the base has followed the input
     BaseInput input;
   };
   [[nodiscard]] bool steers_first() noexcept;
   [[nodiscard]] FollowerStep settle(const FollowerView& view) noexcept;
+  [[nodiscard]] double accuracy(const Pose2& pose) const noexcept;
   [[nodiscard]] Choice choose_rate(const FollowerView& view) const noexcept;
   [[nodiscard]] Candidate candidate(const Pose2& pose, double target) const noexcept;
+  [[nodiscard]] bool escape(const FollowerView& view) noexcept;
   [[nodiscard]] StopVerdict prove(const FollowerView& view, const Candidate& next) noexcept;
   void take(const Candidate& next) noexcept;
 

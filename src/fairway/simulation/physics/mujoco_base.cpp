@@ -94,7 +94,7 @@ void add_wheel(std::ostream& xml,
                std::size_t number) {
   const double r = built.wheel_radius;
   const double inertia = 0.002 * built.mass * r;
-  constexpr double kServo = 40.0;  // natural frequency of the steering [rad/s]
+  constexpr double kServo = 60.0;  // natural frequency of the steering [rad/s]
   xml << "<body pos='" << wheel.at.x() << ' ' << wheel.at.y() << ' ' << r << "'>\n";
   // The steering carries the wheel, so it has some mass of its own.
   if (wheel.steered) {
@@ -102,7 +102,7 @@ void add_wheel(std::ostream& xml,
         << number << "' axis='0 0 1' armature='" << inertia << "' damping='"
         << 2.0 * kServo * inertia << "'/>\n<body>\n";
   }
-  xml << "<joint name='drive" << number << "' axis='0 1 0' armature='" << 0.002 * built.mass * r * r
+  xml << "<joint name='drive" << number << "' axis='0 1 0' armature='" << 0.05 * built.mass * r * r
       << "'/>\n";
   if (wheel.rollers != 0.0) {
     xml << "<geom type='cylinder' size='" << 0.5 * r << " 0.01' quat='0.70710678118654757 "
@@ -224,10 +224,12 @@ std::string mujoco_base_model(const RobotModel& robot,
     add_wheel(body, built, built.wheels[i], i);
   body << "</body>\n";
 
+  // Not the implicit integrator: with it MuJoCo 2.2 lets wheels slip ahead of a base that speeds
+  // up.
   std::ostringstream xml;
   xml.precision(17);
   xml << "<mujoco model='fairway'>\n"
-         "<option timestep='0.0025' integrator='implicit' noslip_iterations='4'/>\n"
+         "<option timestep='0.0025' noslip_iterations='4'/>\n"
          "<asset>\n"
       << meshes << "</asset>\n<worldbody>\n"
       << "<geom name='floor' type='plane' size='0 0 1' contype='1' conaffinity='1'/>\n";
@@ -237,11 +239,11 @@ std::string mujoco_base_model(const RobotModel& robot,
   const double inertia = 0.002 * built.mass * r;
   for (std::size_t i = 0; i < built.wheels.size(); ++i) {
     if (built.wheels[i].steered)
-      xml << "<position name='steer" << i << "' joint='steer" << i << "' kp='" << 1600.0 * inertia
+      xml << "<position name='steer" << i << "' joint='steer" << i << "' kp='" << 3600.0 * inertia
           << "'/>\n";
     if (built.wheels[i].driven)
       xml << "<velocity name='drive" << i << "' joint='drive" << i << "' kv='"
-          << 15.0 * built.mass * r * r << "' forcelimited='true' forcerange='"
+          << 20.0 * built.mass * r * r << "' forcelimited='true' forcerange='"
           << -6.0 * built.mass * r << ' ' << 6.0 * built.mass * r << "'/>\n";
   }
   xml << "</actuator>\n</mujoco>\n";
