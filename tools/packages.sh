@@ -23,6 +23,8 @@ dds_packages=(cyclonedds-dev cyclonedds-tools iproute2)
 # The Python package, optional: numpy to use it; pytest, mypy and matplotlib for its tests.
 python_packages=(python3-dev pybind11-dev python3-numpy python3-venv python3-pip python3-pytest python3-matplotlib
   mypy)
+# Debian packages of Fairway, optional; lintian checks them.
+package_packages=(dpkg-dev file lintian)
 # The checks of .ci; the formatter's version is pinned, because it determines the result.
 format_packages=(git clang-format-14)
 tidy_packages=(git clang clang-tidy)

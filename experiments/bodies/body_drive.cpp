@@ -19,10 +19,9 @@ constexpr double kPeriod = 0.02;  // control period and spacing of the rows [s]
 std::string judge(const BodyTask& task, const BodyDrive& drive) {
   if (drive.collided) return "the body touched an obstacle";
   const DriveRow& last = drive.rows.back();
-  const double away = (last.pose.position - task.goal.position).norm();
-  const double turned = std::abs(shortest_turn(last.pose.heading, task.goal.heading));
-  if (away > task.tolerances.position || turned > task.tolerances.heading)
-    return fmt::format("the drive ended {:.3f} m and {:.3f} rad from the goal", away, turned);
+  if (drive.end_distance > task.tolerances.position || drive.end_turn > task.tolerances.heading)
+    return fmt::format("the drive ended {:.3f} m and {:.3f} rad from the goal", drive.end_distance,
+                       drive.end_turn);
   if (std::abs(last.twist.linear) > task.tolerances.linear ||
       std::abs(last.twist.lateral) > task.tolerances.linear ||
       std::abs(last.twist.angular) > task.tolerances.angular)
@@ -74,18 +73,58 @@ void measure(const BodyTask& task, const BodyClearance& clearance, BodyDrive& dr
     if (gear * row.twist.linear < 0.0) ++drive.cusps;
     gear = row.twist.linear;
   }
-  drive.time = drive.rows.back().time;
+  const DriveRow& last = drive.rows.back();
+  drive.time = last.time;
+  drive.end_distance = (last.pose.position - task.goal.position).norm();
+  drive.end_turn = std::abs(shortest_turn(last.pose.heading, task.goal.heading));
   drive.min_clearance = drive.collided ? 0.0 : least_clearance(clearance, drive.rows);
   drive.cost = parking_cost(drive);
   drive.reason = judge(task, drive);
   drive.success = drive.reason == "arrived";
 }
 
+// Drives a plant along the trajectory, and lets it settle at the end.
+void drive_plant(BodyPlant& plant,
+                 TrajectoryTracker& tracker,
+                 const std::function<double()>& clock,
+                 BodyDrive& drive) {
+  constexpr double kLongestSettling = 6.0;  // [s]
+  constexpr double kStill = 2e-3;           // [m/s], [rad/s]
+  constexpr int kStillRows = 15;            // one after the other
+  double settling = 0.0;
+  int still = 0;
+  Pose2 pose = plant.pose();
+  for (std::size_t k = 0;; ++k) {
+    const double before = clock();
+    const bool drives = !tracker.finished();
+    const BaseInput input = drives ? tracker.update(pose) : tracker.settle(pose);
+    drive.cycle_seconds.push_back(clock() - before);
+    plant.advance(input, kPeriod);
+    const Pose2 next = plant.pose();
+    const PlanarTwist twist = (1.0 / kPeriod) * twist_between(pose, next);
+    drive.rows.push_back(
+        {.time = static_cast<double>(k) * kPeriod, .pose = pose, .input = input, .twist = twist});
+    pose = next;
+    if (plant.touched()) drive.collided = true;
+    const bool rests = std::abs(input.linear) < kStill && std::abs(input.lateral) < kStill &&
+                       std::hypot(twist.linear, twist.lateral) < kStill &&
+                       std::abs(twist.angular) < kStill;
+    still = rests ? still + 1 : 0;
+    settling += drives ? 0.0 : kPeriod;
+    if (drive.collided || (!drives && (still >= kStillRows || settling > kLongestSettling))) break;
+  }
+  BaseInput rest = drive.rows.back().input;
+  rest.linear = rest.lateral = 0.0;
+  const double end = static_cast<double>(drive.rows.size()) * kPeriod;
+  drive.rows.push_back({.time = end, .pose = pose, .input = rest, .twist = {}});
+}
+
 }  // namespace
 
 BodyDrive drive_task(const BodyTask& task,
                      const DriveSettings& settings,
-                     const std::function<double()>& clock) {
+                     const std::function<double()>& clock,
+                     const BodyPlantMaker& plant) {
   BodyDrive drive;
   drive.task = task.name;
   const BitGrid obstacles(task.map);
@@ -99,6 +138,11 @@ BodyDrive drive_task(const BodyTask& task,
     return drive;
   }
   TrajectoryTracker tracker(task.base, plan.rows, kPeriod);
+  if (plant) {
+    drive_plant(*plant(task), tracker, clock, drive);
+    measure(task, clearance, drive);
+    return drive;
+  }
   Pose2 pose = task.start;
   for (std::size_t k = 0; !tracker.finished(); ++k) {
     const double before = clock();

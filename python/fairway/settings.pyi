@@ -237,6 +237,8 @@ class PerceptionSettings:
     uncertainty_share: float
     """number of standard deviations of its position added to a moving object's radius; a greater value keeps more
     distance"""
+    match_scans: bool
+    """whether poses by odometry are corrected by matching each scan with the surfaces seen before; without a map only"""
     max_beams: int
     """number of beams used of a scan, the first ones"""
 

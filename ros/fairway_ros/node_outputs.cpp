@@ -23,6 +23,7 @@ std::int8_t level_of(NavigationStatus status) noexcept {
     case NavigationStatus::Degraded:
     case NavigationStatus::GoalReached:
     case NavigationStatus::Planning:
+    case NavigationStatus::Holding:
       return DiagnosticStatus::OK;
     case NavigationStatus::Stopping:
     case NavigationStatus::Blocked:

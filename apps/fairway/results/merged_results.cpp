@@ -69,6 +69,37 @@ struct Weighted {
   double weight;
 };
 
+// Counts of all runs from those of the parts: sums, and the least of what begins with "least".
+Json total(std::string_view key, const std::vector<const Json*>& parts) {
+  const Json& first = *parts.front();
+  if (first.is_object()) {
+    Json object = Json::object();
+    for (const auto& [name, value] : first.items()) {
+      std::vector<const Json*> inner;
+      for (const Json* one : parts) {
+        if (one->is_object() && one->contains(name)) inner.push_back(&one->at(name));
+      }
+      object[name] = total(name, inner);
+    }
+    return object;
+  }
+  Json sum = first;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Json& other = *parts[i];
+    if (!other.is_number()) continue;
+    if (!sum.is_number()) {
+      sum = other;
+    } else if (key.substr(0, 5) == "least") {
+      sum = std::min(sum.get<double>(), other.get<double>());
+    } else if (sum.is_number_integer() && other.is_number_integer()) {
+      sum = sum.get<std::int64_t>() + other.get<std::int64_t>();
+    } else {
+      sum = sum.get<double>() + other.get<double>();
+    }
+  }
+  return sum;
+}
+
 // A summary of all runs from those of the parts.
 Json joined(std::string_view key, const std::vector<Weighted>& parts) {
   const Json& first = *parts.front().value;
@@ -138,7 +169,14 @@ Expected<Json> merge_results(std::span<const ShardResult> shards) {
               {&shard.result.at(key), static_cast<double>(shard.result.at(list).size())});
         }
       }
-      merged[key] = joined(key, parts);
+      if (key == "totals") {
+        std::vector<const Json*> counts;
+        for (const Weighted& one : parts)
+          counts.push_back(one.value);
+        merged[key] = total(key, counts);
+      } else {
+        merged[key] = joined(key, parts);
+      }
     }
   }
   merged["merged"] = Json::array();

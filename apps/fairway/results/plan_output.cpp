@@ -98,7 +98,8 @@ Expected<void> write_plan_picture(const std::string& file,
                   .path = plan.path,
                   .corridor = plan.corridor,
                   .track = {}}},
-      .bodies = {}};
+      .bodies = {},
+      .zones = query.zones};
   const Expected<std::string> bytes = io::draw_world(drawing, *io::picture_format(file));
   return bytes ? write_output(file, *bytes) : tl::unexpected(bytes.error());
 }

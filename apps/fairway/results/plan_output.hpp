@@ -9,6 +9,7 @@
 #include "cli/provenance.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/planning/path_obstruction.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway::app {
 
@@ -17,6 +18,7 @@ struct PlanQuery {
   PointArgument start;
   PointArgument goal;
   Settings settings;
+  Zones zones;
   PlannerHooks hooks;
 };
 

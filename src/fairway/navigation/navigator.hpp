@@ -19,6 +19,7 @@
 #include "fairway/safety/safe_stop.hpp"
 #include "fairway/tracking/candidate_solver.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
+#include "fairway/tracking/zone_speeds.hpp"
 
 namespace fairway {
 
@@ -73,6 +74,10 @@ class Navigator {
   void note_remaining() noexcept;
   void coordinate(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
+  [[nodiscard]] NavigationStep stay_on_hold() noexcept;
+  void find_zone_speeds(const NavigationInput& input) noexcept;
+  void limit_speed(const NavigationInput& input) noexcept;
+  void name_limits(const NavigationInput& input, NavigationStep& step) const noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep send(std::size_t candidate,
                                     std::span<const Twist2> commands) noexcept;
@@ -97,7 +102,9 @@ class Navigator {
   Plan plan_;
   CorridorFollower corridor_;
   FleetCoordinator fleet_;
-  ReferencePath path_;  // the corridor's reference path, or the detour around other robots
+  ReferencePath path_;           // the corridor's reference path, or the detour around other robots
+  PathSpeedLimits zone_speeds_;  // along that path
+  bool in_speed_zone_ = false;   // a zone limits the speed in this cycle, here or ahead
   ControlProblem problem_;
   MpcSolution solution_;  // of the last cycle; horizon 0 when there is none
   Candidates candidates_;
@@ -111,7 +118,6 @@ class Navigator {
   BaseResponse response_;  // of the base now
   Pose2 ahead_;            // where the robot will be when it answers to the command of this cycle
   SafeStop stop_;
-  CycleClock clock_;
   DeadReckoning reckoning_;
   GoalCheck goal_check_;
   double plan_time_ = -1.0;  // when the present plan was first driven on

@@ -29,6 +29,8 @@ const char* label_of(NavigationStatus status) noexcept {
       return "Planning";
     case NavigationStatus::GaveUp:
       return "Gave up";
+    case NavigationStatus::Holding:
+      return "On hold";
   }
   return "Unknown";
 }
@@ -75,6 +77,16 @@ const char* label_of(LimitingFactor limit) noexcept {
       return "Invalid scan";
     case LimitingFactor::LateCycle:
       return "Late cycle";
+    case LimitingFactor::KeepOutZone:
+      return "Keep-out zone";
+    case LimitingFactor::Strip:
+      return "Strip";
+    case LimitingFactor::SpeedZone:
+      return "Speed zone";
+    case LimitingFactor::OneWayZone:
+      return "One-way zone";
+    case LimitingFactor::Hold:
+      return "On hold";
   }
   return "Unknown";
 }

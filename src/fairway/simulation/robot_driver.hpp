@@ -4,9 +4,10 @@
 #include <functional>
 #include <memory>
 
-#include "fairway/navigation/navigator.hpp"
+#include "fairway/planning/plan.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
+#include "fairway/simulation/limit_mark.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/world.hpp"
 
@@ -59,7 +60,11 @@ class RobotDriver {
   /// that no other robot waits for it.
   virtual void tell_standing(const World& world) = 0;
 
-  [[nodiscard]] virtual const Navigator& navigator() const = 0;
+  /// The plan being followed.
+  [[nodiscard]] virtual const Plan& plan() const = 0;
+
+  /// Where the constraint that limits a step lies.
+  [[nodiscard]] virtual LimitMark mark(const NavigationStep& step) const = 0;
 };
 
 /// What all drivers of an episode share. The pointers must outlive them.

@@ -16,11 +16,6 @@ namespace {
 
 constexpr double kFarAway = 1000.0;  // [m]
 
-Encounter unharmed() noexcept {
-  return {.min_clearance = World::kClearanceLimit,
-          .min_separation = std::numeric_limits<double>::infinity()};
-}
-
 // Speed of something at `from` towards `to`.
 double speed_towards(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& velocity,
@@ -39,20 +34,34 @@ double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d
 
 }  // namespace
 
+Encounter Encounter::unharmed() noexcept {
+  return {.min_clearance = World::kClearanceLimit,
+          .min_separation = std::numeric_limits<double>::infinity()};
+}
+
 World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
     : obstacles_(scenario.map, unknown_cells(scenario.settings.map)),
       footprint_(footprint_of(scenario.settings.robot)),
+      zones_(scenario.zones),
       bodies_(scenario.bodies),
       physics_(std::move(physics)) {
   for (const RobotTask& task : scenario.robots) {
     robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
     actuation_.push_back(task.actuation);
+    models_.emplace_back();
+    clearances_.emplace_back();
+    if (!task.model) continue;
+    if (!distances_) distances_.emplace(obstacles_);
+    models_.back() = {.model = *task.model, .pose = task.start};
+    clearances_.back().emplace(obstacles_, *distances_, task.model->body);
   }
   set_robots(scenario.settings);
   touched_.assign(robots_.size(), 0);
-  encounters_.assign(robots_.size(), unharmed());
-  for (std::size_t i = 0; i < robots_.size(); ++i)
+  encounters_.assign(robots_.size(), Encounter::unharmed());
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
     judge(i);
+    judged_.push_back(robots_[i].pose);
+  }
 }
 
 void World::advance(const std::vector<Twist2>& commands, double dt) {
@@ -64,6 +73,16 @@ void World::advance(const std::vector<Twist2>& commands, double dt) {
     move(commands, dt / steps);
     for (std::size_t i = 0; i < robots_.size(); ++i)
       judge(i);
+    if (!zones_.empty()) judge_all_zones();
+  }
+}
+
+void World::judge_all_zones() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const UnicycleRobot& robot = robots_[i];
+    judge_zones(zones_, footprint_, judged_[i], robot.pose, robot.twist.linear,
+                encounters_[i].zones);
+    judged_[i] = robot.pose;
   }
 }
 
@@ -83,7 +102,54 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
     return;
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (!encounters_[i].collided && !encounters_[i].absent) robots_[i].advance(commands[i], dt);
+    if (encounters_[i].collided || encounters_[i].absent) continue;
+    if (!models_[i]) {
+      robots_[i].advance(commands[i], dt);
+      continue;
+    }
+    models_[i]->advance(dt);
+    const PlanarTwist twist = models_[i]->twist();
+    robots_[i].pose = models_[i]->pose;
+    robots_[i].twist = {.linear = twist.linear, .angular = twist.angular};
+  }
+}
+
+void World::send(std::size_t robot, const BaseInput& input) {
+  models_.at(robot).value().sent = input;
+}
+
+const BodyRobot* World::model_of(std::size_t robot) const {
+  const std::optional<BodyRobot>& model = models_.at(robot);
+  return model ? &*model : nullptr;
+}
+
+double World::clearance(std::size_t robot) const {
+  const Pose2& pose = robots_.at(robot).pose;
+  if (models_[robot]) return clearances_[robot]->distance(pose, kClearanceLimit);
+  return footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
+}
+
+double World::body_distance(std::size_t robot, const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d local = inverse_transform(robots_[robot].pose, point);
+  return models_[robot] ? models_[robot]->model.body.distance(local) : footprint_.distance(local);
+}
+
+// Another robot as discs that cover it, which move with it.
+void World::add_robot_discs(std::size_t robot, std::vector<MovingObstacle>& seen) const {
+  const UnicycleRobot& r = robots_[robot];
+  if (!models_[robot]) {
+    seen.push_back({.position = r.pose.position,
+                    .velocity = r.twist.linear * direction(r.pose.heading),
+                    .radius = footprint_.circumscribed_radius()});
+    return;
+  }
+  const PlanarTwist twist = models_[robot]->twist();
+  for (const Footprint::Disc& disc : models_[robot]->model.body.cover()) {
+    const Eigen::Vector2d speed(twist.linear - twist.angular * disc.center.y(),
+                                twist.lateral + twist.angular * disc.center.x());
+    seen.push_back({.position = transform(r.pose, disc.center),
+                    .velocity = rotated(speed, r.pose.heading),
+                    .radius = disc.radius});
   }
 }
 
@@ -93,7 +159,7 @@ World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
   Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};
   const auto look_at = [&](const MovingObstacle& now, Contact::With with, std::size_t other) {
-    const double length = footprint_.distance(inverse_transform(pose, now.position)) - now.radius;
+    const double length = body_distance(robot, now.position) - now.radius;
     if (!(length < gap.length)) return;
     gap = {.length = length,
            .position = now.position,
@@ -105,19 +171,42 @@ World::Gap World::gap_to_moving(std::size_t robot) const {
     if (bodies_[i].is_there(time_)) look_at(bodies_[i].at(time_), Contact::With::Body, i);
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other != robot && !encounters_[other].absent)
-      look_at(as_obstacle(other), Contact::With::Robot, other);
+    if (other == robot || encounters_[other].absent) continue;
+    const Eigen::Vector2d& at = robots_[other].pose.position;
+    const Eigen::Vector2d velocity =
+        robots_[other].twist.linear * direction(robots_[other].pose.heading);
+    if (!models_[other]) {
+      look_at({.position = at, .velocity = velocity, .radius = footprint_.circumscribed_radius()},
+              Contact::With::Robot, other);
+      continue;
+    }
+    for (const Footprint::Disc& disc : models_[other]->model.body.cover()) {
+      look_at({.position = transform(robots_[other].pose, disc.center),
+               .velocity = velocity,
+               .radius = disc.radius},
+              Contact::With::Robot, other);
+    }
   }
   return gap;
+}
+
+void World::measure_clearance(std::size_t robot) {
+  double& least = encounters_[robot].min_clearance;
+  const Pose2& pose = robots_[robot].pose;
+  if (models_[robot]) {
+    if (clearances_[robot]->is_free(pose, std::max(least, 0.0))) return;
+    constexpr double kTouching = -1e-9;
+    const double now = clearances_[robot]->distance(pose, kClearanceLimit);
+    least = std::min(least, now > 0.0 ? now : kTouching);
+  } else if (!is_free(obstacles_, footprint_, pose, least)) {
+    least = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
+  }
 }
 
 void World::judge(std::size_t robot) {
   Encounter& met = encounters_[robot];
   if (met.collided || met.absent) return;
-  const Pose2& pose = robots_[robot].pose;
-  if (!is_free(obstacles_, footprint_, pose, met.min_clearance)) {
-    met.min_clearance = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
-  }
+  measure_clearance(robot);
   const Gap gap = gap_to_moving(robot);
   met.min_separation = std::min(met.min_separation, gap.length);
   const bool touches = met.min_clearance < 0.0 || met.min_separation < 0.0;
@@ -128,68 +217,12 @@ void World::judge(std::size_t robot) {
     const bool is_static = met.min_clearance < gap.length;
     met.contact = {.with = is_static ? Contact::With::StaticObstacle : gap.with,
                    .other = gap.other,
-                   .other_approach =
-                       is_static ? 0.0 : speed_towards(gap.position, gap.velocity, pose.position)};
+                   .other_approach = is_static ? 0.0
+                                               : speed_towards(gap.position, gap.velocity,
+                                                               robots_[robot].pose.position)};
     if (!physics_) robots_[robot].twist = {};
+    if (models_[robot]) models_[robot]->input = {};
   }
-}
-
-bool World::set_blocked(CellIndex cell, bool blocked) {
-  const GridFrame& frame = obstacles_.frame();
-  if (!frame.contains(cell)) return false;
-  if (blocked) {
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      if (encounters_[i].absent) continue;
-      const UnicycleRobot& robot = robots_[i];
-      const Eigen::Vector2d center = frame.to_grid(robot.pose.position);
-      const Eigen::Vector2d corner(cell.x, cell.y);
-      const Eigen::Vector2d nearest =
-          center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
-      if ((nearest - center).norm() * frame.resolution <=
-          footprint_.circumscribed_radius() + kFreeSpaceSkin) {
-        return false;
-      }
-    }
-  }
-  obstacles_.set(cell, blocked);
-  return true;
-}
-
-void World::set_body(std::size_t index, const MovingBody& body) {
-  FAIRWAY_EXPECTS(index <= bodies_.size() && !body.key_frames.empty());
-  if (index == bodies_.size()) bodies_.emplace_back();
-  bodies_[index] = body;
-}
-
-void World::remove_body(std::size_t index) {
-  FAIRWAY_EXPECTS(index < bodies_.size());
-  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
-void World::place_robot(std::size_t index, const Pose2& pose) {
-  FAIRWAY_EXPECTS(index < robots_.size());
-  robots_[index].pose = pose;
-  robots_[index].twist = {};
-  robots_[index].controller = {};
-  encounters_[index] = unharmed();
-  judge(index);
-}
-
-void World::add_robot(const RobotTask& task, const Settings& settings) {
-  FAIRWAY_EXPECTS(!physics_);
-  robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
-  actuation_.push_back(task.actuation);
-  touched_.push_back(0);
-  encounters_.push_back(unharmed());
-  set_robots(settings);
-  judge(robots_.size() - 1);
-}
-
-void World::set_present(std::size_t index, bool present) {
-  FAIRWAY_EXPECTS(index < robots_.size());
-  if (present == !encounters_[index].absent) return;
-  encounters_[index].absent = !present;
-  if (present) place_robot(index, robots_[index].pose);
 }
 
 void World::set_robots(const Settings& settings) {
@@ -208,15 +241,8 @@ void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
 void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {
   moving_bodies(seen);
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other != robot && !encounters_[other].absent) seen.push_back(as_obstacle(other));
+    if (other != robot && !encounters_[other].absent) add_robot_discs(other, seen);
   }
-}
-
-MovingObstacle World::as_obstacle(std::size_t robot) const {
-  const UnicycleRobot& r = robots_[robot];
-  return {.position = r.pose.position,
-          .velocity = r.twist.linear * direction(r.pose.heading),
-          .radius = footprint_.circumscribed_radius()};
 }
 
 }  // namespace fairway

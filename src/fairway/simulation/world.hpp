@@ -7,6 +7,10 @@
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
+#include "fairway/map/body_clearance.hpp"
+#include "fairway/map/distance_field.hpp"
+#include "fairway/simulation/bodies/body_robot.hpp"
+#include "fairway/simulation/judges/zone_judge.hpp"
 #include "fairway/simulation/moving_body.hpp"
 #include "fairway/simulation/physics.hpp"
 #include "fairway/simulation/scenario.hpp"
@@ -26,6 +30,9 @@ struct Contact {
 
 /// What the simulator observed of one robot, at its own fine steps.
 struct Encounter {
+  /// Of a robot that has touched nothing and has not been measured yet.
+  [[nodiscard]] static Encounter unharmed() noexcept;
+
   bool collided = false;
   bool absent = false;          ///< the robot was removed from the running world
   double collision_time = 0.0;  ///< of the first contact [s]
@@ -35,6 +42,7 @@ struct Encounter {
   double approach = 0.0;
   double min_clearance;   ///< least distance from the body to a static obstacle [m]
   double min_separation;  ///< least distance to another body, infinite without any [m]
+  ZoneBreaches zones{};   ///< how far it has broken the zones
 };
 
 /// The true world: robots, bodies that move, and static obstacles. It judges contact with the true
@@ -52,6 +60,16 @@ class World {
   /// Moves everything for `dt` [s] while each robot executes its command. A robot that has touched
   /// an obstacle does not move any more.
   void advance(const std::vector<Twist2>& commands, double dt);
+
+  /// Sends a command to a robot with a model, which executes it instead of its entry of `commands`.
+  /// @pre the robot has a model.
+  void send(std::size_t robot, const BaseInput& input);
+
+  /// A robot with a model; null for one without.
+  [[nodiscard]] const BodyRobot* model_of(std::size_t robot) const;
+
+  /// Distance from the body of a robot to static obstacles, at most kClearanceLimit [m].
+  [[nodiscard]] double clearance(std::size_t robot) const;
 
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] const std::vector<UnicycleRobot>& robots() const noexcept { return robots_; }
@@ -96,6 +114,10 @@ class World {
  private:
   void move(const std::vector<Twist2>& commands, double dt);
   void judge(std::size_t robot);
+  void judge_all_zones();
+  void measure_clearance(std::size_t robot);
+  [[nodiscard]] double body_distance(std::size_t robot, const Eigen::Vector2d& point) const;
+  void add_robot_discs(std::size_t robot, std::vector<MovingObstacle>& seen) const;
   struct Gap {
     double length;             // infinite without moving obstacles [m]
     Eigen::Vector2d position;  // centre of the nearest body or robot
@@ -104,13 +126,17 @@ class World {
     std::size_t other = 0;
   };
   [[nodiscard]] Gap gap_to_moving(std::size_t robot) const;
-  [[nodiscard]] MovingObstacle as_obstacle(std::size_t robot) const;
 
   BitGrid obstacles_;
   Footprint footprint_;
   std::vector<UnicycleRobot> robots_;
   std::vector<std::optional<UnicycleLimits>> actuation_;  // of each, where the scenario says so
+  std::vector<std::optional<BodyRobot>> models_;          // of each, where the scenario says so
+  std::optional<DistanceField> distances_;                // only with such robots
+  std::vector<std::optional<BodyClearance>> clearances_;
   std::vector<Encounter> encounters_;
+  Zones zones_;
+  std::vector<Pose2> judged_;  // poses at the last step, for the zones
   std::vector<MovingBody> bodies_;
   std::unique_ptr<Physics> physics_;
   std::vector<std::uint8_t> touched_;       // per robot, reported by the engine

@@ -94,6 +94,7 @@ void set_timed_targets(const ReferencePath& path,
     v = std::min(v + change * dt, robot.linear_max);
     const double before_unknown = std::sqrt(2.0 * braking * std::max(0.0, start.free_length - s));
     v = std::min(v, std::max(kSlowest, std::min(limits.at(path, s, braking), before_unknown)));
+    if (start.speed_limits != nullptr) v = std::min(v, start.speed_limits->at(s, braking));
     s = std::min(s + v * moving, length);
 
     const Vector2d here = path.at(s);

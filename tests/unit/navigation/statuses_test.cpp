@@ -139,16 +139,6 @@ TEST_F(Statuses, StoppingOutsideTheCorridorAsksForAPlan) {
   EXPECT_TRUE(step.wants_plan);
 }
 
-TEST_F(Statuses, RecoveringTurnsTowardsThePathWhenARobotIsAtStandstill) {
-  settings_.navigation.stall_timeout = 0.5;
-  start({.position = {5.2, 1.1}, .heading = 2.5}, kBehindTheDoor);
-  obstacles_ = {{.position = {6.0, 0.8}, .velocity = {}, .radius = 0.3},
-                {.position = {6.0, 1.4}, .velocity = {}, .radius = 0.3}};
-  run(20.0);
-  EXPECT_TRUE(statuses_.contains(Recovering));
-  EXPECT_LT(std::abs(robot_.pose.heading), 0.5);
-}
-
 // A solver that has no answer, as for a problem whose numbers contradict each other.
 class NoAnswer final : public ControlSolver {
  public:
@@ -171,6 +161,33 @@ TEST_F(Statuses, InfeasibleWhenTheSolverHasNoAnswer) {
   EXPECT_EQ(step.limit, LimitingFactor::SolverFailed);
   EXPECT_EQ(step.command.linear, 0.0);
   EXPECT_EQ(step.command.angular, 0.0);
+}
+
+// A solver that always prefers to stay.
+class Stays final : public ControlSolver {
+ public:
+  const MpcSolution& solve(const ControlProblem& problem,
+                           const InitialGuess& /*guess*/) noexcept override {
+    solution_ = MpcSolution{};
+    solution_.status = SolveStatus::Solved;
+    solution_.horizon = problem.horizon;
+    solution_.poses.fill(problem.start);
+    return solution_;
+  }
+
+ private:
+  MpcSolution solution_;
+};
+
+TEST_F(Statuses, RecoveringTurnsTowardsThePathWhenARobotIsAtStandstill) {
+  Stays solver;
+  for (const double heading : {2.5, -2.5, 1.0}) {
+    statuses_.clear();
+    start({.position = {3.0, 1.1}, .heading = heading}, kBehindTheDoor, &solver);
+    run(20.0);
+    EXPECT_TRUE(statuses_.contains(Recovering)) << heading;
+    EXPECT_LT(std::abs(robot_.pose.heading), 0.5) << heading;
+  }
 }
 
 TEST_F(Statuses, NoPlanForARobotThatIsLargerThanThePlan) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact_zones.hpp"
 #include "fairway/io/recording/fairway_schema.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_text.hpp"
@@ -157,6 +158,7 @@ void RunMessages::on_start(const Scenario& scenario) {
                     {"sensing", sensing_json(scenario.sensing)},
                     {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
                     {"settings", settings_yaml(scenario.settings)}};
+  if (!scenario.zones.empty()) scenario_json_["zones"] = exact::to_json(scenario.zones);
   write(scenario_, 0.0, dumped(scenario_json_));
 }
 
@@ -255,6 +257,7 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
             {"seconds", exact::to_json(cycle.seconds)},
             {"mark", exact::to_json(cycle.mark)}};
   if (cycle.input.planning) json["input"]["planning"] = true;
+  if (cycle.input.hold) json["input"]["hold"] = true;
   if (cycle.occupied != nullptr) json["occupied"] = tell_cells(time, *cycle.occupied);
   if (step.plan != nullptr) json["prediction"] = exact::to_json(*step.plan);
   write(robot.cycle, time, dumped(json));

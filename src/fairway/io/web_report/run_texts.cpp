@@ -118,9 +118,9 @@ std::string begin_text(const Scenario& scenario) {
                  {"bodies", std::move(bodies)},
                  {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
                  {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
-                 {"status_guides", guides(NavigationStatus::GaveUp)},
+                 {"status_guides", guides(kLastNavigationStatus)},
                  {"limit_guides", guides(kLastLimitingFactor)},
-                 {"statuses", texts(NavigationStatus::GaveUp)},
+                 {"statuses", texts(kLastNavigationStatus)},
                  {"limits", texts(kLastLimitingFactor)},
                  {"rows", texts(ConstraintKind::Barrier)},
                  {"settings", settings_list(scenario.settings)}});

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 
 namespace fairway {
@@ -46,6 +45,9 @@ EpisodeResult Episode::run() {
 }
 
 void Episode::make_drivers() {
+  if (!scenario_.zones.empty()) {
+    map_.set_zones(std::make_shared<const ZoneMap>(scenario_.zones, settings_.robot.radius));
+  }
   if (hooks_.solver == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings_.mpc);
   ControlSolver* solver = hooks_.solver == nullptr ? own_solver_.get() : hooks_.solver;
   if (hooks_.clock) solver = &timed_solver_.emplace(*solver, hooks_.clock);
@@ -112,13 +114,13 @@ void Episode::control(std::size_t i) {
     return;
   }
   if (halted_) {
-    commands_[i] = {};
+    command(i, {});
     drivers_[i]->tell_standing(world_);
     return;
   }
   if (done_[i] || world_.encounters()[i].collided) {
     done_[i] = true;
-    commands_[i] = {};
+    command(i, {});
     drivers_[i]->tell_standing(world_);
     return;
   }
@@ -128,7 +130,7 @@ void Episode::control(std::size_t i) {
     result.cycle_seconds.push_back(cycle.seconds);
     result.solve_seconds.push_back(timed_solver_->take_seconds());
   }
-  commands_[i] = step.command;
+  command(i, step);
   if (cycle.new_plan) show_plan(i);
   record(i, cycle);
   if (step.status == NavigationStatus::GoalReached) {
@@ -138,12 +140,21 @@ void Episode::control(std::size_t i) {
   }
 }
 
+void Episode::command(std::size_t i, const NavigationStep& step) {
+  commands_[i] = step.command;
+  const BodyRobot* robot = world_.model_of(i);
+  if (robot == nullptr) return;
+  const bool steered = is_steered(robot->model.base);
+  world_.send(i, {.linear = step.command.linear,
+                  .lateral = step.lateral,
+                  .turn = steered ? step.steering : step.command.angular});
+}
+
 void Episode::record(std::size_t i, const DrivenCycle& cycle) {
   const NavigationStep& step = cycle.step;
   RobotResult& result = result_.robots[i];
   const UnicycleRobot& robot = world_.robots()[i];
-  const double clearance = footprint_clearance(world_.obstacles(), footprint_of(settings_.robot),
-                                               robot.pose, World::kClearanceLimit);
+  const double clearance = world_.clearance(i);
   if (hooks_.observer != nullptr) {
     hooks_.observer->on_cycle({.robot = i,
                                .input = cycle.input,
@@ -151,7 +162,7 @@ void Episode::record(std::size_t i, const DrivenCycle& cycle) {
                                .twist = robot.twist,
                                .clearance = clearance,
                                .seconds = cycle.seconds,
-                               .mark = limit_mark(drivers_[i]->navigator(), step),
+                               .mark = drivers_[i]->mark(step),
                                .occupied = cycle.occupied});
   }
   ++result.cycles;
@@ -166,11 +177,15 @@ void Episode::record(std::size_t i, const DrivenCycle& cycle) {
                                 .limit = step.limit,
                                 .rectangle = step.rectangle,
                                 .clearance = clearance});
+  const BodyRobot* model = world_.model_of(i);
+  if (model == nullptr || model->model.base.kind != BaseKind::Omni) return;
+  result_.trace.rows.back().lateral = model->twist().lateral;
+  result_.trace.lateral = true;
 }
 
 void Episode::show_plan(std::size_t i) {
   if (hooks_.observer != nullptr) {
-    hooks_.observer->on_plan(world_.time(), i, drivers_[i]->navigator().plan());
+    hooks_.observer->on_plan(world_.time(), i, drivers_[i]->plan());
   }
 }
 
@@ -203,9 +218,10 @@ void Episode::finish() {
     robot.approach = met.approach;
     robot.min_clearance = met.min_clearance;
     robot.min_separation = met.min_separation;
-    robot.plan = drivers_[i]->navigator().plan();
+    robot.zones = met.zones;
+    robot.plan = drivers_[i]->plan();
     if (!robot.reached) robot.time = met.collided ? met.collision_time : world_.time();
-    result_.success = result_.success && robot.reached && !robot.collided;
+    result_.success = result_.success && robot.reached && !robot.collided && robot.zones.none();
   }
 }
 

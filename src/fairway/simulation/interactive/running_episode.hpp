@@ -47,6 +47,7 @@ class Episode final : public EpisodeControl {
   // Advances the world by one cycle, and pauses at each time at which a driver measures.
   void advance(double dt);
   void control(std::size_t i);
+  void command(std::size_t i, const NavigationStep& step);
   void record(std::size_t i, const DrivenCycle& cycle);
   void show_plan(std::size_t i);
   void show_world();

@@ -26,7 +26,7 @@ void Episode::set_cells(std::span<const CellIndex> cells, bool blocked) {
     changed.last = {.x = std::max(changed.last.x, cell.x), .y = std::max(changed.last.y, cell.y)};
   }
   if (changed.last.x < 0) return;
-  map_.distances.update(map_.obstacles, changed);
+  map_.measure(changed);
   for (std::size_t i = 0; i < drivers_.size(); ++i) {
     if (!done_[i] && drivers_[i]->note_map_change(world_)) show_plan(i);
   }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fairway/io/base64.hpp"
+#include "fairway/io/recording/exact_zones.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -105,6 +106,7 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
   scenario.time_limit = exact::to_number(json.at("time_limit"));
   scenario.seed = json.at("seed").get<std::uint64_t>();
   if (json.contains("sensing")) scenario.sensing = to_sensing(json.at("sensing"));
+  if (json.contains("zones")) scenario.zones = exact::to_zones(json.at("zones"));
   if (json.value("physics", "unicycle") == "mujoco") scenario.engine = Engine::Mujoco;
   return scenario;
 }
@@ -142,7 +144,7 @@ Encounter to_encounter(const Json& robot) {
   return met;
 }
 
-NavigationStatus to_status(const Json& number) { return checked(number, NavigationStatus::GaveUp); }
+NavigationStatus to_status(const Json& number) { return checked(number, kLastNavigationStatus); }
 
 LimitingFactor to_limit(const Json& number) { return checked(number, kLastLimitingFactor); }
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What changes in a world between two cycles.
+#include "fairway/base/contract.hpp"
+#include "fairway/map/free_space.hpp"
+#include "fairway/simulation/world.hpp"
+
+namespace fairway {
+
+bool World::set_blocked(CellIndex cell, bool blocked) {
+  const GridFrame& frame = obstacles_.frame();
+  if (!frame.contains(cell)) return false;
+  if (blocked) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (encounters_[i].absent) continue;
+      const Eigen::Vector2d center = frame.to_grid(robots_[i].pose.position);
+      const double radius = models_[i] ? models_[i]->model.body.circumscribed_radius()
+                                       : footprint_.circumscribed_radius();
+      const Eigen::Vector2d corner(cell.x, cell.y);
+      const Eigen::Vector2d nearest =
+          center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
+      if ((nearest - center).norm() * frame.resolution <= radius + kFreeSpaceSkin) return false;
+    }
+  }
+  obstacles_.set(cell, blocked);
+  if (distances_) distances_->update(obstacles_, {.first = cell, .last = cell});
+  return true;
+}
+
+void World::set_body(std::size_t index, const MovingBody& body) {
+  FAIRWAY_EXPECTS(index <= bodies_.size() && !body.key_frames.empty());
+  if (index == bodies_.size()) bodies_.emplace_back();
+  bodies_[index] = body;
+}
+
+void World::remove_body(std::size_t index) {
+  FAIRWAY_EXPECTS(index < bodies_.size());
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void World::place_robot(std::size_t index, const Pose2& pose) {
+  FAIRWAY_EXPECTS(index < robots_.size());
+  robots_[index].pose = pose;
+  robots_[index].twist = {};
+  robots_[index].controller = {};
+  if (models_[index]) models_[index] = BodyRobot{.model = models_[index]->model, .pose = pose};
+  judged_[index] = pose;
+  encounters_[index] = Encounter::unharmed();
+  judge(index);
+}
+
+void World::add_robot(const RobotTask& task, const Settings& settings) {
+  FAIRWAY_EXPECTS(!physics_ && !task.model);
+  robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
+  actuation_.push_back(task.actuation);
+  models_.emplace_back();
+  clearances_.emplace_back();
+  judged_.push_back(task.start);
+  touched_.push_back(0);
+  encounters_.push_back(Encounter::unharmed());
+  set_robots(settings);
+  judge(robots_.size() - 1);
+}
+
+void World::set_present(std::size_t index, bool present) {
+  FAIRWAY_EXPECTS(index < robots_.size());
+  if (present == !encounters_[index].absent) return;
+  encounters_[index].absent = !present;
+  if (present) place_robot(index, robots_[index].pose);
+}
+
+}  // namespace fairway
