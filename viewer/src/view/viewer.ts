@@ -35,7 +35,7 @@ export class Viewer {
   readonly slider = element<HTMLInputElement>('time');
   readonly layers: Layers = {
     path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, seen: true,
-    scan: true, names: true, reasons: true,
+    scan: true, names: true, reasons: true, zones: true,
   };
   readonly plots = new Plots(element<HTMLCanvasElement>('plots'));
   readonly panel = new RobotPanel(element('robots'), (robot) => this.select(robot));
