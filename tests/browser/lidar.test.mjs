@@ -140,7 +140,7 @@ test('the live page switches the robots between the map and their lidar', async 
     await page.waitForFunction(() => window.fairway?.drawn > 0);
     await page.selectOption('#map-choice', { label: 'Empty hall' });
     await page.waitForFunction(() => window.fairway.run.begin.name === 'Empty hall');
-    await page.selectOption('#senses', { label: 'lidar with errors' });
+    await page.selectOption('#senses', { label: 'Noisy lidar + odometry' });
     await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 600);
     // Another page shows the same choice.
     await beside.waitForFunction(() => window.fairway?.run?.lidar
@@ -171,7 +171,7 @@ test('the live page switches the robots between the map and their lidar', async 
     const recording = join(shared.run.folder, 'live.mcap');
     await writeFile(recording, Buffer.from(await (await fetch(new URL('/recording.mcap', server.url))).arrayBuffer()));
     assert.match(execFileSync(program('fairway'), ['replay', recording], { encoding: 'utf8' }), /every command the same to the bit/);
-    await page.selectOption('#senses', { label: 'the map' });
+    await page.selectOption('#senses', { label: 'Known map' });
     await page.waitForFunction(() => !window.fairway.run.lidar && window.fairway.run.frames.length > 3);
     assert.ok(await page.isHidden('label:has([data-layer="scan"])'));
     assert.deepEqual(errors, []);

@@ -232,7 +232,7 @@ test('why there is no path: the gap with its width and the needed width, in word
   await page.click('#forward');
   await until(page, () => /^No path: every route is narrower than 0\.5\d m/.test(document.querySelector('.card .why').textContent));
   assert.match(await page.textContent('.card .detail'), /gap of 0\.\d\d m at \((9|10)\.\d+, 7\.\d+\)/);
-  assert.match(await page.getAttribute('#map', 'aria-label'), /every route is narrower/);
+  await until(page, () => /every route is narrower/.test(document.getElementById('map').getAttribute('aria-label')));
   const found = await page.evaluate(() => window.fairway.run.plans[0].at(-1).obstruction);
   assert.ok(Math.hypot(found.x - 10, found.y - 7.4) < 0.3 && found.found < found.needed);
 }));

@@ -146,6 +146,24 @@ test('shows the true bodies of the robots', () => withPage(async (page) => {
   assert.notDeepEqual(await colors(0, 0.25), body);
 }));
 
+test('two runs are side by side, at the same time', () => withPage(async (page) => {
+  await page.setInputFiles('#compare-file', shared.run.page);
+  const pane = await (await page.waitForSelector('#pane')).contentFrame();
+  await pane.waitForFunction(() => window.fairway?.drawn > 0);
+  await page.evaluate(() => window.fairway.onSeek(20));
+  await pane.waitForFunction(() => Math.abs(window.fairway.time - 20) < 0.01);
+  assert.ok(!(await pane.isVisible('#transport')) && await pane.isVisible('#map'));
+  await page.click('#compare');
+  assert.equal(await page.locator('#pane').count(), 0);
+}));
+
+test('5 minutes of 4 robots are less than 1 MB', async () => {
+  const run = await syntheticRun({ robots: 4, seconds: 300, side: 240 });
+  const { size } = await stat(run.page);
+  await rm(run.folder, { recursive: true });
+  assert.ok(size < 1e6, `${size}`);
+});
+
 test('prints in the light theme, with the map, the plots and the robots', () => withPage(async (page) => {
   const pdf = await page.pdf();
   assert.ok(pdf.length > 30_000);

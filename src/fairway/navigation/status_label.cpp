@@ -86,7 +86,7 @@ const char* label_of(LimitingFactor limit) noexcept {
     case LimitingFactor::OneWayZone:
       return "One-way zone";
     case LimitingFactor::Hold:
-      return "Hold";
+      return "On hold";
   }
   return "Unknown";
 }

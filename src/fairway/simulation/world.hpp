@@ -30,6 +30,9 @@ struct Contact {
 
 /// What the simulator observed of one robot, at its own fine steps.
 struct Encounter {
+  /// Of a robot that has touched nothing and has not been measured yet.
+  [[nodiscard]] static Encounter unharmed() noexcept;
+
   bool collided = false;
   bool absent = false;          ///< the robot was removed from the running world
   double collision_time = 0.0;  ///< of the first contact [s]

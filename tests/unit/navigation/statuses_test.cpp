@@ -2,11 +2,13 @@
 // Provokes statuses and limiting factors of the navigator: one situation each. Those of bad inputs
 // are in safe_contract_test.cpp, those of the facades in map_navigator_border_test.cpp.
 #include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "fairway/navigation/navigator.hpp"
+#include "fairway/navigation/status_label.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 
 namespace fairway {
@@ -207,6 +209,22 @@ TEST_F(Statuses, NoPlanWithoutAGoal) {
   const NavigationStep step = cycle();
   EXPECT_EQ(step.status, NoPlan);
   EXPECT_EQ(step.limit, LimitingFactor::NoPath);
+}
+
+// The pages and the tool show these names, so every one must say something of its own.
+TEST(StatusLabels, NameEachStatusAndLimitingFactorDifferently) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < kNavigationStatuses; ++i)
+    names.insert(label_of(static_cast<NavigationStatus>(i)));
+  EXPECT_EQ(names.size(), kNavigationStatuses);
+  EXPECT_FALSE(names.contains("Unknown"));
+  names.clear();
+  for (std::size_t i = 0; i < kLimitingFactors; ++i)
+    names.insert(label_of(static_cast<LimitingFactor>(i)));
+  EXPECT_EQ(names.size(), kLimitingFactors);
+  EXPECT_FALSE(names.contains("Unknown"));
+  EXPECT_STREQ(label_of(NavigationStatus::Degraded), "Driving (limited)");
+  EXPECT_STREQ(label_of(LimitingFactor::StopNotProven), "No verified stopping trajectory");
 }
 
 }  // namespace

@@ -31,6 +31,6 @@ export function friendlyRefusal(text: string, settings: Setting[], wanted: Recor
   const readable = (words: string): string => words.replace(/\b[a-z]+\.([a-z_]+)\b/g, (_, n: string) => readableName(n).toLowerCase());
   const number = /^a number (?:from|between) /.test(expected!) ? expected!.replace(/^a number from (.*) to (.*)$/, 'between $1 and $2') : readable(expected!);
   const unit = setting?.unit && /\d$/.test(number) ? ` ${setting.unit}` : '';
-  const now = got ?? (wanted[`${group}.${name}`] !== undefined ? `${wanted[`${group}.${name}`]}` : '');
+  const now = got?.replace(/^'(.*)'$/, '$1') ?? (wanted[`${group}.${name}`] !== undefined ? `${wanted[`${group}.${name}`]}` : '');
   return `${readableName(name!)} must be ${number}${unit}${now ? ` (got ${readable(now)})` : ''}.`;
 }

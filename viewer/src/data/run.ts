@@ -32,6 +32,15 @@ export interface RobotTask {
   idle?: boolean;
 }
 
+/** A region of the floor with a rule. */
+export interface Zone {
+  kind: 'keep_out' | 'speed_limit' | 'penalty' | 'preferred' | 'strip' | 'one_way';
+  name: string;
+  polygon: [number, number][];
+  speed: number;
+  direction: number;
+}
+
 /** The constant data from the beginning of a run. */
 export interface Begin {
   version: number;
@@ -44,6 +53,7 @@ export interface Begin {
   statuses: string[];
   limits: string[];
   rows: string[];
+  zones?: Zone[];
   status_guides?: Guide[];
   limit_guides?: Guide[];
   settings: Setting[];

@@ -7,7 +7,7 @@ export type Tone = 'good' | 'slow' | 'wait' | 'brake' | 'bad' | 'done' | 'idle';
 
 const tones: Record<string, Tone> = {
   ok: 'good', degraded: 'slow', stopping: 'brake', blocked: 'wait', recovering: 'slow', stale: 'bad',
-  'bad input': 'bad', infeasible: 'bad', 'no plan': 'wait', 'goal reached': 'done', planning: 'idle', 'gave up': 'wait',
+  'bad input': 'bad', infeasible: 'bad', 'no plan': 'wait', 'goal reached': 'done', planning: 'idle', 'gave up': 'wait', holding: 'wait',
 };
 
 /** A state of a robot for people. */

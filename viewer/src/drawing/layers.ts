@@ -8,6 +8,7 @@ export const layerNames = {
   trail: 'Trail',
   limit: 'Active constraint',
   velocity: 'Velocities',
+  zones: 'Zones',
   seen: 'Local map',
   scan: 'Lidar points',
   names: 'Names',

@@ -8,7 +8,7 @@ import type { Send } from './tools';
 export function robotActions(viewer: Viewer, send: Send): RobotActions {
   return (robot) => {
     const field = (id: string, label: string, step: string): HTMLInputElement =>
-      make('input', { type: 'number', step, id: `${id}-${robot}`, 'aria-label': label, placeholder: label });
+      make('input', { type: 'number', step, id: `${id}-${robot}`, 'aria-label': `Goal ${label}`, placeholder: label.replace(/ \[(.*)\]/, ' $1').replace('heading ', '') });
     const [x, y, heading] = [field('goal-x', 'x [m]', '0.01'), field('goal-y', 'y [m]', '0.01'), field('goal-heading', 'heading [°]', '1')];
     const form = make('form', { class: 'typed-goal', 'aria-label': 'Goal as numbers' }, x, y, heading, make('button', { type: 'submit' }, 'Set goal'));
     form.addEventListener('submit', (event) => {

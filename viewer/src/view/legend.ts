@@ -92,6 +92,8 @@ export class Legend {
       mark.style.background = toneColor(tone, theme);
       return make('span', {}, mark, text);
     }));
+    const zones = viewer.run?.begin.zones?.length ?? 0;
+    element('layers').querySelector('[data-layer="zones"]')!.closest('label')!.hidden = zones === 0;
     // Only a robot with a lidar has these layers.
     element('layers').querySelector('[data-layer="scan"]')!.closest('label')!.hidden = !lidar;
   }

@@ -35,7 +35,7 @@ export class Viewer {
   readonly slider = element<HTMLInputElement>('time');
   readonly layers: Layers = {
     path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, seen: true,
-    scan: true, names: true, reasons: true,
+    scan: true, names: true, reasons: true, zones: true,
   };
   readonly plots = new Plots(element<HTMLCanvasElement>('plots'));
   readonly panel = new RobotPanel(element('robots'), (robot) => this.select(robot));
@@ -63,6 +63,7 @@ export class Viewer {
   private readonly scene = new Scene();
   private dirty = true;
   private described = 0; // when [ms]
+  private later = 0; // timer of the next description
   private shownTo = 0; // end of the slider
   private flash: { at: Point; text: string; until: number } | null = null;
 
@@ -205,7 +206,10 @@ export class Viewer {
     this.coordinates();
     // Screen readers need no 60 descriptions a second.
     const now = performance.now();
-    if (now < this.described + DESCRIBED && this.drawn > 0) return;
+    if (now < this.described + DESCRIBED && this.drawn > 0) {
+      this.later ||= window.setTimeout(() => { this.later = 0; this.invalidate(); }, DESCRIBED);
+      return;
+    }
     this.described = now;
     this.map.setAttribute('aria-label', `Map with ${moment.frame.robots.length} robots and ${moment.frame.bodies.length} people. `
       + `${name} at ${shown(moment.poses[selected]?.x ?? NaN)}, ${shown(moment.poses[selected]?.y ?? NaN)} m: `

@@ -10,6 +10,7 @@
 #include "fairway/io/recording/fairway_schema.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_text.hpp"
+#include "fairway/io/recording/robots_json.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -46,25 +47,6 @@ std::string cell_bytes(const OccupancyGrid& grid) {
                                                    : kUnknownCell);
   }
   return bytes;
-}
-
-Json robots_json(std::span<const RobotTask> tasks) {
-  Json robots = Json::array();
-  for (const RobotTask& task : tasks) {
-    robots.push_back({{"name", task.name},
-                      {"start", exact::to_json(task.start)},
-                      {"goal", exact::to_json(task.goal)}});
-    if (task.idle) robots.back()["idle"] = true;
-  }
-  return robots;
-}
-
-Json contact_json(const Encounter& met) {
-  return {{"with", static_cast<int>(met.contact.with)},
-          {"other", met.contact.other},
-          {"time", exact::to_json(met.collision_time)},
-          {"approach", exact::to_json(met.approach)},
-          {"other_approach", exact::to_json(met.contact.other_approach)}};
 }
 
 }  // namespace

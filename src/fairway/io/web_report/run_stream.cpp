@@ -23,6 +23,14 @@ void append_record(std::string& bytes, RunStream::Kind kind, const std::string& 
   bytes.append(fields);
 }
 
+bool same_cells(const BitGrid& a, const BitGrid& b) {
+  if (!same_frame(a.frame(), b.frame())) return false;
+  for (int y = 0; y < a.frame().height; ++y) {
+    if (!std::ranges::equal(a.row(y), b.row(y))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void RunStream::add(Kind kind, const std::string& fields) { append_record(ready_, kind, fields); }
@@ -161,6 +169,8 @@ void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
 // Returns the number of a robot's map, and writes the map first if it is new or has changed.
 std::uint64_t RunStream::tell_cells(double time, const BitGrid* grid) {
   if (grid == nullptr || grid == true_map_) return kWorldSlot;
+  // A robot that plans in a thread has a copy of the true map.
+  if (!lidar_ && same_cells(*grid, shown_)) return kWorldSlot;
   const CellTracker::Look look = tracker_.look(*grid);
   const auto slot = static_cast<std::uint64_t>(look.slot) + 1;
   if (!look.whole && !look.changed) return slot;

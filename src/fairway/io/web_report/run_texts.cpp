@@ -78,6 +78,22 @@ Json robots_list(std::span<const RobotTask> tasks) {
   return robots;
 }
 
+Json zones_list(const Zones& zones) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    const Zone& zone = zones[i];
+    Json polygon = Json::array();
+    for (const Eigen::Vector2d& corner : zone.polygon)
+      polygon.push_back(point(corner));
+    list.push_back({{"kind", setting_names(zone.kind).at(static_cast<std::size_t>(zone.kind))},
+                    {"name", title_of(zones, i)},
+                    {"polygon", std::move(polygon)},
+                    {"speed", zone.speed},
+                    {"direction", zone.direction}});
+  }
+  return list;
+}
+
 // The values of an untouched program, in the same order.
 Json default_values() {
   Json values = Json::array();
@@ -118,6 +134,7 @@ std::string begin_text(const Scenario& scenario) {
                  {"bodies", std::move(bodies)},
                  {"sensing", scenario.sensing.sensing == Sensing::Lidar ? "lidar" : "map"},
                  {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
+                 {"zones", zones_list(scenario.zones)},
                  {"status_guides", guides(kLastNavigationStatus)},
                  {"limit_guides", guides(kLastLimitingFactor)},
                  {"statuses", texts(kLastNavigationStatus)},

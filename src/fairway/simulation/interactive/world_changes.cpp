@@ -9,14 +9,10 @@
 
 namespace fairway {
 
-namespace {
-
-Encounter unharmed() noexcept {
+Encounter Encounter::unharmed() noexcept {
   return {.min_clearance = World::kClearanceLimit,
           .min_separation = std::numeric_limits<double>::infinity()};
 }
-
-}  // namespace
 
 bool World::set_blocked(CellIndex cell, bool blocked) {
   const GridFrame& frame = obstacles_.frame();
@@ -56,7 +52,7 @@ void World::place_robot(std::size_t index, const Pose2& pose) {
   robots_[index].controller = {};
   if (models_[index]) models_[index] = {.model = models_[index]->model, .pose = pose};
   judged_[index] = pose;
-  encounters_[index] = unharmed();
+  encounters_[index] = Encounter::unharmed();
   judge(index);
 }
 
@@ -74,7 +70,7 @@ void World::append(const RobotTask& task) {
   robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
   actuation_.push_back(task.actuation);
   touched_.push_back(0);
-  encounters_.push_back(unharmed());
+  encounters_.push_back(Encounter::unharmed());
   judged_.push_back(task.start);
   models_.emplace_back();
   clearances_.emplace_back();
