@@ -70,9 +70,9 @@ struct BoxSide {
   }
 };
 
-class Growth {
+class BoxGrowth {
  public:
-  Growth(const ObstaclePoints& points,
+  BoxGrowth(const ObstaclePoints& points,
          const Eigen::Vector2d& along,
          const GreedySteps& steps) noexcept
       : count_(points.size()) {
@@ -138,7 +138,7 @@ class Growth {
 std::optional<Box> greedy_box(const ObstaclePoints& points,
                               const Eigen::Vector2d& along,
                               const GreedySteps& steps) noexcept {
-  Growth growth(points, along, steps);
+  BoxGrowth growth(points, along, steps);
   if (growth.first_met() < 4.0F) return std::nullopt;
   while (true) {
     const float turn = std::min(growth.first_met(), growth.first_limited(steps.limit));

@@ -65,12 +65,12 @@ void visit_pieces(const BitGrid& obstacles,
 }
 
 // The part of a segment in a box, as shares; first > last if there is none.
-struct Shares {
+struct EdgeShares {
   double first = 0.0;
   double last = 1.0;
 };
-Shares inside(const Vector2d& from, const Vector2d& along, const Box& box) noexcept {
-  Shares shares;
+EdgeShares inside(const Vector2d& from, const Vector2d& along, const Box& box) noexcept {
+  EdgeShares shares;
   for (int axis = 0; axis < 2; ++axis) {
     if (along[axis] == 0.0) {
       if (from[axis] < box.min[axis] || from[axis] > box.max[axis]) return {.first = 1, .last = 0};
@@ -132,7 +132,7 @@ void learn_zones(const BitGrid& obstacles,
   visit_pieces(obstacles, frame.origin, radius, extent, [&](const OffsetPiece& piece) {
     const Vector2d from = frame.turned(piece.beside(0.0));
     const Vector2d along = piece.length * frame.turned(piece.along);
-    const Shares part = inside(from, along, box);
+    const EdgeShares part = inside(from, along, box);
     if (part.first <= part.last) {
       for (const double share : {0.02, 0.25, 0.5, 0.75, 0.98})
         points.add(frame.offset(from + (part.first + share * (part.last - part.first)) * along));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fairway/base/contract.hpp"
+#include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/simulation/world.hpp"
 
