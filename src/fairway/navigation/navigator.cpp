@@ -157,7 +157,9 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
                          .heading = ahead_.heading,
                          .goal_heading = plan_.goal.heading,
                          .free_length = free_length,
-                         .speed_limits = zone_speeds_.count > 0 ? &zone_speeds_ : nullptr}},
+                         .speed_limits = zone_speeds_.count > 0 ? &zone_speeds_ : nullptr,
+                         .waits_at_reversals =
+                             input.map->zones() != nullptr && input.map->zones()->has_strips()}},
               settings_.tracking, mpc, robot, problem_);
   limit_speed(input);
 }
