@@ -203,5 +203,47 @@ TEST(DrivenOrdersOfVersion3, StayOnTheLineUntilTheyHaveLeave) {
   EXPECT_LE(run.widest(), 0.83);
 }
 
+json answers(const SimulatedRun& run, const char* grant) {
+  json message = run.messages.header();
+  message["responses"] = json::array();
+  for (const EdgeRequest& request : run.vehicle.state().edge_requests)
+    message["responses"].push_back({{"requestId", request.id}, {"grantType", grant}});
+  return message;
+}
+
+// Drives beside the line with leave, and then loses it.
+void lose_leave(SimulatedRun& run, const char* behavior) {
+  json order = run.messages.lanes({.width = 0.8, .release_required = true});
+  for (json& edge : order["edges"])
+    edge["corridor"]["releaseLossBehavior"] = behavior;
+  run.send(Topic::Order, order);
+  run.cycle();
+  run.send(Topic::Responses, answers(run, "GRANTED"));
+  run.until([&] { return run.widest() > 0.4; });
+  run.send(Topic::Responses, answers(run, "REVOKED"));
+  run.cycle();
+  EXPECT_TRUE(run.has_error(Fault::ReleaseLost));
+}
+
+TEST(DrivenOrdersOfVersion3, ReturnToTheLineWhenTheyLoseTheirLeave) {
+  SimulatedRun run(ProtocolVersion::V3_0_0, {}, hall(box(2.6, -3.0, 3.4, 0.2)));
+  lose_leave(run, "RETURN");
+  run.until([&] { return !run.has_error(Fault::ReleaseLost) && !run.driving(); });
+  EXPECT_LE(std::abs(run.places.back().y()), kLineTolerance + 0.03);
+  EXPECT_LT(run.places.back().x(), 2.6);
+  EXPECT_STREQ(run.vehicle.state().edge_requests[0].edge_id.c_str(), "e1");
+}
+
+TEST(DrivenOrdersOfVersion3, StopWhereTheyLoseTheirLeave) {
+  SimulatedRun run(ProtocolVersion::V3_0_0, {}, hall(box(2.6, -3.0, 3.4, 0.2)));
+  lose_leave(run, "STOP");
+  run.until([&] { return !run.driving(); });
+  const Eigen::Vector2d here = run.places.back();
+  for (int i = 0; i < 20; ++i)
+    run.cycle();
+  EXPECT_EQ(run.places.back(), here);
+  EXPECT_TRUE(run.has_error(Fault::ReleaseLost));
+}
+
 }  // namespace
 }  // namespace fairway::vda5050::test

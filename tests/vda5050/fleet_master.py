@@ -5,6 +5,7 @@ import json
 import pathlib
 import signal
 import socket
+import ssl
 import subprocess
 import threading
 import time
@@ -82,7 +83,7 @@ class Fleet:
         self.client.on_message = self.take
         self.client.reconnect_delay_set(1, 1)
         if ca:
-            self.client.tls_set(str(ca))
+            self.client.tls_set(str(ca), tls_version=ssl.PROTOCOL_TLS_CLIENT)
             self.client.username_pw_set(*login)
         self.client.connect("127.0.0.1", port)
         self.client.loop_start()

@@ -6,6 +6,7 @@ data.
 """
 
 import copy
+import http.client
 import json
 import math
 import pathlib
@@ -22,7 +23,7 @@ MAP = SCENARIOS / "maps" / "workshop.yaml"
 EXAMPLES = DATA / "vda5050" / "examples"
 
 try:
-    from fleet_master import Broker, Fleet, Vehicle, wait_until
+    from fleet_master import Broker, Fleet, Vehicle, free_port, wait_until
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(SKIPPED)
@@ -308,6 +309,27 @@ class VehicleTest(unittest.TestCase):
         fleets[1].send("order", back)
         fleets[1].wait(finished("back"), 120, "the second robot has arrived")
         self.assertEqual(fleets[1].schema_errors, [])
+
+    def test_shows_a_page(self):
+        port = free_port()
+        fleet, _ = self.start("2.1.0", extra=("--page", str(port)))
+        fleet.send("order", example("2.1.0", "order_corridors"))
+        fleet.wait(lambda s: s["driving"], 20)
+
+        def get(path, host="127.0.0.1"):
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=10)
+            connection.request("GET", path, headers={"Host": host})
+            answer = connection.getresponse()
+            return answer.status, answer.read().decode()
+
+        self.assertIn("<canvas", get("/")[1])
+        self.assertEqual(json.loads(get("/map")[1])["resolution"], 0.05)
+        robot = wait_until(lambda: next((r for r in json.loads(get("/robots")[1])["robots"]
+                                         if r["order"]), None), 10, "the order on the page")
+        self.assertEqual(robot["serial"], "amr1")
+        self.assertEqual(len(robot["legs"][0]["strip"]), 4)
+        self.assertEqual(get("/robots", host="evil.example")[0], 403)
+        self.assertEqual(get("/etc/passwd")[0], 404)
 
     def test_is_sent_orders_by_the_tool(self):
         self.start("2.1.0")

@@ -6,10 +6,14 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "node/node_options.hpp"
 #include "node/robot_session.hpp"
+#include "page/page_data.hpp"
+#include "page/page_server.hpp"
 
 namespace {
 
@@ -29,6 +33,34 @@ double steady_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+using Sessions = std::vector<std::unique_ptr<RobotSession>>;
+
+// The live page with its own pace.
+class Page {
+ public:
+  Page(int port, const BitGrid& map, double radius)
+      : server_(port, page_map(map).dump()),
+        radius_(radius) {
+    std::fprintf(stderr, "page: http://127.0.0.1:%d\n", server_.port());
+  }
+
+  void show(const Sessions& sessions) {
+    constexpr double kPeriod = 0.2;  // [s]
+    if (steady_clock() < next_) return;
+    next_ = steady_clock() + kPeriod;
+    nlohmann::json robots = nlohmann::json::array();
+    for (const auto& session : sessions)
+      robots.push_back(page_robot(session->vehicle(), radius_));
+    const nlohmann::json shown{{"robots", std::move(robots)}};
+    server_.show(shown.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+
+ private:
+  PageServer server_;
+  double radius_;
+  double next_ = 0.0;
+};
+
 int run(const NodeOptions& options) {
   const Settings& settings = options.scenario.settings;
   const BitGrid map(options.scenario.map, unknown_cells(settings.map));
@@ -42,7 +74,9 @@ int run(const NodeOptions& options) {
                                .fleet = fleet,
                                .wakeup = wakeup,
                                .speed = options.speed};
-  std::vector<std::unique_ptr<RobotSession>> sessions;
+  std::optional<Page> page;
+  if (options.page) page.emplace(*options.page, map, settings.robot.radius);
+  Sessions sessions;
   for (std::size_t i = 0; i < options.vehicles.size(); ++i)
     sessions.push_back(std::make_unique<RobotSession>(context, i, options.vehicles[i]));
   // A first cycle before any order: a vehicle must know where it is.
@@ -67,6 +101,7 @@ int run(const NodeOptions& options) {
         other->handle_events(wall_clock());
     }
     fleet.advance(period);
+    if (page) page->show(sessions);
     next += period / options.speed;
     constexpr double kLate = 1.0;  // [s]
     if (steady_clock() - next > kLate) next = steady_clock();

@@ -39,6 +39,7 @@ struct CommandLineTexts {
   std::string serial = "amr1";
   std::string password_file;
   double speed = 1.0;
+  std::optional<int> page{};
   bool simulate = false;
 };
 
@@ -72,6 +73,8 @@ void add_options(CLI::App& app, CommandLineTexts& texts, BrokerAddress& broker) 
   app.add_option("--settings", texts.settings, "YAML file with settings of Fairway");
   app.add_option("--set", texts.assignments, "Sets one setting: group.name=value (repeatable)");
   app.add_option("--fleet", texts.fleet, "YAML file with the robots of this process");
+  app.add_option("--page", texts.page, "Serves a live page on this port of this machine")
+      ->check(CLI::Range(0, 65535));
   app.add_option("--speed", texts.speed, "Simulated seconds in a second")->capture_default_str();
 }
 
@@ -163,6 +166,7 @@ Expected<void> fill(const CommandLineTexts& texts, NodeOptions& options) {
       texts.map_id.empty() ? std::filesystem::path(texts.map).stem().string() : texts.map_id;
   options.physics = *physics;
   options.speed = texts.speed;
+  options.page = texts.page;
   Scenario& scenario = options.scenario;
   scenario.map = *map;
   scenario.settings = *settings;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct NodeOptions {
   Scenario scenario;                      ///< map, settings, robots and sensing
   PhysicsMaker physics;                   ///< empty for the unicycle
   std::string map_id;
-  double speed = 1.0;  ///< simulated seconds in a second
+  double speed = 1.0;         ///< simulated seconds in a second
+  std::optional<int> page{};  ///< port of the live page; 0 takes a free one
 };
 
 /// The options, or how the program ends at once.

@@ -36,6 +36,8 @@ class RobotSession {
   /// One control cycle.
   void cycle(double now);
 
+  [[nodiscard]] const Vehicle& vehicle() const noexcept { return vehicle_; }
+
   /// Announces the end, and waits at most `seconds`.
   void finish(double now, double seconds);
 
