@@ -274,7 +274,7 @@ void time_updates(int maps) {
 
 int main(int argc, char** argv) {
   using namespace fairway;
-  const int maps = argc > 1 ? std::max(1, std::atoi(argv[1])) : 20;
+  const int maps = argc > 1 ? std::max(1, std::atoi(argv[1])) : 40;
   constexpr std::array<MapKind, 3> kKinds = {MapKind::UnstructuredLarge, MapKind::UnstructuredSmall,
                                              MapKind::Structured};
   for (const MapKind kind : kKinds)
@@ -285,8 +285,8 @@ int main(int argc, char** argv) {
       "% | sound MDSRC % | largest % |");
   std::puts("|---|---|---|---|---|---|---|---|---|");
   for (const MapKind kind : kKinds)
-    benchmarks::compare_rectangles(kind, std::max(1, maps / 4));
+    benchmarks::compare_rectangles(kind, maps);
   benchmarks::compare_fields(2 * maps);
-  benchmarks::time_updates(std::max(1, maps / 4));
+  benchmarks::time_updates(maps);
   return 0;
 }
