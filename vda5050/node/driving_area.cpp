@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fairway/geometry/pose2.hpp"
+#include "node/leg_strips.hpp"
 
 namespace fairway::vda5050 {
 
@@ -14,8 +14,6 @@ namespace {
 using Point = Eigen::Vector2d;
 
 constexpr double kFastest = 100.0;  // that a zone can have [m/s]
-
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
 
 // How far a strip extends behind the end at which a robot stops: enough for its tolerance.
 double end_extension(const NodeDeviation& deviation) {
@@ -128,90 +126,27 @@ void add_zone(const vda5050::Zone& zone, bool line_guided_is_closed, Zones& area
 
 }  // namespace
 
-void add_strip(const RouteLeg& leg, double before, double after, Zones& area) {
-  if (!leg.strip) return;
-  constexpr double kNarrowest = 0.005;  // of a side that is a polygon at all [m]
-  Strip strip = *leg.strip;
-  strip.left = std::max(strip.left, kNarrowest);
-  strip.right = std::max(strip.right, kNarrowest);
-  const auto add = [&](std::vector<Point> polygon) {
-    area.push_back({.kind = ZoneKind::Strip,
-                    .polygon = std::move(polygon),
-                    .reference = strip.contour ? ZoneReference::Contour : ZoneReference::Centre,
-                    .name = leg.edge_id});
-  };
-  const std::vector<Point>& line = leg.line;
-  std::optional<Point> previous;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Point chord = line[i] - line[i - 1];
-    const double length = chord.norm();
-    if (!(length > 0.0)) continue;
-    const Point along = chord / length;
-    const Point left = left_of(along);
-    const Point from = line[i - 1] - (previous ? 0.0 : before) * along;
-    const Point to = line[i] + (i + 1 == line.size() ? after : 0.0) * along;
-    add({from - strip.right * left, to - strip.right * left, to + strip.left * left,
-         from + strip.left * left});
-    if (previous) {
-      // The wedge between two chords, on the outside of the bend.
-      const double turn = previous->x() * along.y() - previous->y() * along.x();
-      const double width = turn > 0.0 ? -strip.right : strip.left;
-      // Without the wedge of a slighter bend the gap is below 1e-6 m.
-      constexpr double kLeastArea = 1e-7;  // [m^2]
-      if (0.5 * width * width * std::abs(turn) > kLeastArea)
-        add({line[i - 1], line[i - 1] + width * left_of(*previous), line[i - 1] + width * left});
-    }
-    previous = along;
-  }
-  if (previous) return;
-  // A turn on the spot.
-  const double half = std::max({strip.left, strip.right, before, after});
-  const Point& here = line.front();
-  add({here + Point(-half, -half), here + Point(half, -half), here + Point(half, half),
-       here + Point(-half, half)});
-}
-
-void add_gate(const RouteLeg& leg, const RouteLeg& next, double reach, Zones& area) {
-  const std::optional<Point> in = last_direction(leg.line);
-  const std::optional<Point> out = first_direction(next.line);
-  if (!in || !out) return;
-  constexpr double kTurnsBack = 0.5;
-  const Point sum = *in + *out;
-  if (sum.norm() < kTurnsBack) return;
-  const Point along = sum.normalized();
-  const Point side = left_of(along);
-  const NodeDeviation used = used_deviation(leg.end.deviation);
-  // Half the width of the ellipse along the wall.
-  const Point local = rotated(side, -used.theta);
-  const double half = 1.0 / std::hypot(local.x() / used.a, local.y() / used.b);
-  constexpr double kShortest = 0.02;  // [m]
-  if (!(reach > half + kShortest)) return;
-  constexpr double kThin = 0.01;  // half the thickness of a wall [m]
-  const Point& node = leg.end.position;
-  for (const double sign : {-1.0, 1.0}) {
-    const Point inner = node + sign * half * side;
-    const Point outer = node + sign * reach * side;
-    area.push_back({.kind = ZoneKind::KeepOut,
-                    .polygon = {inner - kThin * along, inner + kThin * along, outer + kThin * along,
-                                outer - kThin * along},
-                    .reference = ZoneReference::Centre,
-                    .name = leg.end_node_id});
-  }
-}
-
-Zones driving_area(std::span<const RouteLeg> legs, std::span<const vda5050::Zone> zones) {
+Zones driving_area(std::span<const RouteLeg> legs,
+                   std::span<const vda5050::Zone> zones,
+                   double body) {
   Zones area;
+  std::optional<StripJoint> start;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const RouteLeg& leg = legs[i];
     const bool last = i + 1 == legs.size();
     const double after =
         last ? end_extension(leg.end.deviation) : reach_of(used_deviation(leg.end.deviation));
-    add_strip(leg, reach_of(used_deviation(leg.start.deviation)), after, area);
+    const std::optional<StripJoint> end = last ? std::nullopt : joint_of(leg, legs[i + 1], body);
+    Zones strips;
+    add_strip(leg, reach_of(used_deviation(leg.start.deviation)), after, strips);
+    if (leg.strip) clip_strips(leg, start, end, strips);
+    area.insert(area.end(), strips.begin(), strips.end());
     add_speed(leg, area);
-    if (last || !leg.strip || !legs[i + 1].strip) continue;
+    start = end;
+    if (!end) continue;
     const Strip& a = *leg.strip;
     const Strip& b = *legs[i + 1].strip;
-    add_gate(leg, legs[i + 1], 1.5 * std::max({a.left, a.right, b.left, b.right}), area);
+    add_gate(leg, *end, 1.5 * std::max({a.left, a.right, b.left, b.right}), area);
   }
   for (const vda5050::Zone& zone : zones) {
     if (!legs.empty() && !is_near(zone, legs)) continue;

@@ -27,7 +27,6 @@ void add_approach(const RouteLeg& leg, const Eigen::Vector2d& robot, std::vector
   const LinePoint near = nearest_on(leg.line, robot);
   RouteLeg approach;
   approach.start.position = robot;
-  approach.end.position = robot + near.distance * near.direction;
   approach.start.deviation = approach.end.deviation = {.a = kWidth, .b = kWidth};
   const double arc = std::min(near.arc + 0.3, length_of(leg.line));
   Eigen::Vector2d join = leg.line.front();
@@ -42,6 +41,7 @@ void add_approach(const RouteLeg& leg, const Eigen::Vector2d& robot, std::vector
     passed += length;
     join = leg.line[i];
   }
+  approach.end.position = join;
   approach.line = {robot, join};
   approach.strip = Strip{.left = kWidth, .right = kWidth};
   legs.insert(legs.begin(), approach);
@@ -91,7 +91,7 @@ std::optional<std::size_t> RouteDriver::choose_free_lines(std::vector<RouteLeg>&
     constexpr double kSpot = 0.01;                           // [m]
     if ((leg.end.position - from).norm() < kSpot) continue;  // a turn on the spot
     if (!open) {
-      std::optional<BitGrid> map = map_with(driving_area({}, zones));
+      std::optional<BitGrid> map = map_with(driving_area({}, zones, settings_.robot.radius));
       if (!map) return i;
       open.emplace(*std::move(map));
     }
@@ -123,7 +123,7 @@ std::optional<std::size_t> RouteDriver::first_closed(const Route& route,
     }
     if (const auto leg = choose_free_lines(legs, legs.front().start.position, zones))
       return first + *leg;
-    const std::optional<BitGrid> map = map_with(driving_area(legs, zones));
+    const std::optional<BitGrid> map = map_with(driving_area(legs, zones, settings_.robot.radius));
     if (!map) return first;
     const LegPath path =
         path_along(*map, legs, std::nullopt, planner_settings(settings_), planner_);
@@ -168,7 +168,8 @@ void RouteDriver::open_window(const Vehicle& vehicle, const Measurements& m) {
   if (last_leg_ && last_leg_->strip) allowed.insert(allowed.begin(), *last_leg_);
   if (!last_leg_) add_approach(legs.front(), robot, allowed);
   LegPath path{.closed_leg = 0};
-  if (const Zones area = driving_area(allowed, vehicle.zones()); validate(area)) {
+  if (const Zones area = driving_area(allowed, vehicle.zones(), settings_.robot.radius);
+      validate(area)) {
     navigator_.set_zones(area);
     path = window_path(legs, robot);
   }
