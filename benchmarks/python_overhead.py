@@ -42,7 +42,7 @@ def main() -> None:
         step.linear, step.angular, step.status
 
     def update_with_people() -> None:
-        empty.update(1.0, (1.0, 1.0, 0.0), people)
+        empty.update(1.0, (1.0, 1.0, 0.0), obstacles=people)
 
     base = median_us(nothing)
     print("cost of a call in Python [us], median of 7 x 20000")

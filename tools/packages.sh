@@ -25,6 +25,8 @@ vda5050_packages=(libmosquitto-dev mosquitto mosquitto-clients python3-paho-mqtt
 # The Python package, optional: numpy to use it; pytest, mypy and matplotlib for its tests.
 python_packages=(python3-dev pybind11-dev python3-numpy python3-venv python3-pip python3-pytest python3-matplotlib
   mypy)
+# The page that runs Fairway in a browser, optional.
+browser_packages=(emscripten nodejs)
 # Debian packages of Fairway, optional; lintian checks them.
 package_packages=(dpkg-dev file lintian)
 # The checks of .ci; the formatter's version is pinned, because it determines the result.

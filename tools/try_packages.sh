@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Tries the Debian packages of a build in a new root: tools/try_packages.sh [BUILD] [PACKAGE...]
+# BUILD may also be a folder of finished packages.
 #
 # Makes a minimal Debian 12 with debootstrap, installs the packages (all, unless some are named) with
 # what they depend on, simulates, builds a program against the library, imports the Python module,
@@ -16,8 +17,13 @@ debian=$work/debian
 mirror=${MIRROR:-$(sed -nE 's/^(deb( \[[^]]*\])?|URIs:) ([^ ]+).*/\3/p' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | head -n 1)}
 
 echo "== packages"
-(cd "$build" && cpack -G DEB -B "$work/packages" >/dev/null)
-rm -rf "$work/packages/_CPack_Packages"
+mkdir "$work/packages"
+if ls "$build"/*.deb >/dev/null 2>&1; then
+  cp "$build"/*.deb "$work/packages"
+else
+  (cd "$build" && cpack -G DEB -B "$work/packages" >/dev/null)
+  rm -rf "$work/packages/_CPack_Packages"
+fi
 ls -l "$work/packages"
 echo "== a new Debian 12"
 debootstrap --variant=minbase --include=ca-certificates bookworm "$debian" "$mirror" >"$work/log" || { tail "$work/log" >&2; exit 1; }

@@ -39,9 +39,9 @@ LiveWorld::LiveWorld(std::vector<MapChoice> choices, LiveListener listener, Begi
   left_.resize(choices_.size());
   begin_with(0, choices_.front().make());
   good_settings_ = scenario_.settings;
-  welcomed_ = begin == Begin::AtOnce;
+  welcomed_ = begin != Begin::WithViewer;
   state_.waiting = !welcomed_;
-  thread_ = std::jthread([this] { run(); });
+  if (begin != Begin::Stepped) thread_ = std::jthread([this] { run(); });
 }
 
 LiveWorld::~LiveWorld() {
@@ -98,7 +98,8 @@ void LiveWorld::run() {
   }
 }
 
-void LiveWorld::run_once() {
+// @return the scenario of the new run.
+Scenario LiveWorld::begin_run() {
   again_ = false;
   fresh_ = true;
   full_told_ = false;
@@ -111,11 +112,16 @@ void LiveWorld::run_once() {
   state_.halted = false;
   Scenario scenario = scenario_;
   scenario.settings.planning.background = true;  // so that no cycle waits for a plan
+  tell_state();
+  return scenario;
+}
+
+void LiveWorld::run_once() {
+  const Scenario scenario = begin_run();
   io::RunMessages recorded(*messages_);
   ObserverList observers;
   observers.add(stream_);
   observers.add(recorded);
-  tell_state();
   static_cast<void>(
       run_episode(scenario, {.clock = steady_seconds,
                              .on_cycle = {},

@@ -64,8 +64,9 @@ class LiveWorld {
   /// What can be downloaded; each gives the bytes of a file, from the world's thread.
   enum class Download : std::uint8_t { Recording, Scenario, Report };
 
-  /// When the world begins to move.
-  enum class Begin : std::uint8_t { AtOnce, WithViewer };
+  /// When the world begins to move. Stepped: a SteppedWorld advances it, for programs without
+  /// threads.
+  enum class Begin : std::uint8_t { AtOnce, WithViewer, Stepped };
 
   /// @param choices  At least one; the first is begun with.
   LiveWorld(std::vector<MapChoice> choices, LiveListener listener, Begin begin = Begin::AtOnce);
@@ -86,6 +87,8 @@ class LiveWorld {
   void download(Download what, std::function<void(std::string)> done);
 
  private:
+  friend class SteppedWorld;
+
   struct UseMap {
     Scenario scenario;
   };
@@ -101,6 +104,7 @@ class LiveWorld {
 
   bool enqueue(Request request, std::size_t most_waiting);
   void run();
+  Scenario begin_run();
   void run_once();
   void recover(const std::string& reason);
   void serve_requests(EpisodeControl& control);

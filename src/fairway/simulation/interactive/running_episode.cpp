@@ -28,20 +28,23 @@ Episode::Episode(const Scenario& scenario, const EpisodeHooks& hooks)
   head_for_goals();
 }
 EpisodeResult Episode::run() {
-  for (int cycle = 0;; ++cycle) {
-    const bool time_left = cycle * settings_.navigation.control_period < scenario_.time_limit;
-    show_world();
-    measure();
-    for (std::size_t i = 0; i < drivers_.size(); ++i)
-      control(i);
-    const bool all_done = std::all_of(done_.begin(), done_.end(), [](bool done) { return done; });
-    if (!hooks_.play && (all_done || !time_left)) break;
-    if (hooks_.on_cycle && !hooks_.on_cycle(world_.time())) break;
-    advance(settings_.navigation.control_period);
-    if (hooks_.play && !hooks_.play(*this)) break;
+  while (cycle()) {
   }
   finish();
   return std::move(result_);
+}
+
+bool Episode::cycle() {
+  const bool time_left = cycles_++ * settings_.navigation.control_period < scenario_.time_limit;
+  show_world();
+  measure();
+  for (std::size_t i = 0; i < drivers_.size(); ++i)
+    control(i);
+  const bool all_done = std::all_of(done_.begin(), done_.end(), [](bool done) { return done; });
+  if (!hooks_.play && (all_done || !time_left)) return false;
+  if (hooks_.on_cycle && !hooks_.on_cycle(world_.time())) return false;
+  advance(settings_.navigation.control_period);
+  return !hooks_.play || hooks_.play(*this);
 }
 
 void Episode::make_drivers() {

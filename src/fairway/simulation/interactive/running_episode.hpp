@@ -23,6 +23,10 @@ class Episode final : public EpisodeControl {
   // Senses, controls and moves until every robot has stopped at its goal or the time is up.
   EpisodeResult run();
 
+  // One control cycle, and the world's motion until the next; false when the run has ended. For
+  // programs that cannot wait inside `run`.
+  bool cycle();
+
   [[nodiscard]] const World& world() const override { return world_; }
   void set_goal(std::size_t robot, const Goal& goal) override;
   void set_cells(std::span<const CellIndex> cells, bool blocked) override;
@@ -68,6 +72,7 @@ class Episode final : public EpisodeControl {
   std::vector<Twist2> commands_;
   std::vector<bool> done_;
   bool halted_ = false;  // emergency stop
+  int cycles_ = 0;
   std::vector<MovingObstacle> bodies_;
   EpisodeResult result_;
 };
