@@ -61,6 +61,12 @@ TEST(Simulate, DrivesAnyBodyOnAnyBase) {
   EXPECT_TRUE(robot.at("reached").get<bool>());
   EXPECT_GT(robot.at("min_clearance").get<double>(), 0.0);
   EXPECT_NE(content_of(folder.path("t.csv")).find("clearance,lateral\n"), std::string::npos);
+  const ToolRun blocked = run_tool(
+      folder,
+      "simulate --map room.yaml --start 1.2,1,0 --goal 4,0.5 --time-limit 2 --body omni.yaml");
+  EXPECT_EQ(blocked.code, 1);
+  EXPECT_NE(blocked.err.find("does not fit at the goal"), std::string::npos) << blocked.err;
+  EXPECT_EQ(blocked.err.find("robot.radius"), std::string::npos) << blocked.err;
   const ToolRun logged = run_tool(folder, options + "--log r.mcap");
   EXPECT_EQ(logged.code, 2);
   EXPECT_NE(logged.err.find("--log: expected robots without"), std::string::npos) << logged.err;

@@ -80,7 +80,9 @@ std::string failure_reason(const Scenario& scenario,
                        position.x(), position.y());
   }
   if (robot.reached && !robot.zones.none()) return zones_text(robot.zones);
-  if (!robot.plan.usable() && scenario.sensing.sensing == Sensing::Map) {
+  // What is narrow for a disc is not what is narrow for a body of its own.
+  const bool disc = !scenario.robots[index].model;
+  if (!robot.plan.usable() && disc && scenario.sensing.sensing == Sensing::Map) {
     BitGrid obstacles(scenario.map, unknown_cells(scenario.settings.map));
     if (!scenario.zones.empty()) {
       obstacles.set_zones(
@@ -107,6 +109,7 @@ std::optional<PathObstruction> obstruction_of(const Scenario& scenario,
                                               std::size_t index) {
   const RobotResult& robot = result.robots[index];
   if (robot.collided || robot.plan.usable() || scenario.sensing.sensing != Sensing::Map) return {};
+  if (scenario.robots[index].model) return {};
   const TraceRow* const last = last_row(result, index);
   const Pose2 pose = last != nullptr ? last->pose : scenario.robots[index].start;
   const PreparedMap map(scenario.map, unknown_cells(scenario.settings.map));

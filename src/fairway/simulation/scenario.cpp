@@ -16,6 +16,8 @@ Expected<void> check_models(const Scenario& scenario) {
     return fail("sensing: expected map for robots with their own body (robot:), found lidar");
   if (scenario.engine != Engine::Unicycle)
     return fail("physics: expected unicycle for robots with their own body (robot:), found mujoco");
+  if (!scenario.zones.empty())
+    return fail("zones: expected none with robots of their own body (robot:), found some");
   return {};
 }
 

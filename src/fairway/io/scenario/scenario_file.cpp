@@ -277,13 +277,13 @@ Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes) {
   scenario.robots = read_robots(root, scenario.map, scenario.settings.robot, folder, notes);
   assume_actuation(scenario);
   describe_models(scenario);
-  if (const Expected<void> fits = check_models(scenario); !fits)
-    root.complain("robots", fits.error().message);
   if (const Expected<void> valid = validate(scenario.settings); !file.error && !valid) {
     root.complain("robots", "actuation: " + valid.error().message);
   }
   scenario.bodies = read_bodies(root);
   scenario.zones = read_zones(root);
+  if (const Expected<void> fits = check_models(scenario); !fits)
+    root.complain("robots", fits.error().message);
   if (!file.error) add_pedestrians(root, folder, scenario, notes);
   root.finish();
   if (file.error) return tl::unexpected(*file.error);

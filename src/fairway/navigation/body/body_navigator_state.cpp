@@ -50,6 +50,7 @@ void BodyNavigator::State::set_goal(const Goal& goal) {
   goal_valid_ = is_valid(goal);
   ++goal_number_;
   goal_is_new_ = goal_valid_;
+  failures_ = 0;
   has_drive_ = false;
   reached_ = false;
   waits_since_.reset();
@@ -123,14 +124,20 @@ bool BodyNavigator::State::is_blocked() const noexcept {
   return false;
 }
 
+// A search that fails takes longest, so it is repeated more and more seldom.
+double BodyNavigator::State::retry_period() const noexcept {
+  constexpr int kMostDoublings = 5;
+  const int doublings = std::clamp(failures_ - 1, 0, kMostDoublings);
+  return settings.planning.retry_period * (1 << doublings);
+}
+
 // A drive begins at standstill, so a robot that needs another one stops first.
 bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const noexcept {
   if (!goal_ || !goal_valid_ || map() == nullptr || planning.busy() || reached_) return false;
   if (has_drive_ && !wants_plan_) return false;
   if (!follower.at_rest()) return false;
   if (goal_is_new_ || at_once) return true;
-  const bool just_tried =
-      m.time - plan_time_ < settings.planning.retry_period && m.time >= plan_time_;
+  const bool just_tried = m.time - plan_time_ < retry_period() && m.time >= plan_time_;
   return !just_tried;
 }
 
@@ -140,12 +147,16 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   take_plan();
   if (map_changed_ && clearance_) {
     map_changed_ = false;
+    failures_ = 0;
     if (has_drive_ && is_blocked()) wants_plan_ = true;
   }
   if (!needs_plan(m, at_once)) return;
   if (!is_plausible(m.pose) || !std::isfinite(m.time)) return;
-  BodyPlanRequest request{
-      .start = m.pose, .goal = *goal_, .standing = {}, .kept = settings.prediction.obstacle_margin};
+  BodyPlanRequest request{.start = m.pose,
+                          .goal = *goal_,
+                          .standing = {},
+                          .kept = settings.prediction.obstacle_margin,
+                          .or_without = !avoids_moving_};
   for (const MovingObstacle& obstacle : m.obstacles) {
     if (is_plausible(obstacle) && (avoids_moving_ || is_standing(obstacle)))
       request.standing.push_back(obstacle);
@@ -162,6 +173,7 @@ void BodyNavigator::State::take_plan() {
   std::optional<BodyPlan> made = planning.take();
   if (!made || !goal_ || asked_number_ != goal_number_) return;
   // A robot that waits before an obstacle keeps its drive where there is none round that.
+  failures_ = made->drive.rows.empty() ? failures_ + 1 : 0;
   const bool keeps = made->drive.rows.empty() && has_drive_ && avoids_moving_;
   avoids_moving_ = false;
   if (keeps) {
@@ -202,7 +214,7 @@ void BodyNavigator::State::watch(const NavigationStep& step, double time) noexce
   if (!waits_since_) waits_since_ = time;
   if (step.limit == LimitingFactor::StopNotProven && step.status == NavigationStatus::Blocked)
     wants_plan_ = true;
-  if (time - *waits_since_ < kPatience) return;
+  if (time - *waits_since_ < kPatience || time - plan_time_ < retry_period()) return;
   wants_plan_ = true;
   avoids_moving_ = true;
   waits_since_ = time;

@@ -37,6 +37,7 @@ struct BodyNavigator::State {
   [[nodiscard]] bool jumped(const Measurements& m) noexcept;
   [[nodiscard]] bool is_blocked() const noexcept;
   [[nodiscard]] bool at_goal(const Pose2& pose) const noexcept;
+  [[nodiscard]] double retry_period() const noexcept;
   [[nodiscard]] bool needs_plan(const Measurements& m, bool at_once) const noexcept;
   void take_plan();
   [[nodiscard]] NavigationStep drive(const Measurements& m);
@@ -55,6 +56,7 @@ struct BodyNavigator::State {
   bool map_changed_ = false;
   bool goal_is_new_ = false;
   bool reached_ = false;
+  int failures_ = 0;  // plans that failed, one after the other
   int goal_number_ = 0;
   int asked_number_ = 0;
   double plan_time_ = -std::numeric_limits<double>::infinity();

@@ -111,11 +111,13 @@ std::vector<double> goal_headings(const BodyClearance& clearance,
   return headings;
 }
 
-BodyPlan plan_body_drive(const PreparedMap& map,
-                         const RobotModel& robot,
-                         const BodyPlanRequest& request,
-                         double period,
-                         const DriveSettings& settings) {
+namespace {
+
+BodyPlan plan_among(const PreparedMap& map,
+                    const RobotModel& robot,
+                    const BodyPlanRequest& request,
+                    double period,
+                    const DriveSettings& settings) {
   std::optional<PreparedMap> drawn;
   if (!request.standing.empty()) drawn = with_obstacles(map, robot.body, request);
   const PreparedMap& used = drawn ? *drawn : map;
@@ -138,6 +140,19 @@ BodyPlan plan_body_drive(const PreparedMap& map,
     if (!plan.drive.rows.empty()) break;
   }
   return plan;
+}
+
+}  // namespace
+
+BodyPlan plan_body_drive(const PreparedMap& map,
+                         const RobotModel& robot,
+                         const BodyPlanRequest& request,
+                         double period,
+                         const DriveSettings& settings) {
+  BodyPlan plan = plan_among(map, robot, request, period, settings);
+  if (!plan.drive.rows.empty() || request.standing.empty() || !request.or_without) return plan;
+  const BodyPlanRequest alone{.start = request.start, .goal = request.goal, .standing = {}};
+  return plan_among(map, robot, alone, period, settings);
 }
 
 Plan shown_plan(const BodyPlan& plan) {

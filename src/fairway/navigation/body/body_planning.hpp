@@ -21,6 +21,8 @@ struct BodyPlanRequest {
   Goal goal;
   std::vector<MovingObstacle> standing;  ///< obstacles to drive round as if they were of the map
   double kept = 0.1;                     ///< distance kept from these [m]
+  /// Whether to plan as if they were not there where they leave no path: they may go away.
+  bool or_without = true;
 };
 
 /// A drive to a goal, or the reason why there is none.
@@ -40,7 +42,7 @@ struct BodyPlan {
                                                 const Pose2& start,
                                                 const Eigen::Vector2d& goal);
 
-/// Plans a drive on a map.
+/// Plans a drive on a map, round the standing obstacles if it can.
 [[nodiscard]] BodyPlan plan_body_drive(const PreparedMap& map,
                                        const RobotModel& robot,
                                        const BodyPlanRequest& request,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/navigation/body/body_navigator.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "fairway/map/body_clearance.hpp"
 #include "fairway/planning/prepared_map.hpp"
 #include "fairway/simulation/bodies/body_robot.hpp"
+#include "support/allocation_guard.hpp"
 
 namespace fairway {
 namespace {
@@ -39,21 +41,31 @@ OccupancyGrid two_rooms() {
 // A robot in its own simulation, with a moving obstacle.
 class BodyRun {
  public:
-  explicit BodyRun(BaseKind kind, const Settings& settings = Settings())
+  /// @param late  Control periods by which the base executes its commands late.
+  explicit BodyRun(BaseKind kind, const Settings& settings = Settings(), int late = 0)
       : map_(two_rooms()),
         robot_{.model = robot_of(kind), .pose = {.position = {2.5, 2.0}, .heading = 0.3}},
+        late_(static_cast<std::size_t>(late)),
         clearance_(map_.obstacles, map_.distances, robot_.model.body),
         period_(settings.navigation.control_period),
-        navigator_(settings, robot_.model, map_) {}
+        navigator_(settings, late_model(late * period_), map_) {
+    for (int i = 0; i < late; ++i)
+      sent_.push_back({});
+  }
 
   NavigationStep cycle() {
     Measurements m{.time = time_, .pose = robot_.pose, .obstacles = moving_};
     if (lost_pose_) m.pose.heading = std::numeric_limits<double>::quiet_NaN();
     const NavigationStep step = navigator_.update(m);
     const bool steered = is_steered(robot_.model.base);
-    robot_.sent = {.linear = step.command.linear,
-                   .lateral = step.lateral,
-                   .turn = steered ? step.steering : step.command.angular};
+    const BaseInput command{.linear = step.command.linear,
+                            .lateral = step.lateral,
+                            .turn = steered ? step.steering : step.command.angular};
+    robot_.sent = late_ > 0 ? sent_.front() : command;
+    if (late_ > 0) {
+      std::rotate(sent_.begin(), sent_.begin() + 1, sent_.end());
+      sent_.back() = command;
+    }
     constexpr int kFine = 20;
     for (int i = 0; i < kFine; ++i) {
       robot_.advance(period_ / kFine);
@@ -80,8 +92,16 @@ class BodyRun {
     return false;
   }
 
+  [[nodiscard]] RobotModel late_model(double time) const {
+    RobotModel model = robot_.model;
+    model.base.response_time = time;
+    return model;
+  }
+
   PreparedMap map_;
   BodyRobot robot_;
+  std::size_t late_;
+  std::vector<BaseInput> sent_;
   BodyClearance clearance_;
   double period_;
   BodyNavigator navigator_;
@@ -164,6 +184,19 @@ TEST(BodyNavigator, DrivesRoundAnObstacleThatStopsInItsPath) {
   EXPECT_GT(run.separation_, 0.0);
 }
 
+// Two robots whose goals are each other's places would otherwise both see no path.
+TEST(BodyNavigator, AnObstacleAtTheGoalIsAwaited) {
+  BodyRun run(BaseKind::Unicycle);
+  run.navigator_.set_goal({.position = {2.5, 6.0}, .heading = 1.57});
+  run.moving_ = {{.position = {2.5, 6.2}, .velocity = {0.0, 0.0}, .radius = 0.3}};
+  for (int i = 0; i < 200; ++i)
+    run.cycle();
+  EXPECT_GT(run.robot_.pose.position.y(), 3.0);
+  EXPECT_FALSE(run.hit_);
+  run.moving_ = {};
+  EXPECT_TRUE(run.drive(90.0));
+}
+
 TEST(BodyNavigator, PlansAgainWhenTheDoorCloses) {
   BodyRun run(BaseKind::Unicycle);
   run.navigator_.set_goal({.position = {9.5, 4.0}});
@@ -179,6 +212,35 @@ TEST(BodyNavigator, PlansAgainWhenTheDoorCloses) {
   EXPECT_EQ(run.cycle().command.linear, 0.0);
   EXPECT_FALSE(run.navigator_.plan().usable());
   EXPECT_FALSE(run.touched_);
+}
+
+TEST(BodyNavigator, ACycleWithoutAPlanDoesNotAllocate) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "no allocation guard in this build";
+  BodyRun run(BaseKind::Tricycle);
+  run.moving_ = {{.position = {7.6, 0.5}, .velocity = {0.0, 0.45}, .radius = 0.3}};
+  run.navigator_.set_goal({.position = {9.5, 4.0}, .heading = 0.0});
+  run.cycle();
+  int cycles = 0;
+  for (; run.time_ < 60.0; ++cycles) {
+    const test::AllocationGuard guard;
+    const NavigationStep step = run.cycle();
+    const std::size_t calls = guard.count();
+    if (!run.navigator_.planned()) EXPECT_EQ(calls, 0U) << run.time_;
+    if (step.status == NavigationStatus::GoalReached) break;
+  }
+  EXPECT_GT(cycles, 50);
+}
+
+// A base that follows late is sent what it is to do then, and still keeps free.
+TEST(BodyNavigator, ALateBaseArrivesToo) {
+  for (const BaseKind kind : kKinds) {
+    Settings settings;
+    settings.navigation.control_period = 0.05;
+    BodyRun run(kind, settings, 2);
+    run.navigator_.set_goal({.position = {9.5, 5.5}, .heading = 1.0});
+    EXPECT_TRUE(run.drive(60.0)) << to_text(kind);
+    EXPECT_FALSE(run.touched_) << to_text(kind);
+  }
 }
 
 TEST(BodyNavigator, RejectsARobotThatIsNone) {
