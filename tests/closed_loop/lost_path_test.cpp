@@ -14,12 +14,12 @@ using Eigen::Vector2d;
 
 // Two rooms with one door, and a person in it, in a frame that is turned by `angle`.
 struct DoorWorld {
-  double door = 4.0;       // middle of the door along the wall [m]
-  double width = 0.8;      // of the door [m]
-  double leaves = 2.0;     // when the person leaves the door [s]
+  double door = 4.0;    // middle of the door along the wall [m]
+  double width = 0.8;   // of the door [m]
+  double leaves = 2.0;  // when the person leaves the door [s]
   Pose2 start{.position = {3.0, 4.0}, .heading = 0.0};
   Vector2d goal{9.0, 4.0};
-  double angle = 0.0;      // of the map in the world [rad]
+  double angle = 0.0;  // of the map in the world [rad]
   bool noise = false;
   std::uint64_t seed = 1;
 };
@@ -30,8 +30,7 @@ constexpr double kWalk = 4.0;  // time in which the person leaves the door [s]
 Scenario scenario_of(const DoorWorld& world) {
   Scenario scenario;
   const Pose2 origin{.position = {1.0, -2.0}, .heading = world.angle};
-  scenario.map =
-      OccupancyGrid({.width = 240, .height = 160, .resolution = 0.05, .origin = origin});
+  scenario.map = OccupancyGrid({.width = 240, .height = 160, .resolution = 0.05, .origin = origin});
   for (int y = 0; y < 160; ++y) {
     for (int x = 118; x < 122; ++x) {
       if (std::abs((y + 0.5) * 0.05 - world.door) > 0.5 * world.width)
@@ -62,9 +61,9 @@ void expect_arrival(const DoorWorld& world) {
                ", leaves " + std::to_string(world.leaves) + ", start " +
                std::to_string(world.start.position.x()) + " " +
                std::to_string(world.start.position.y()) + " " +
-               std::to_string(world.start.heading) + ", goal " +
-               std::to_string(world.goal.x()) + " " + std::to_string(world.goal.y()) + ", angle " +
-               std::to_string(world.angle) + ", seed " + std::to_string(world.seed));
+               std::to_string(world.start.heading) + ", goal " + std::to_string(world.goal.x()) +
+               " " + std::to_string(world.goal.y()) + ", angle " + std::to_string(world.angle) +
+               ", seed " + std::to_string(world.seed));
   const EpisodeResult result = run_episode(scenario_of(world));
   EXPECT_FALSE(result.robots[0].collided);
   EXPECT_TRUE(result.robots[0].reached) << to_text(result.trace.rows.back().status);

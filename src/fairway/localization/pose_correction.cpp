@@ -118,8 +118,7 @@ void PoseCorrection::correct(const ScanMatch& match, const Vector2d& center) noe
   certainty_.matched = true;
   correction_.position = moved(correction_.position, center, match.motion);
   correction_.heading = wrap_to_pi(correction_.heading + match.motion.z());
-  const Matrix3d prior =
-      (certainty_.covariance + kLeastVariance * Matrix3d::Identity()).inverse();
+  const Matrix3d prior = (certainty_.covariance + kLeastVariance * Matrix3d::Identity()).inverse();
   certainty_.covariance = (prior + match.information).inverse();
   for (SurfacePoint& point : scan_) {
     point.position = moved(point.position, center, match.motion);

@@ -52,8 +52,8 @@ class PoseCorrection {
   /// @return the motion by which the scan was moved, about the corrected sensor.
   ScanMotion match(std::span<const Eigen::Vector2d> ends, const Pose2& odometry);
 
-  /// Remembers surfaces of the last scan: the points of those beams for which `is_static(beam, end)`
-  /// holds, where `end` is the corrected end of the beam.
+  /// Remembers surfaces of the last scan: the points of those beams for which `is_static(beam,
+  /// end)` holds, where `end` is the corrected end of the beam.
   template <typename IsStatic>
   void remember(IsStatic&& is_static) {
     if (known_map_ || !remembers_) return;

@@ -20,8 +20,8 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostPoints = 240;  // of a scan; more add little
 constexpr double kSigma = 0.02;           // [m], of a residual
 // The errors of neighbouring points are correlated: the points count as fewer.
-constexpr double kIndependent = 0.1;      // share
-constexpr double kMatched = 0.05;         // [m]; nearer points lie on the surface
+constexpr double kIndependent = 0.1;  // share
+constexpr double kMatched = 0.05;     // [m]; nearer points lie on the surface
 
 // Reach of the nearest point and scale of the weights, step by step [m].
 constexpr std::array kMatchReach = {0.15, 0.15, 0.12, 0.1, 0.1, 0.1};
@@ -77,8 +77,7 @@ ScanMatch match_scan(const SurfacePoints& map,
     }
     match.information = points;
     match.deviation = match.matched > 0 ? std::sqrt(square / match.matched) : 0.0;
-    const Vector3d change =
-        (points + prior).ldlt().solve(Vector3d(pull - prior * match.motion));
+    const Vector3d change = (points + prior).ldlt().solve(Vector3d(pull - prior * match.motion));
     if (!change.allFinite()) return {};
     match.motion += change;
     if (step >= 2 && change.cwiseAbs().maxCoeff() < kSmallStep) break;

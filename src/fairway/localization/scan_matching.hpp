@@ -21,12 +21,12 @@ using ScanMotion = Eigen::Vector3d;
 
 /// The distance of a moved point from a line, and its derivative by the motion.
 struct LineResidual {
-  double value = 0.0;                                     ///< [m]
+  double value = 0.0;                                        ///< [m]
   Eigen::RowVector3d jacobian = Eigen::RowVector3d::Zero();  ///< exact
 };
 
-/// Returns n . (R(a) (p - c) + c + t - q) for the motion (t, a) about c, and the line through q with
-/// normal n.
+/// Returns n . (R(a) (p - c) + c + t - q) for the motion (t, a) about c, and the line through q
+/// with normal n.
 [[nodiscard]] LineResidual line_residual(const Eigen::Vector2d& point,
                                          const Eigen::Vector2d& center,
                                          const SurfacePoint& line,

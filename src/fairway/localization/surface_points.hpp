@@ -21,8 +21,8 @@ struct SurfacePoint {
 
 /// Points on surfaces in a square window that follows the robot.
 ///
-/// The window consists of cells of kCell metres, each with at most kPerCell points. A point is added
-/// only where none is closer than kSpacing, so that surfaces seen many times keep their first
+/// The window consists of cells of kCell metres, each with at most kPerCell points. A point is
+/// added only where none is closer than kSpacing, so that surfaces seen many times keep their first
 /// points. Cells that leave the window are reused. Does not allocate after construction;
 /// deterministic.
 class SurfacePoints {

@@ -25,9 +25,9 @@ namespace fairway {
 /// There are two readings. In `occupied` unknown cells are free, for planning paths through them.
 /// In `not_seen_free` they are blocked, so that the robot can always stop inside what was measured.
 ///
-/// Occupied cells can be doubted: `occupied` then treats them as unknown until the next beam reaches
-/// them. Their evidence remains, and `not_seen_free` does not change.
-/// Does not allocate after construction; deterministic.
+/// Occupied cells can be doubted: `occupied` then treats them as unknown until the next beam
+/// reaches them. Their evidence remains, and `not_seen_free` does not change. Does not allocate
+/// after construction; deterministic.
 class RollingGrid {
  public:
   /// Step by which the window moves [cells]: one word of a BitGrid.

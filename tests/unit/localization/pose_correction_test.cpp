@@ -39,11 +39,11 @@ class Wanderer {
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       const auto range = static_cast<double>(ranges_[i]);
       const double nan = std::numeric_limits<double>::quiet_NaN();
-      ends_[i] = range < 12.0 ? Vector2d(guess.position +
-                                         range * direction(guess.heading -
-                                                           0.5 * lidar_.field_of_view +
-                                                           static_cast<double>(i) * step))
-                              : Vector2d(nan, nan);
+      ends_[i] = range < 12.0
+                     ? Vector2d(guess.position +
+                                range * direction(guess.heading - 0.5 * lidar_.field_of_view +
+                                                  static_cast<double>(i) * step))
+                     : Vector2d(nan, nan);
     }
     static_cast<void>(correction.match(ends_, odometry.pose()));
     correction.remember([](std::size_t, const Vector2d&) { return true; });

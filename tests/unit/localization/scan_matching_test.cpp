@@ -23,15 +23,15 @@ TEST(ScanMatching, TheJacobianIsExact) {
     const SurfacePoint line{.position = {any(), any()}, .normal = direction(any())};
     const Vector3d motion(any(), any(), any());
     const auto value = [&](const Eigen::VectorXd& x) {
-      return Eigen::VectorXd::Constant(
-          1, line_residual(point, center, line, Vector3d(x)).value);
+      return Eigen::VectorXd::Constant(1, line_residual(point, center, line, Vector3d(x)).value);
     };
     const Eigen::MatrixXd expected = test::central_difference(value, motion);
     EXPECT_LT((line_residual(point, center, line, motion).jacobian - expected).norm(), 1e-7);
   }
 }
 
-// Ends of 360 beams in a room of 6 m x 4 m with a pillar, from `sensor`, with errors of `sigma` [m].
+// Ends of 360 beams in a room of 6 m x 4 m with a pillar, from `sensor`, with errors of `sigma`
+// [m].
 std::vector<Vector2d> room(const Pose2& sensor, test::Random& random, double sigma) {
   std::vector<Vector2d> ends;
   for (int i = 0; i < 360; ++i) {

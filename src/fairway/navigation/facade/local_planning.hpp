@@ -18,7 +18,7 @@ struct LocalRequest {
   Goal goal;
   std::optional<GivenPath> along{};  ///< a path to follow; the goal is then its end
   double margin = 0.0;               ///< desired clearance beyond the robot's radius [m]
-  bool narrow = false;  ///< whether only a shorter path with less clearance is of interest
+  bool narrow = false;        ///< whether only a shorter path with less clearance is of interest
   bool find_opening = false;  ///< whether to search an opening where there is no path
   TriedOpenings tried{};      ///< openings that were examined before
 };

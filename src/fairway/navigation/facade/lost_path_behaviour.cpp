@@ -11,15 +11,15 @@ namespace fairway {
 
 namespace {
 
-constexpr double kSettle = 0.3;          // [s] at standstill before anything else is tried
-constexpr double kLongestLeg = 2.0;      // [rad]
-constexpr double kLongestTurn = 12.0;    // [s] for one leg
-constexpr double kLongestDrive = 60.0;   // [s] to an opening
-constexpr double kLongestSearch = 5.0;   // [s] until a search counts as failed
-constexpr double kWait = 3.0;            // [s]
-constexpr double kOverlap = 0.2;         // [rad] that is seen twice
-constexpr int kMostExamined = 2;         // openings between two waits
-constexpr int kRefused = 10;             // cycles after which a turn counts as impossible
+constexpr double kSettle = 0.3;         // [s] at standstill before anything else is tried
+constexpr double kLongestLeg = 2.0;     // [rad]
+constexpr double kLongestTurn = 12.0;   // [s] for one leg
+constexpr double kLongestDrive = 60.0;  // [s] to an opening
+constexpr double kLongestSearch = 5.0;  // [s] until a search counts as failed
+constexpr double kWait = 3.0;           // [s]
+constexpr double kOverlap = 0.2;        // [rad] that is seen twice
+constexpr int kMostExamined = 2;        // openings between two waits
+constexpr int kRefused = 10;            // cycles after which a turn counts as impossible
 
 }  // namespace
 
@@ -55,8 +55,10 @@ bool LostPathBehaviour::update(const LostPathView& view) noexcept {
     case LostPathAction::None:
       break;
     case LostPathAction::Brake:
-      if (!view.standing) since_ = view.time;
-      else if (elapsed >= kSettle) begin_look(view);
+      if (!view.standing)
+        since_ = view.time;
+      else if (elapsed >= kSettle)
+        begin_look(view);
       break;
     case LostPathAction::Turn:
       refusals_ = view.refused ? refusals_ + 1 : 0;
@@ -74,8 +76,10 @@ bool LostPathBehaviour::update(const LostPathView& view) noexcept {
       if (elapsed > kLongestSearch) enter(LostPathAction::Wait, view.time);
       break;
     case LostPathAction::Examine:
-      if (view.arrived || elapsed > kLongestDrive) begin_look(view);
-      else if (!view.fits) enter(LostPathAction::Brake, view.time);
+      if (view.arrived || elapsed > kLongestDrive)
+        begin_look(view);
+      else if (!view.fits)
+        enter(LostPathAction::Brake, view.time);
       break;
     case LostPathAction::Wait:
       if (elapsed > kWait) begin_look(view);

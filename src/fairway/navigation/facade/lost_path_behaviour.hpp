@@ -64,14 +64,14 @@ class LostPathBehaviour {
   void begin_look(const LostPathView& view) noexcept;
 
   LostPathAction action_ = LostPathAction::None;
-  double since_ = 0.0;       // in the present action [s]
-  double heading_ = 0.0;     // [rad]
-  double leg_ = 0.0;         // turn of one leg [rad]
-  int look_began_ = 0;       // number of a scan
-  int legs_ = 0;             // that remain, after the present one
-  int refusals_ = 0;         // cycles of the present turn that could not be proven
-  int examined_ = 0;         // openings since the last wait
-  bool changed_ = false;     // since the last update
+  double since_ = 0.0;    // in the present action [s]
+  double heading_ = 0.0;  // [rad]
+  double leg_ = 0.0;      // turn of one leg [rad]
+  int look_began_ = 0;    // number of a scan
+  int legs_ = 0;          // that remain, after the present one
+  int refusals_ = 0;      // cycles of the present turn that could not be proven
+  int examined_ = 0;      // openings since the last wait
+  bool changed_ = false;  // since the last update
 };
 
 }  // namespace fairway

@@ -43,8 +43,8 @@ void MaplessNavigator::State::no_path(LocalPlan& made) {
   if (made.opening) {
     const Vector2d ahead = made.opening->blocked_at - input.pose.position;
     facing = std::atan2(ahead.y(), ahead.x());
-    drive = made.to_opening.usable() &&
-            (made.opening->viewpoint - input.pose.position).norm() > kHere;
+    drive =
+        made.to_opening.usable() && (made.opening->viewpoint - input.pose.position).norm() > kHere;
     tried_.add(made.opening->blocked_at);
   }
   lost_.searched(plan_time_, drive, facing);

@@ -75,8 +75,8 @@ class MaplessNavigator {
   /// Runs one control cycle: plans if needed, then drives, as MapNavigator::update does.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
 
-  /// Repeats a cycle of a recorded run, whose pose is already the one corrected by scans. Plans that
-  /// were made in a thread are not made again: `plan` is taken over if the recorded cycle did.
+  /// Repeats a cycle of a recorded run, whose pose is already the one corrected by scans. Plans
+  /// that were made in a thread are not made again: `plan` is taken over if the recorded cycle did.
   [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
 
   /// Returns the message to the other robots, as MapNavigator::share does.

@@ -148,8 +148,7 @@ void OpeningSearch::expand(const Query& query, int node) {
       }
       const int next = node + dy * query.width + dx;
       const double length = kStep * resolution * std::hypot(dx, dy);
-      const double step =
-          length * query.weight(next) + (query.crosses(node, dx, dy) ? kWall : 0.0);
+      const double step = length * query.weight(next) + (query.crosses(node, dx, dy) ? kWall : 0.0);
       const float cost = cost_[static_cast<std::size_t>(node)] + static_cast<float>(step);
       if (cost >= cost_[static_cast<std::size_t>(next)]) continue;
       cost_[static_cast<std::size_t>(next)] = cost;

@@ -28,7 +28,8 @@ struct Robot {
     for (const double end = view.time + duration; view.time < end; view.time += kPeriod) {
       view.scans += 2;
       view.arrived = completes_turns && behaviour.action() == LostPathAction::Turn;
-      view.arrived = view.arrived || (!actions.empty() && actions.back() == LostPathAction::Examine);
+      view.arrived =
+          view.arrived || (!actions.empty() && actions.back() == LostPathAction::Examine);
       if (behaviour.update(view)) {
         actions.push_back(behaviour.action());
         if (behaviour.action() == LostPathAction::Turn && completes_turns) {
@@ -103,8 +104,8 @@ TEST(LostPathBehaviour, ReportsBlockedAfterTwoOpeningsWereExamined) {
   robot.openings = 100;
   robot.behaviour.begin(0.0);
   robot.run(3.0);
-  EXPECT_EQ(robot.actions, (std::vector{Brake, Turn, Search, Examine, Turn, Search, Examine, Turn,
-                                        Search, Wait}));
+  EXPECT_EQ(robot.actions,
+            (std::vector{Brake, Turn, Search, Examine, Turn, Search, Examine, Turn, Search, Wait}));
 }
 
 TEST(LostPathBehaviour, BrakesWhereThePlanToAnOpeningIsBlocked) {
