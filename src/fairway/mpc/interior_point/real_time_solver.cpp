@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 
-#include "fairway/mpc/interior_point/settings.hpp"
+#include "fairway/mpc/interior_point/workspace/settings.hpp"
 #include "fairway/mpc/interior_point/solver.hpp"
 
 namespace fairway {

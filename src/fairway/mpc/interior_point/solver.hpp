@@ -5,7 +5,7 @@
 
 #include "fairway/mpc/control_problem.hpp"
 #include "fairway/mpc/interior_point/kernels.hpp"
-#include "fairway/mpc/interior_point/settings.hpp"
+#include "fairway/mpc/interior_point/workspace/settings.hpp"
 #include "fairway/mpc/interior_point/workspace/workspace.hpp"
 #include "fairway/mpc/solution.hpp"
 
