@@ -15,11 +15,11 @@ TARGETS = [
     ("fairway", [], [
         "base", "geometry", "monitor", "zones", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc",
         "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
-        "mpc/interior_point", "planning", "tracking", "safety", "fleet", "localization", "perception", "navigation",
+        "mpc/interior_point", "planning", "tracking", "tracking/space_time", "safety", "fleet", "localization", "perception", "navigation",
         "navigation/facade", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
-        "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation", "simulation/interactive", "simulation/scenarios",
+        "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation", "simulation/people", "simulation/interactive", "simulation/scenarios",
         "simulation/recorded",
         "simulation/physics"]),
     ("fairway_io", ["fairway", "fairway_simulation"], [

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   add_dynabarn_command(tool);
   add_bodies_command(tool);
   add_parking_command(tool);
+  add_people_command(tool);
   add_compare_command(tool);
   add_statuses_command(tool);
   add_reference_commands(tool);

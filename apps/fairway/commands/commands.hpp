@@ -15,6 +15,7 @@ void add_compare_command(CommandLine& tool);
 void add_dynabarn_command(CommandLine& tool);
 void add_merge_command(CommandLine& tool);
 void add_order_command(CommandLine& tool);
+void add_people_command(CommandLine& tool);
 void add_plan_command(CommandLine& tool);
 /// The commands completion and manual. @pre `tool` outlives its run.
 void add_reference_commands(CommandLine& tool);

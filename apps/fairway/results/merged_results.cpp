@@ -128,6 +128,22 @@ Json joined(std::string_view key, const std::vector<Weighted>& parts) {
   return object;
 }
 
+// How much a part counts in a summary: means of `fairway people` are over its successes, and its
+// rate of danger is over its steps; everything else is over all runs.
+double weight_of(std::string_view key, const Json& runs) {
+  double weight = 0.0;
+  for (const Json& run : runs) {
+    if (run.contains("outcome") && key.rfind("mean_", 0) == 0) {
+      weight += run.at("outcome") == "success" ? 1.0 : 0.0;
+    } else if (key == "danger_rate") {
+      weight += run.value("steps", 0.0);
+    } else {
+      weight += 1.0;
+    }
+  }
+  return weight;
+}
+
 }  // namespace
 
 Expected<Json> merge_results(std::span<const ShardResult> shards) {
@@ -165,8 +181,7 @@ Expected<Json> merge_results(std::span<const ShardResult> shards) {
       std::vector<Weighted> parts;
       for (const ShardResult& shard : shards) {
         if (shard.result.contains(key)) {
-          parts.push_back(
-              {&shard.result.at(key), static_cast<double>(shard.result.at(list).size())});
+          parts.push_back({&shard.result.at(key), weight_of(key, shard.result.at(list))});
         }
       }
       if (key == "totals") {

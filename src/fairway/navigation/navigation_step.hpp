@@ -13,6 +13,8 @@
 
 namespace fairway {
 
+class EntranceMap;
+
 /// The measurements of a control cycle. All times are on one clock of the caller [s]. A measurement
 /// without a time is as new as `time`.
 struct Measurements {
@@ -27,6 +29,8 @@ struct Measurements {
       map_time{};           ///< time at which a changing map was current; a fixed map always is
   Fleet fleet{};            ///< other robots, which are not among the obstacles
   std::uint32_t robot = 0;  ///< number of the robot in the fleet
+  /// Where people appear at this site, if that is known; must be valid during the call.
+  const EntranceMap* entrances = nullptr;
 };
 
 /// The input of the navigator in a cycle: measurements and the map. Times are as in Measurements.
@@ -45,6 +49,7 @@ struct NavigationInput {
   std::uint32_t robot = 0;  ///< number of the robot in the fleet
   bool planning = false;    ///< whether a plan is being made for a robot that has none
   bool hold = false;        ///< whether the robot is to stop along its corridor, for a while
+  const EntranceMap* entrances = nullptr;  ///< where people appear, if that is known
 };
 
 /// The result of a cycle.

@@ -17,12 +17,7 @@ namespace fairway {
 
 namespace {
 
-constexpr double kStoppedSpeed = 0.02;  // [m/s]; slower is a standstill
-constexpr double kNoticeable = 1e-3;    // [m]; smaller violations are within the plan's margin
-
-bool has_stopped(const Twist2& twist) noexcept {
-  return std::abs(twist.linear) < kStoppedSpeed && std::abs(twist.angular) < kStoppedSpeed;
-}
+constexpr double kNoticeable = 1e-3;  // [m]; smaller violations are within the plan's margin
 
 }  // namespace
 
@@ -64,7 +59,10 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
   find_zone_speeds(input);
   pose_problem(input);
   NavigationStep result = drive(input);
-  if (fleet_.waits() || input.hold) {
+  const bool waits_for_people = encounters_.plan().stages > 0;
+  if (waits_for_people && has_stopped(result.command) && result.limit == LimitingFactor::None)
+    result.limit = LimitingFactor::MovingObstacle;
+  if (fleet_.waits() || input.hold || waits_for_people) {
     recovery_.reset();
   } else {
     result = recover(input, result);
@@ -161,6 +159,7 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
                          .waits_at_reversals =
                              input.map->zones() != nullptr && input.map->zones()->has_strips()}},
               settings_.tracking, mpc, robot, problem_);
+  plan_encounters(input);
   limit_speed(input);
 }
 

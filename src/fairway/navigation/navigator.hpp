@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,6 +20,7 @@
 #include "fairway/safety/safe_stop.hpp"
 #include "fairway/tracking/candidate_solver.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
+#include "fairway/tracking/space_time/space_time_planner.hpp"
 #include "fairway/tracking/zone_speeds.hpp"
 
 namespace fairway {
@@ -78,6 +80,7 @@ class Navigator {
   void find_zone_speeds(const NavigationInput& input) noexcept;
   void limit_speed(const NavigationInput& input) noexcept;
   void name_limits(const NavigationInput& input, NavigationStep& step) const noexcept;
+  void plan_encounters(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep send(std::size_t candidate,
                                     std::span<const Twist2> commands) noexcept;
@@ -89,6 +92,11 @@ class Navigator {
   [[nodiscard]] std::span<const Twist2> commands_of(const MpcSolution& answer) noexcept;
 
   [[nodiscard]] Twist2 limited(const Twist2& wanted) const noexcept;
+
+  static constexpr double kStoppedSpeed = 0.02;  // [m/s] and [rad/s]; slower is a standstill
+  [[nodiscard]] static bool has_stopped(const Twist2& twist) noexcept {
+    return std::abs(twist.linear) < kStoppedSpeed && std::abs(twist.angular) < kStoppedSpeed;
+  }
 
   Settings settings_;
   double period_;       // from one command to the next, as it should be [s]
@@ -102,6 +110,7 @@ class Navigator {
   Plan plan_;
   CorridorFollower corridor_;
   FleetCoordinator fleet_;
+  SpaceTimePlanner encounters_;
   ReferencePath path_;           // the corridor's reference path, or the detour around other robots
   PathSpeedLimits zone_speeds_;  // along that path
   bool in_speed_zone_ = false;   // a zone limits the speed in this cycle, here or ahead

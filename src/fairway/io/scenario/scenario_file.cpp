@@ -12,6 +12,7 @@
 #include "fairway/geometry/angle.hpp"
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/io/number_text.hpp"
+#include "fairway/io/scenario/people_reader.hpp"
 #include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/tracks_file.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
@@ -285,6 +286,8 @@ Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes) {
   if (const Expected<void> fits = check_models(scenario); !fits)
     root.complain("robots", fits.error().message);
   if (!file.error) add_pedestrians(root, folder, scenario, notes);
+  for (MovingBody& person : read_people(root, scenario.time_limit))
+    scenario.bodies.push_back(std::move(person));
   root.finish();
   if (file.error) return tl::unexpected(*file.error);
   if (notes != nullptr) {

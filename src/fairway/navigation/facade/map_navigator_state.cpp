@@ -228,6 +228,7 @@ void MapNavigator::State::set_input(const Measurements& m) {
   input = input_of(m);
   input.map = obstacles();
   input.hold = hold;
+  input.entrances = m.entrances;
   input.planning = task.task() && !plan_is_current && planning->busy();
   if (!perception) return;
   input.map_time = std::min(input.map_time, std::max(kNeverMeasured, perception->time()));

@@ -162,6 +162,30 @@ TEST(ScenarioFile, ReadsSensingAndPhysics) {
       << wrong.error().message;
 }
 
+TEST(ScenarioFile, LetsPeopleWalk) {
+  const TemporaryFolder folder;
+  write_map(folder);
+  const std::string head = "map: m.yaml\nrobots: [{start: [1, 1, 0], goal: [8, 4]}]\n";
+  const auto scenario = read_scenario(folder.write(
+      "s.yaml", head + "time_limit: 10\npeople:\n  kind: social_force\n  walkers:\n"
+                       "    - {name: ann, start: [0, 4], goal: [8, 4], speed: 1, radius: 0.25}\n"
+                       "    - {start: [8, 1], goal: [0, 1]}\n"));
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  ASSERT_EQ(scenario->bodies.size(), 2U);
+  EXPECT_EQ(scenario->bodies[0].name, "ann");
+  EXPECT_EQ(scenario->bodies[0].radius, 0.25);
+  EXPECT_EQ(scenario->bodies[1].name, "person 2");
+  EXPECT_GT(scenario->bodies[0].at(10.0).position.x(), 6.0);
+  const auto refused = [&](const std::string& people, const std::string& expected) {
+    const auto wrong = read_scenario(folder.write("wrong.yaml", head + people));
+    ASSERT_FALSE(wrong) << people;
+    EXPECT_NE(wrong.error().message.find(expected), std::string::npos) << wrong.error().message;
+  };
+  refused("people: {kind: crowd, walkers: [{start: [0, 4], goal: [8, 4]}]}\n", "kind: expected");
+  refused("people: {walkers: []}\n", "walkers: expected 1 to 200 people");
+  refused("people: {walkers: [{start: [0, 4]}]}\n", "goal: expected");
+}
+
 TEST(ScenarioFile, SaysWhatTheBasesReallyDo) {
   const TemporaryFolder folder;
   write_map(folder);
