@@ -163,5 +163,21 @@ TEST(ZonesInClosedLoop, StripsAreNotLeft) {
   EXPECT_EQ(driven, 30);
 }
 
+// The path turns around the tip between the second strip and the third one, where the centre has no
+// clearance to drive a curve.
+TEST(ZonesInClosedLoop, ATurnBackBetweenTwoStripsIsDriven) {
+  Scenario scenario = open_floor({1.0, 1.0}, {13.0, 13.0});
+  for (const test::Corners& polygon :
+       {test::Corners{{1.053, 0.537}, {11.451, 11.568}, {11.029, 11.965}, {0.632, 0.935}},
+        test::Corners{{11.260, 11.904}, {3.393, 11.219}, {3.455, 10.506}, {11.322, 11.191}},
+        test::Corners{{3.494, 10.573}, {13.364, 12.742}, {13.223, 13.385}, {3.353, 11.217}}}) {
+    scenario.zones.push_back(
+        {.kind = ZoneKind::Strip, .polygon = polygon, .reference = ZoneReference::Centre});
+  }
+  const EpisodeResult result = run_episode(scenario);
+  expect_kept(scenario, result);
+  EXPECT_TRUE(result.robots.front().reached) << last_state(result);
+}
+
 }  // namespace
 }  // namespace fairway

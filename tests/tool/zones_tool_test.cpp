@@ -47,9 +47,9 @@ TEST_F(ZoneFiles, APlanLeadsAroundAKeepOut) {
   const ToolRun run =
       plan("zones:\n  - {kind: keep_out, polygon: [[2, 1.2], [3, 1.2], [3, 3], [2, 3]]}\n");
   ASSERT_EQ(run.code, 0) << run.err;
-  const Json json = Json::parse(content_of(folder_.path("out.json")));
+  const Json answer = Json::parse(content_of(folder_.path("out.json")));
   double lowest = 2.0;
-  for (const Json& point : json.at("path"))
+  for (const Json& point : answer.at("path"))
     lowest = std::min(lowest, point.at(1).get<double>());
   EXPECT_LT(lowest, 1.01);
 }
