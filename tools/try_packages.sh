@@ -14,7 +14,10 @@ shift || true
 work=$(mktemp -d)
 trap 'rm -rf --one-file-system "$work"' EXIT
 debian=$work/debian
-mirror=${MIRROR:-$(sed -nE 's/^(deb( \[[^]]*\])?|URIs:) ([^ ]+).*/\3/p' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | head -n 1)}
+mirror=${MIRROR:-$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null |
+  sed -nE 's/^(deb( \[[^]]*\])?|URIs:) ([^ ]+).*/\3/p' | head -n 1 || true)}
+eval "$(apt-config shell http_proxy Acquire::http::Proxy https_proxy Acquire::https::Proxy)"
+export http_proxy="${http_proxy-}" https_proxy="${https_proxy-}"
 
 echo "== packages"
 mkdir "$work/packages"
