@@ -225,7 +225,7 @@ TEST(BodyNavigator, ACycleWithoutAPlanDoesNotAllocate) {
     const test::AllocationGuard guard;
     const NavigationStep step = run.cycle();
     const std::size_t calls = guard.count();
-    if (!run.navigator_.planned()) EXPECT_EQ(calls, 0U) << run.time_;
+    EXPECT_TRUE(calls == 0U || run.navigator_.planned()) << run.time_;
     if (step.status == NavigationStatus::GoalReached) break;
   }
   EXPECT_GT(cycles, 50);
