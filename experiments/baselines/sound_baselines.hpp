@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fairway/corridor/corridor.hpp"
-#include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/path/path.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fairway/base/error.hpp"
-#include "fairway/geometry/base_model.hpp"
 #include "fairway/geometry/body_shape.hpp"
+#include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 
 namespace fairway {

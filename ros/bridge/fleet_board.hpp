@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fairway/prediction/shared_motion.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway::bridge {
 

@@ -5,8 +5,8 @@
 ///
 /// MapNavigator drives on a map; MaplessNavigator drives on what a lidar measures; BodyNavigator
 /// drives long bodies, cars, tricycles and omnidirectional bases on a map. All are constructed with
-/// Settings and called once per control period. The stages can also be used alone: Planner (path and
-/// corridor), build_corridor, RealTimeSolver and SafetyMonitor.
+/// Settings and called once per control period. The stages can also be used alone: Planner (path
+/// and corridor), build_corridor, RealTimeSolver and SafetyMonitor.
 
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/monitor/safety_monitor.hpp"

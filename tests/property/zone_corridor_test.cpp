@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/planning/planner.hpp"
+#include "fairway/zones/zone_map.hpp"
 #include "support/zone_oracle.hpp"
 
 namespace fairway {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/corridor/corridor.hpp"
-#include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/path/path.hpp"
 #include "support/geometry_oracle.hpp"

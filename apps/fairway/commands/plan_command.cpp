@@ -16,6 +16,7 @@
 #include "experiments/clocks.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/planning/planner.hpp"
+#include "fairway/zones/zone_map.hpp"
 #include "results/plan_output.hpp"
 
 namespace fairway::app {

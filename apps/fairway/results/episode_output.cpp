@@ -13,6 +13,7 @@
 #include "fairway/io/drawing/world_picture.hpp"
 #include "fairway/planning/path_obstruction.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
+#include "fairway/zones/zone_map.hpp"
 #include "results/plan_output.hpp"
 
 namespace fairway::app {

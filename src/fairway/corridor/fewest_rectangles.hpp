@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fairway/corridor/corridor.hpp"
-#include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/corridor/furthest_reach.hpp"
 #include "fairway/corridor/rectangle/largest_rectangle.hpp"
 

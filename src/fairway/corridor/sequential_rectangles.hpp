@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "fairway/corridor/corridor.hpp"
-#include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/path/path.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fairway/fleet/retreat_search.hpp"
-#include "fairway/prediction/shared_motion.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "fairway/map/bit_grid.hpp"
-#include "fairway/prediction/shared_motion.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 
 namespace fairway {

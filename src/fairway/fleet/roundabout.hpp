@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/prediction/shared_motion.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 
 namespace fairway {

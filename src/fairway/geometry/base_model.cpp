@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/geometry/base_model.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include "fairway/geometry/robot_model.hpp"
 
 namespace fairway {
 

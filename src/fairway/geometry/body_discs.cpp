@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/geometry/body_discs.hpp"
-
 #include <charconv>
 #include <cmath>
+
+#include "fairway/geometry/footprint.hpp"
 
 namespace fairway {
 

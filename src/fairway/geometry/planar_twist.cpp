@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/geometry/planar_twist.hpp"
-
 #include "fairway/geometry/angle.hpp"
+#include "fairway/geometry/robot_model.hpp"
 
 namespace fairway {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fairway/base/setting.hpp"
-#include "fairway/geometry/body_discs.hpp"
 #include "fairway/geometry/footprint.hpp"
 
 namespace fairway {

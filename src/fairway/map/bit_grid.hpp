@@ -10,9 +10,10 @@
 
 #include "fairway/base/setting.hpp"
 #include "fairway/map/occupancy_grid.hpp"
-#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
+
+class ZoneMap;
 
 /// Selects how unknown cells are treated.
 enum class UnknownCells : std::uint8_t { Occupied, Free };

@@ -9,6 +9,7 @@
 #include "fairway/map/body_zones.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/map/polygon_separation.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "fairway/geometry/body_shape.hpp"
-#include "fairway/geometry/planar_twist.hpp"
+#include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/distance_field.hpp"
 
 namespace fairway {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "fairway/zones/zone_map.hpp"
+
 namespace fairway::internal {
 
 namespace {

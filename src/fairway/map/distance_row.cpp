@@ -2,13 +2,12 @@
 // GCC warns that the calling convention for wide registers changes with AVX. They are inlined.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
-#include "fairway/map/distance_row.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstring>
 
 #include "fairway/base/simd.hpp"
+#include "fairway/map/distance_field.hpp"
 
 namespace fairway {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fairway/map/free_space.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fairway/map/rounded_region.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

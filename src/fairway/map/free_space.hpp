@@ -7,6 +7,7 @@
 
 #include "fairway/geometry/oriented_rectangle.hpp"
 #include "fairway/map/bit_grid.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

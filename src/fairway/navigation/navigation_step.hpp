@@ -9,7 +9,6 @@
 #include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/navigation_status.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
-#include "fairway/prediction/shared_motion.hpp"
 
 namespace fairway {
 

@@ -6,6 +6,7 @@
 #include "fairway/navigation/limiting_factor.hpp"
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/safety/zone_check.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

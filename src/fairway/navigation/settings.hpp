@@ -8,7 +8,7 @@
 
 #include "fairway/base/error.hpp"
 #include "fairway/base/setting.hpp"
-#include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/geometry/robot_settings.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/mpc_settings.hpp"

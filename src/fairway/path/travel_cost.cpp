@@ -5,6 +5,7 @@
 
 #include "fairway/base/contract.hpp"
 #include "fairway/map/free_space.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

@@ -12,6 +12,7 @@
 #include "fairway/map/free_space.hpp"
 #include "fairway/path/path_beginning.hpp"
 #include "fairway/path/path_planner.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

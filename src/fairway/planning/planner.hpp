@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "fairway/base/setting.hpp"
-#include "fairway/corridor/corridor_settings.hpp"
+#include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/path/path.hpp"
 #include "fairway/planning/plan.hpp"
 #include "fairway/planning/prepared_map.hpp"

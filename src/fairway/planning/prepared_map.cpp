@@ -3,6 +3,10 @@
 
 #include <utility>
 
+#include "fairway/planning/zone_distances.hpp"
+
+#include "fairway/zones/zone_map.hpp"
+
 namespace fairway {
 
 void PreparedMap::update(const BitGrid& bits, const CellWindow& changed) {

@@ -7,9 +7,14 @@
 
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/map/distance_field.hpp"
-#include "fairway/planning/zone_distances.hpp"
 
 namespace fairway {
+
+/// A cell whose clearance zones reduce.
+struct ZoneCell {
+  std::uint32_t index = 0;  ///< row by row
+  float clearance = 0.0F;   ///< ZoneMap::clearance_at its centre [m]
+};
 
 /// A static map in the forms that planning reads.
 ///

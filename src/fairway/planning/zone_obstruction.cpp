@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "fairway/map/free_space.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/prediction/shared_motion.hpp"
-
 #include "fairway/geometry/pose2.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway {
 

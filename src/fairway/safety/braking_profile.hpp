@@ -5,7 +5,7 @@
 
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/geometry/robot_settings.hpp"
-#include "fairway/prediction/shared_motion.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway {
 

@@ -8,6 +8,7 @@
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/control_problem.hpp"
 #include "fairway/safety/zone_check.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

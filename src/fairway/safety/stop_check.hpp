@@ -4,7 +4,6 @@
 #include "fairway/geometry/footprint.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
-#include "fairway/prediction/shared_motion.hpp"
 #include "fairway/safety/stop_motion.hpp"
 
 namespace fairway {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/safety/zone_check.hpp"
 
+#include "fairway/zones/zone_map.hpp"
+
 namespace fairway {
 
 StopVerdict verdict_of(const ZoneMap& zones, std::size_t zone) noexcept {

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "fairway/prediction/shared_motion.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/simulation/sensors/noise.hpp"
 
 namespace fairway {

@@ -156,9 +156,8 @@ World::Gap World::gap_to_moving(std::size_t robot) const {
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
     if (other == robot || encounters_[other].absent) continue;
-    visit_discs(other, [&](const MovingObstacle& disc) {
-      look_at(disc, Contact::With::Robot, other);
-    });
+    visit_discs(other,
+                [&](const MovingObstacle& disc) { look_at(disc, Contact::With::Robot, other); });
   }
   return gap;
 }

@@ -4,7 +4,6 @@
 #include "fairway/geometry/robot_settings.hpp"
 #include "fairway/mpc/solution.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
-#include "fairway/prediction/shared_motion.hpp"
 
 namespace fairway {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/zones/zone_map.hpp"
+
 namespace fairway {
 
 double PathSpeedLimits::at(double s, double braking) const noexcept {

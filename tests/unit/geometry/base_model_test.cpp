@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/geometry/base_model.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "fairway/geometry/robot_model.hpp"
 
 namespace fairway {
 namespace {

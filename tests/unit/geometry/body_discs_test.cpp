@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/geometry/body_discs.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "fairway/geometry/footprint.hpp"
 
 namespace fairway {
 namespace {

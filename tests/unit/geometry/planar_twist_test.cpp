@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/geometry/planar_twist.hpp"
-
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "fairway/geometry/robot_model.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {

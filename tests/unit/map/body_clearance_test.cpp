@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/zones/zone_map.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/random_world.hpp"
 #include "support/zone_oracle.hpp"

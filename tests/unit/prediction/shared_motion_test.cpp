@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/prediction/shared_motion.hpp"
-
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/safety/stop_check.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 #include "support/random_world.hpp"

@@ -73,8 +73,8 @@ struct BoxSide {
 class BoxGrowth {
  public:
   BoxGrowth(const ObstaclePoints& points,
-         const Eigen::Vector2d& along,
-         const GreedySteps& steps) noexcept
+            const Eigen::Vector2d& along,
+            const GreedySteps& steps) noexcept
       : count_(points.size()) {
     const auto c = static_cast<float>(along.x());
     const auto s = static_cast<float>(along.y());
@@ -130,7 +130,8 @@ class BoxGrowth {
   std::size_t count_;
   std::array<Axis, 2> axes_;
   // The sides in the order in which Algorithm 1 advances them: top, left, bottom, right.
-  std::array<BoxSide, 4> sides_{BoxSide{1, 1.0F}, BoxSide{0, -1.0F}, BoxSide{1, -1.0F}, BoxSide{0, 1.0F}};
+  std::array<BoxSide, 4> sides_{BoxSide{1, 1.0F}, BoxSide{0, -1.0F}, BoxSide{1, -1.0F},
+                                BoxSide{0, 1.0F}};
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "fairway/zones/zone_map.hpp"
+
 namespace fairway {
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fairway/prediction/shared_motion.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway::io {
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "fairway/base/setting.hpp"
-#include "fairway/geometry/body_discs.hpp"
+#include "fairway/geometry/footprint.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/io/yaml/yaml_mapping.hpp"
 

@@ -10,6 +10,7 @@
 #include "fairway/map/grid_overlay.hpp"
 #include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/tracking/corridor_check.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

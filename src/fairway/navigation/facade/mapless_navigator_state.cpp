@@ -11,6 +11,7 @@
 #include "fairway/map/free_space.hpp"
 #include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/tracking/corridor_check.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

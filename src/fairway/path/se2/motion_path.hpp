@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fairway/geometry/base_model.hpp"
+#include "fairway/geometry/robot_model.hpp"
 
 namespace fairway {
 

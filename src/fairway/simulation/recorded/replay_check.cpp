@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/geometry/planar_twist.hpp"
+#include "fairway/geometry/robot_model.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {
