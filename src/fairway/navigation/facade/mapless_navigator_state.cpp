@@ -79,6 +79,7 @@ void MaplessNavigator::State::set_task(NavigationTask given) {
 // The thread of a plan that is being made ends on its own: nothing waits for it here.
 void MaplessNavigator::State::continue_from(State& older) {
   navigator.reset(older.sent);
+  perception.keep_correction(older.perception);
   ending_ = std::move(older.ending_);
   ending_.push_back(std::move(older.planning));
   if (older.task.task()) set_task(*older.task.task());
