@@ -54,7 +54,7 @@ void PoseCorrection::use_map(const BitGrid& map) {
 
 void PoseCorrection::set_pose(const Pose2& odometry,
                               const Pose2& pose,
-                              const Matrix3d& covariance) {
+                              const Matrix3d& covariance) noexcept {
   correction_.heading = wrap_to_pi(pose.heading - odometry.heading);
   correction_.position = pose.position - rotated(odometry.position, correction_.heading);
   certainty_.covariance = covariance;

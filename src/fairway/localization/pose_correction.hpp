@@ -41,7 +41,9 @@ class PoseCorrection {
 
   /// Sets the robot's pose in the map, for a pose by odometry.
   /// @param covariance  Of this pose.
-  void set_pose(const Pose2& odometry, const Pose2& pose, const Eigen::Matrix3d& covariance);
+  void set_pose(const Pose2& odometry,
+                const Pose2& pose,
+                const Eigen::Matrix3d& covariance) noexcept;
 
   /// Returns the corrected pose for a pose by odometry.
   [[nodiscard]] Pose2 corrected(const Pose2& odometry) const noexcept;

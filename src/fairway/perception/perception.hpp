@@ -46,6 +46,12 @@ class Perception {
     return correction_ ? correction_->corrected(odometry) : odometry;
   }
 
+  /// Takes over the correction of an older perception, whose map is not taken over.
+  void keep_correction(const Perception& older) noexcept {
+    if (correction_ && older.correction_)
+      correction_->set_pose({}, older.corrected({}), older.certainty()->covariance);
+  }
+
   /// The certainty of corrected poses; null unless `match_scans` is set.
   [[nodiscard]] const PoseCertainty* certainty() const noexcept {
     return correction_ ? &correction_->certainty() : nullptr;

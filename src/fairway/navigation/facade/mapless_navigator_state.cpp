@@ -93,6 +93,7 @@ void MaplessNavigator::State::continue_from(State& older) {
   navigator.reset(older.sent);
   hold = older.hold;
   if (!older.zones.empty()) set_zones(older.zones);
+  perception.keep_correction(older.perception);
   ending_ = std::move(older.ending_);
   ending_.push_back(std::move(older.planning));
   if (older.task.task()) set_task(*older.task.task());
