@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 
-#include "fairway/mpc/interior_point/workspace/settings.hpp"
 #include "fairway/mpc/interior_point/solver.hpp"
+#include "fairway/mpc/interior_point/workspace/settings.hpp"
 
 namespace fairway {
 
