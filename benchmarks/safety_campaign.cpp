@@ -122,11 +122,17 @@ struct Tally {
   }
 };
 
+// JSON has no infinity: no obstacle was ever near.
+double finite(double distance) {
+  return std::min(distance, 1e9);
+}
+
+// Counts in `totals`, and the runs with a contact in `runs`: `fairway merge` joins shards.
 void write(std::FILE* file, const Options& options, const Tally& tally) {
   std::fprintf(
       file,
-      "{\"seed\": %llu, \"shard\": \"%llu/%llu\", \"sensing\": \"%s\", \"runs\": %llu, "
-      "\"refused\": %llu, \"reached\": %llu, \"simulated_seconds\": %.0f, \"cycles\": "
+      "{\"seed\": %llu, \"shard\": \"%llu/%llu\", \"sensing\": \"%s\", "
+      "\"totals\": {\"runs\": %llu, \"refused\": %llu, \"reached\": %llu, \"simulated_seconds\": %.0f, \"cycles\": "
       "%llu, \"bad_commands\": %llu, \"least_clearance\": %.6f, \"least_separation\": "
       "%.6f, \"contacts\": {",
       static_cast<unsigned long long>(options.draw.seed),
@@ -136,14 +142,14 @@ void write(std::FILE* file, const Options& options, const Tally& tally) {
       static_cast<unsigned long long>(tally.runs), static_cast<unsigned long long>(tally.refused),
       static_cast<unsigned long long>(tally.reached), tally.seconds,
       static_cast<unsigned long long>(tally.cycles),
-      static_cast<unsigned long long>(tally.bad_commands), tally.clearance, tally.separation);
+      static_cast<unsigned long long>(tally.bad_commands), finite(tally.clearance), finite(tally.separation));
   for (const Contact contact :
        {Contact::Static, Contact::DroveInto, Contact::RunInto, Contact::Unpredictable}) {
     std::fprintf(file, "\"%s\": %llu%s", to_text(contact),
                  static_cast<unsigned long long>(tally.count(contact)),
-                 contact == Contact::Unpredictable ? "}" : ", ");
+                 contact == Contact::Unpredictable ? "}}" : ", ");
   }
-  std::fprintf(file, ", \"list\": [");
+  std::fprintf(file, ", \"runs\": [");
   for (std::size_t i = 0; i < tally.list.size(); ++i) {
     std::fprintf(file, "%s{\"run\": %llu, \"contact\": \"%s\"}", i == 0 ? "" : ", ",
                  static_cast<unsigned long long>(tally.list[i].first),

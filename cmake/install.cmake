@@ -2,7 +2,8 @@
 # embedding and nothing else. find_package(fairway) finds the installed components.
 #   core  fairway::fairway, its public headers, the CMake package, the licence
 #   simulation, io, ipopt  the library of that name
-#   tool  the fairway tool and the scenarios
+#   tool  the fairway tool with its manual and completion, and the scenarios
+#   python, ros1, dds  the Python package and the nodes; see their folders
 include(CMakePackageConfigHelpers)
 
 set(FAIRWAY_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/fairway)
@@ -32,4 +33,22 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} 
 if(TARGET fairway_tool)
   install(TARGETS fairway_tool COMPONENT tool)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/fairway COMPONENT tool)
+  # The tool itself writes its manual and its completion, when it is installed.
+  find_program(FAIRWAY_GZIP gzip)
+  mark_as_advanced(FAIRWAY_GZIP)
+  if(FAIRWAY_GZIP AND NOT CMAKE_CROSSCOMPILING)
+    set(made ${CMAKE_CURRENT_BINARY_DIR}/manual)
+    install(CODE "
+      file(MAKE_DIRECTORY \"${made}\")
+      foreach(page \"manual;fairway.1\" \"completion;bash;fairway\" \"completion;zsh;_fairway\")
+        list(POP_BACK page file)
+        execute_process(COMMAND \"$<TARGET_FILE:fairway_tool>\" \${page}
+                        OUTPUT_FILE \"${made}/\${file}\" COMMAND_ERROR_IS_FATAL ANY)
+      endforeach()
+      execute_process(COMMAND \"${FAIRWAY_GZIP}\" -9nf \"${made}/fairway.1\" COMMAND_ERROR_IS_FATAL ANY)"
+            COMPONENT tool)
+    install(FILES ${made}/fairway.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+    install(FILES ${made}/fairway DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT tool)
+    install(FILES ${made}/_fairway DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT tool)
+  endif()
 endif()

@@ -13,14 +13,15 @@ import sys
 # targets that it links.
 TARGETS = [
     ("fairway", [], [
-        "base", "geometry", "monitor", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc",
+        "base", "geometry", "monitor", "zones", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc",
         "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
         "mpc/interior_point/lockstep",
-        "mpc/interior_point", "planning", "tracking", "safety", "fleet", "perception", "navigation",
-        "navigation/facade", ""]),
+        "mpc/interior_point", "planning", "tracking", "tracking/space_time", "safety", "fleet", "localization", "perception", "navigation",
+        "navigation/facade", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
-        "simulation/sensors", "simulation", "simulation/scenarios", "simulation/recorded",
+        "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation", "simulation/people", "simulation/interactive", "simulation/scenarios",
+        "simulation/recorded",
         "simulation/physics"]),
     ("fairway_io", ["fairway", "fairway_simulation"], [
         "io", "io/yaml", "io/maps", "io/drawing", "io/scenario", "io/mcap", "io/recording",

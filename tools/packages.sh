@@ -20,9 +20,15 @@ ros1_packages=(libroscpp-dev libtf2-ros-dev libactionlib-dev libmove-base-msgs-d
   python3-visualization-msgs python3-tf2-msgs python3-rosparam)
 # ROS 2 on the wire, optional; iproute2 makes the networks for its test.
 dds_packages=(cyclonedds-dev cyclonedds-tools iproute2)
+# The VDA 5050 program, optional; a broker and Python packages for its test.
+vda5050_packages=(libmosquitto-dev mosquitto mosquitto-clients python3-paho-mqtt python3-jsonschema)
 # The Python package, optional: numpy to use it; pytest, mypy and matplotlib for its tests.
 python_packages=(python3-dev pybind11-dev python3-numpy python3-venv python3-pip python3-pytest python3-matplotlib
   mypy)
+# The page that runs Fairway in a browser, optional.
+browser_packages=(emscripten nodejs)
+# Debian packages of Fairway, optional; lintian checks them.
+package_packages=(dpkg-dev file lintian)
 # The checks of .ci; the formatter's version is pinned, because it determines the result.
 format_packages=(git clang-format-14)
 tidy_packages=(git clang clang-tidy)

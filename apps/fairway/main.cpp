@@ -19,10 +19,12 @@ int run(int argc, char** argv) {
   add_reproduce_command(tool);
   add_serve_command(tool);
   add_settings_command(tool);
+  add_order_command(tool);
   add_barn_command(tool);
   add_dynabarn_command(tool);
   add_bodies_command(tool);
   add_parking_command(tool);
+  add_people_command(tool);
   add_compare_command(tool);
   add_statuses_command(tool);
   add_reference_commands(tool);

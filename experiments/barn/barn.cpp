@@ -38,6 +38,7 @@ Scenario barn_scenario(const BarnWorld& world, const BarnOptions& options, int t
   scenario.settings = options.settings;
   scenario.robots = {
       {.name = "jackal", .start = world.start, .goal = {.position = world.goal, .heading = {}}}};
+  scenario.robots.front().model = options.model;
   scenario.bodies = world.bodies;
   scenario.sensing = options.sensing;
   scenario.time_limit = world.timeout + 5.0;  // the timeout counts from the first motion

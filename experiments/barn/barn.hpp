@@ -30,6 +30,7 @@ struct BarnOptions {
   Settings settings;     ///< of the navigator; `use_jackal` is applied by the caller
   SensingModel sensing;  ///< what the robot knows
   std::uint64_t seed = 1;
+  std::optional<RobotModel> model{};  ///< outline and base; none: those of the settings
 };
 
 /// The scenario of one trial. Trials of a world differ only in their seed.

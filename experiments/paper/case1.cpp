@@ -68,7 +68,7 @@ Finding smooth_finding(const DriveRuns& runs) {
 Finding arrival_finding(const DriveRuns& runs) {
   const int reached = runs.reached(DriverKind::Ismpc);
   return {.claim = std::string("ISMPC brings the robot to its goal (") + to_text(runs.course) + ")",
-          .outcome = fmt::format("ISMPC {} of {}, SMPC {}, ours {}", reached, runs.maps.size(),
+          .outcome = fmt::format("ISMPC {} of {}, SMPC {}, Fairway {}", reached, runs.maps.size(),
                                  runs.reached(DriverKind::Smpc), runs.reached(DriverKind::Ours)),
           .holds = reached == static_cast<int>(runs.maps.size())};
 }
@@ -104,7 +104,7 @@ Chapter run_case1(const StudyOptions& options) {
   Chapter chapter{.id = "case1", .title = "Case 1: driving through a structured, dense map"};
   chapter.setup = fmt::format(
       "{} generated maps of 30 m \u00d7 30 m with rooms, doors and boxes, from corner to corner. "
-      "ISMPC and SMPC [17] share path, corridors (MDSRC made sound, contracted by \u0394s = 0.3 "
+      "ISMPC and SMPC [17] share path, corridors (MDSRC corrected, contracted by \u0394s = 0.3 "
       "m), model and weights of Table I, and differ in their targets only. The body is a disc of "
       "0.25 m: a step of Eq. (1) has errors up to 7.5 mm, so a body of radius \u0394s would have "
       "no clearance left in a contracted corridor, and our stop check would refuse narrow "

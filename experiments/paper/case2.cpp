@@ -31,7 +31,7 @@ Finding gain_finding(const CorridorEnvironment& e) {
 
 Finding sound_finding(const CorridorEnvironment& e) {
   const CorridorGain gain = gain_over(e.maps, CorridorKind::MdsrcSound, CorridorKind::SrcSound);
-  return {.claim = "The same once both are made sound (" + e.name + ")",
+  return {.claim = "The same once both are corrected (" + e.name + ")",
           .outcome = fmt::format("number {} ({}), area {} of SRC's ({})",
                                  percent_interval(gain.fewer), p_text(gain.count_welch.p),
                                  percent_interval(gain.larger), p_text(gain.area_welch.p)),
@@ -87,7 +87,7 @@ void find_faults(const CorridorEnvironment& e, std::vector<std::string>& faults)
 std::string figure_caption(const CorridorEnvironment& e, const char* figure) {
   return fmt::format(
       "{}: corridors in {} (our map in the manner of the paper's, seed {}): SRC, FSRC and "
-      "MDSRC as published, and the fewest.",
+      "MDSRC as published, and the fewest-rectangle corridor.",
       figure, e.name, e.maps.front().seed);
 }
 
@@ -97,7 +97,7 @@ std::string structured_caption(const CorridorEnvironment& e) {
   const CorridorGain sound = gain_over(e.maps, CorridorKind::MdsrcSound, CorridorKind::SrcSound);
   return fmt::format(
       "Where the claim of fewer and larger corridors fails: walls parallel to the axes (seed {} "
-      "shown). Over {} such maps MDSRC's number changes by {} (made sound: {}) and its area by "
+      "shown). Over {} such maps MDSRC's number changes by {} (corrected: {}) and its area by "
       "{} ({}) relative to SRC.",
       e.maps.front().seed, e.maps.size(), percent_interval(published.fewer),
       percent_interval(sound.fewer), percent_interval(published.larger),
@@ -124,7 +124,7 @@ Chapter run_case2(const StudyOptions& options) {
       "walls, cells of 0.05 m, and of 30 m with walls parallel to the axes; paths from corner to "
       "corner keep 0.45 m from obstacles and have a point every 0.1 m. \u201cAs published\u201d "
       "is Algorithms 1 and 2 with the corrections that they need to run "
-      "(docs/paper_notes.md), sampled as in Eq. (7); \u201cmade sound\u201d tests every strip "
+      "(docs/paper_notes.md), sampled as in Eq. (7); \u201ccorrected\u201d tests every strip "
       "exactly and chains the contracted rectangles. Figures 9 and 10: {} fields of 20 m \u00d7 "
       "20 m per number of obstacles.",
       maps, fields->series.size());

@@ -48,7 +48,7 @@ Table exchange_table(const ExchangeRuns& runs) {
           "of the runs in which all do, \u00b1 95 % confidence; the straight path takes about {} "
           "s.",
           runs.size(), fixed(summary_of(runs, ExchangeKind::Ours).bound, 1)),
-      .header = {"method", "keep-out distance [m]", "all arrived", "runs with contact", "time [s]",
+      .header = {"method", "keep-out distance [m]", "success rate", "runs with contact", "time [s]",
                  "least separation of bodies [m]"},
       .rows = {}};
   for (const ExchangeKind kind : kComparedExchanges) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,13 @@ struct PageChapter {
   std::vector<DrawnFigure> figures;
 };
 
-/// The self-contained page with all figures and tables. It contains no measured times, so that
-/// equal seeds give equal bytes; it displays timing.html from the same folder.
-[[nodiscard]] std::string page_html(const std::vector<PageChapter>& chapters,
-                                    const std::string& command);
+/// The first page: how many claims are confirmed, each claim in short, and links to the cases. It
+/// contains no measured times, so that equal seeds give equal bytes.
+[[nodiscard]] std::string index_html(const std::vector<PageChapter>& chapters,
+                                     const std::string& command);
+
+/// The self-contained page of one case, CASE.html, with its claims, tables and figures; no times.
+[[nodiscard]] std::string case_html(const std::vector<PageChapter>& chapters, std::size_t index);
 
 /// The measured times.
 [[nodiscard]] std::string timing_html(const std::vector<PageChapter>& chapters);

@@ -96,10 +96,12 @@ Expected<void> write_report(const std::string& folder,
     }
     pages.push_back(std::move(page));
   }
-  const std::array files = {
-      std::pair{"/results.json", app::json_text(results_json(chapters, info))},
-      std::pair{"/timing.html", timing_html(pages)},
-      std::pair{"/index.html", page_html(pages, info.command)}};
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"/results.json", app::json_text(results_json(chapters, info))},
+      {"/timing.html", timing_html(pages)}};
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    files.emplace_back("/" + chapters[i].id + ".html", case_html(pages, i));
+  files.emplace_back("/index.html", index_html(pages, info.command));
   for (const auto& [name, text] : files) {
     if (auto done = io::write_file_atomically(folder + name, text); !done) return done;
   }
@@ -111,7 +113,7 @@ std::string report_summary(const std::string& folder, const std::vector<Chapter>
   for (const Chapter& chapter : chapters) {
     text += chapter.title + "\n";
     for (const Finding& finding : chapter.findings) {
-      text += fmt::format("  {:<5} {}: {}\n", finding.holds ? "holds" : "NOT", finding.claim,
+      text += fmt::format("  {:<4} {}: {}\n", finding.holds ? "yes" : "NO", finding.claim,
                           finding.outcome);
     }
   }

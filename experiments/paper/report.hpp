@@ -18,9 +18,9 @@ struct ReportInfo {
   std::uint64_t seed = 0;
 };
 
-/// Writes results.json, index.html, timing.html and figures/NAME.svg, .png and .pdf into `folder`,
-/// which is created. Each file is written completely or not at all, the figures first. Fails before
-/// any work if the folder cannot be created.
+/// Writes results.json, index.html, CASE.html, timing.html and figures/NAME.svg, .png and .pdf into
+/// `folder`, which is created. Each file is written completely or not at all, the figures first.
+/// Fails before any work if the folder cannot be created.
 [[nodiscard]] Expected<void> write_report(const std::string& folder,
                                           const std::vector<Chapter>& chapters,
                                           const ReportInfo& info);

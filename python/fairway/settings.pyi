@@ -145,6 +145,8 @@ class TrackingSettings:
     takes corners wider"""
     chord_length: float
     """[m] look-ahead on the reference path for the target heading; a greater value turns earlier"""
+    space_time_horizon: float
+    """[s] time for which a motion among moving obstacles is planned ahead of the controller; 0: the controller follows the reference path"""
 
 class PredictionSettings:
     """Settings of the group `prediction`."""
@@ -157,6 +159,12 @@ class PredictionSettings:
     """[m/s] growth of that distance per second ahead, since predictions err"""
     obstacle_growth_max: float
     """[m] greatest growth of that distance"""
+    comfort_distance: float
+    """[m] distance that the robot prefers to keep from moving obstacles, beyond obstacle_margin and its braking distance; a greater value takes longer detours"""
+    time_headway: float
+    """[s] time by which the robot prefers to stay out of the path of a moving obstacle; a greater value passes behind rather than in front"""
+    deviation_growth: float
+    """[m/s] growth of the standard deviation of predictions per second ahead, beyond the controller's horizon"""
 
 class SafetySettings:
     """Settings of the group `safety`."""
@@ -237,6 +245,8 @@ class PerceptionSettings:
     uncertainty_share: float
     """number of standard deviations of its position added to a moving object's radius; a greater value keeps more
     distance"""
+    match_scans: bool
+    """whether poses by odometry are corrected by matching each scan with the surfaces seen before; without a map only"""
     max_beams: int
     """number of beams used of a scan, the first ones"""
 

@@ -17,6 +17,7 @@ class NavigationStatus:
     GoalReached: ClassVar[NavigationStatus]
     Planning: ClassVar[NavigationStatus]
     GaveUp: ClassVar[NavigationStatus]
+    Holding: ClassVar[NavigationStatus]
     def __init__(self, value: int) -> None: ...
     def __int__(self) -> int: ...
     def __index__(self) -> int: ...
@@ -57,6 +58,11 @@ class LimitingFactor:
     SmallerPlan: ClassVar[LimitingFactor]
     InvalidScan: ClassVar[LimitingFactor]
     LateCycle: ClassVar[LimitingFactor]
+    KeepOutZone: ClassVar[LimitingFactor]
+    Strip: ClassVar[LimitingFactor]
+    SpeedZone: ClassVar[LimitingFactor]
+    OneWayZone: ClassVar[LimitingFactor]
+    Hold: ClassVar[LimitingFactor]
     def __init__(self, value: int) -> None: ...
     def __int__(self) -> int: ...
     def __index__(self) -> int: ...

@@ -37,6 +37,25 @@ def test_reaches_a_goal_around_a_wall():
     assert navigator.plan.usable and navigator.plan_is_current
 
 
+def test_zones_are_obeyed_and_a_hold_keeps_the_goal():
+    navigator = fairway.MapNavigator(fairway.Settings(), hall())
+    navigator.set_zones([
+        {"kind": "keep_out", "polygon": [(2, -1), (3, -1), (3, 2.5), (2, 2.5)]},
+        {"kind": "speed_limit", "polygon": [(6, 0), (8, 0), (8, 6), (6, 6)], "speed": 0.3},
+    ])
+    pose, _ = drive(navigator, (1, 1, 0), (1, 5))
+    navigator.set_goal(4, 1)
+    navigator.hold()
+    assert navigator.on_hold
+    assert navigator.update(100.0, pose).status == fairway.NavigationStatus.Holding
+    navigator.resume()
+    assert not navigator.on_hold
+    with pytest.raises(ValueError, match=r"zones\[0\].polygon: expected 3 to 1000 corners"):
+        navigator.set_zones([{"kind": "keep_out", "polygon": [(0, 0), (1, 1)]}])
+    with pytest.raises(ValueError, match=r"zones\[0\].kind"):
+        navigator.set_zones([{"kind": "keepout", "polygon": []}])
+
+
 def test_reaches_the_heading_of_a_goal():
     pose, _ = drive(fairway.MapNavigator(fairway.Settings(), hall()), (1, 1, 0), (4, 1, 1.5))
     assert abs(pose[2] - 1.5) <= 0.1

@@ -35,6 +35,9 @@ class AnyNavigator {
   void set_goal(const Goal& goal) {
     visit([&](auto& navigator) { navigator.set_goal(goal); });
   }
+  void set_zones(const Zones& zones) {
+    visit([&](auto& navigator) { navigator.set_zones(zones); });
+  }
   void cancel() {
     visit([](auto& navigator) { navigator.cancel(); });
   }

@@ -58,6 +58,7 @@ void Pilot::make_navigator() {
   } else if (!odometry_.empty() && is_plausible(odometry_.pose())) {
     navigator_.emplace(MaplessNavigator(with_options(settings_), odometry_.pose().position));
   }
+  if (navigator_ && !options_.zones.empty()) navigator_->set_zones(options_.zones);
 }
 
 void Pilot::set_settings(const Settings& settings) {

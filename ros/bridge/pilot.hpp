@@ -20,6 +20,7 @@ struct PilotOptions {
   std::size_t max_beams = 4096;       ///< only the first beams of a scan are used
   double patience = 20.0;             ///< a goal is given up after this time without progress [s]
   double localisation_timeout = 2.0;  ///< largest age of the odometry frame's pose in the map [s]
+  Zones zones{};                      ///< that hold, in the world frame
 };
 
 /// Checks that a robot can be driven with these options; the error names the option.

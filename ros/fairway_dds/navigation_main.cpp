@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 #include "fairway_dds/navigation_node.hpp"
 #include "fairway_dds/orderly_exit.hpp"
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
   CLI::App app("Drives a robot beside ROS 2 nodes, over DDS");
   dds::NodeOptions options;
   std::string file;
+  std::string zones;
   std::vector<std::string> assignments;
   bool no_map = false;
   bool no_scan = false;
@@ -51,6 +53,7 @@ int main(int argc, char** argv) {
   app.add_option("--base-frame", options.base_frame);
   app.add_option("--settings", file, "Settings file (YAML), as printed by `fairway settings`");
   app.add_option("--set", assignments, "group.name=value");
+  app.add_option("--zones", zones, "File (YAML) with a list `zones` that the robot obeys");
   app.add_option("--patience", options.pilot.patience,
                  "Time without progress after which a goal is given up [s]");
   app.add_flag("--no-map", no_map, "Drive without a map, on the cells seen by the lidar");
@@ -70,6 +73,11 @@ int main(int argc, char** argv) {
   options.pilot.use_monitor = !no_monitor;
   const Expected<Settings> settings = read_settings(file, assignments);
   if (!settings) return fail_with(settings.error().message);
+  if (!zones.empty()) {
+    const Expected<Zones> read = io::read_zones_file(zones);
+    if (!read) return fail_with(read.error().message);
+    options.pilot.zones = *read;
+  }
   if (const auto valid = bridge::validate(options.pilot); !valid) {
     return fail_with(valid.error().message);
   }

@@ -6,6 +6,7 @@
 
 #include "bridge/message_conversions.hpp"
 #include "fairway/io/number_text.hpp"
+#include "fairway/navigation/status_guide.hpp"
 #include "fairway_ros/message_conversions.hpp"
 
 namespace fairway::ros1 {
@@ -22,6 +23,7 @@ std::int8_t level_of(NavigationStatus status) noexcept {
     case NavigationStatus::Degraded:
     case NavigationStatus::GoalReached:
     case NavigationStatus::Planning:
+    case NavigationStatus::Holding:
       return DiagnosticStatus::OK;
     case NavigationStatus::Stopping:
     case NavigationStatus::Blocked:
@@ -108,6 +110,11 @@ void NodeOutputs::publish_status(const bridge::Pilot& pilot,
   status.level = level_of(step.status);
   status.message = to_text(step.status);
   add("limit", to_text(step.limit));
+  // The texts of `fairway statuses`: the limit is more specific where there is one.
+  const StatusGuide guide =
+      step.limit == LimitingFactor::None ? guide_of(step.status) : guide_of(step.limit);
+  add("meaning", guide.meaning);
+  if (guide.remedy[0] != '\0') add("remedy", guide.remedy);
   add("cycle_seconds", io::number_text(seconds));
   if (scan) {
     const double sent = ros::Time::now().toSec();

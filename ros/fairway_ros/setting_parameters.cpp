@@ -3,6 +3,7 @@
 
 #include <dynamic_reconfigure/ConfigDescription.h>
 
+#include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/yaml/setting_text.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
@@ -81,10 +82,18 @@ Expected<void> assign_option(const std::string& key,
     *frame = text;
     return {};
   }
-  return fail(key +
-              ": expected a group of settings, or one of preset, use_map, use_scan, use_monitor, "
-              "patience, localisation_timeout, map_frame, base_frame, cancel_with_client, found an "
-              "unknown parameter");
+  if (key == "zones") {
+    if (text.empty()) return {};
+    Expected<Zones> zones = io::read_zones_file(text);
+    if (!zones) return tl::unexpected(zones.error());
+    options.pilot.zones = *std::move(zones);
+    return {};
+  }
+  return fail(
+      key +
+      ": expected a group of settings, or one of preset, use_map, use_scan, use_monitor, "
+      "patience, localisation_timeout, map_frame, base_frame, cancel_with_client, zones, found an "
+      "unknown parameter");
 }
 
 Config config_of(const Settings& settings) {

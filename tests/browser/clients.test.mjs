@@ -125,7 +125,7 @@ test('invalid messages are answered with the reason and have no effect', async (
   for (const end = Date.now() + 120_000; notices.length < nonsense.length + 1 && Date.now() < end;) await new Promise((done) => setTimeout(done, 50));
   assert.equal(notices.length, nonsense.length + 1);
   // These are well-formed, but there is no such robot, body, map or setting.
-  for (const command of [{ do: 'goal', robot: 99, x: 1, y: 1 }, { do: 'goal', robot: 0, x: 1e5, y: 0 }, { do: 'start', robot: 99, x: 1, y: 1, heading: 0 },
+  for (const command of [{ do: 'goal', robot: 99, x: 1, y: 1 }, { do: 'goal', robot: 0, x: 1e5, y: 0 }, { do: 'pose', robot: 99, x: 1, y: 1, heading: 0 },
     { do: 'walk', body: 99, x: 1, y: 1 }, { do: 'remove_body', body: 0 }, { do: 'remove_robot', robot: 0 }, { do: 'map', index: 999 },
     { do: 'set', assignment: 'mpc.nothing=1' }, { do: 'set', assignment: 'mpc.step_length=nan' }, { do: 'set', assignment: '=' }]) {
     socket.send(JSON.stringify(command));

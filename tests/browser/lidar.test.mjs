@@ -80,7 +80,12 @@ test('its layers and its legend exist and can be hidden', () => withPage(async (
     await page.check(`[data-layer="${layer}"]`);
     assert.equal(await picture(page), all, layer);
   }
-  assert.match(await page.textContent('#legend'), /lidar/);
+  const legend = await page.textContent('#legend');
+  assert.match(legend, /Lidar points/);
+  // Cells and tracks are two things, in two colours.
+  assert.match(legend, /Mapped obstacle.*Tracked object/);
+  const colors = await page.evaluate(() => [...document.querySelectorAll('#legend i')].map((mark) => mark.style.borderTopColor));
+  assert.equal(new Set(colors).size, colors.length);
 }));
 
 test('shows its goal and its limiting factor', () => withPage(async (page) => {
@@ -91,7 +96,7 @@ test('shows its goal and its limiting factor', () => withPage(async (page) => {
   });
   assert.ok(Math.abs(goal.x - task[0]) < 1e-3 && Math.abs(goal.y - task[1]) < 1e-3);
   assert.ok(limits > 5);
-  assert.match(await page.textContent('[data-robot="0"]'), /held back by|nothing holds it back|stands/);
+  assert.match(await page.textContent('.card .why'), /Limited by|Active constraint|Unconstrained|Stopped|Waiting/);
 }));
 
 test('its recording has scans and the sensed map in schemas of Foxglove', async () => {
@@ -135,11 +140,11 @@ test('the live page switches the robots between the map and their lidar', async 
     await page.waitForFunction(() => window.fairway?.drawn > 0);
     await page.selectOption('#map-choice', { label: 'Empty hall' });
     await page.waitForFunction(() => window.fairway.run.begin.name === 'Empty hall');
-    await page.selectOption('#senses', { label: 'lidar with errors' });
+    await page.selectOption('#senses', { label: 'Noisy lidar + odometry' });
     await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 600);
     // Another page shows the same choice.
     await beside.waitForFunction(() => window.fairway?.run?.lidar
-      && document.getElementById('senses').selectedOptions[0].textContent === 'lidar with errors');
+      && document.getElementById('senses').selectedOptions[0].textContent === 'Noisy lidar + odometry');
     // The robot uses its own map, and detects a wall that is drawn across its path.
     await page.waitForFunction(() => (window.fairway.run.frames.at(-1)?.robots[0].cycle?.linear ?? 0) > 0.5);
     await page.evaluate(() => document.getElementById('tool-wall').click());
@@ -166,7 +171,7 @@ test('the live page switches the robots between the map and their lidar', async 
     const recording = join(shared.run.folder, 'live.mcap');
     await writeFile(recording, Buffer.from(await (await fetch(new URL('/recording.mcap', server.url))).arrayBuffer()));
     assert.match(execFileSync(program('fairway'), ['replay', recording], { encoding: 'utf8' }), /every command the same to the bit/);
-    await page.selectOption('#senses', { label: 'the map' });
+    await page.selectOption('#senses', { label: 'Known map' });
     await page.waitForFunction(() => !window.fairway.run.lidar && window.fairway.run.frames.length > 3);
     assert.ok(await page.isHidden('label:has([data-layer="scan"])'));
     assert.deepEqual(errors, []);

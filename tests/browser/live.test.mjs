@@ -9,6 +9,7 @@ import test, { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { launch, openPage } from './support/browser.mjs';
 import { program } from './support/runs.mjs';
+import { cellAt, click, drag, last, title, until, withLive as liveWith } from './support/live.mjs';
 import { serve } from './support/server.mjs';
 
 let browser;
@@ -24,61 +25,7 @@ after(async () => {
   await rm(folder, { recursive: true });
 });
 
-/**
- * Starts a separate server for each test, so that tests do not affect each other; selects `map`.
- * `expected`: the console messages that each page may have.
- */
-async function withLive(work, { map = 'Empty hall', pages = 1, expected = [] } = {}) {
-  const server = await serve();
-  const opened = [];
-  try {
-    for (let i = 0; i < pages; ++i) opened.push(await openPage(browser, server.url));
-    const { page } = opened[0];
-    await page.waitForFunction(() => window.fairway?.drawn > 0);
-    if (map) {
-      await page.selectOption('#map-choice', { label: map });
-      await title(page, map);
-    }
-    await work(...opened.map((one) => one.page), server);
-    for (const { errors } of opened) assert.deepEqual(errors, expected);
-  } finally {
-    for (const { context } of opened) await context.close();
-    assert.equal(await server.stop(), 0);
-  }
-}
-
-const title = (page, name) => page.waitForFunction((text) => document.getElementById('title').textContent === text, name);
-const last = (page) => page.evaluate(() => {
-  const { frames } = window.fairway.run;
-  const { time, bodies, robots } = frames.at(-1);
-  return { time, bodies, robots: robots.map(({ plan, cycle, ...pose }) => ({ ...pose, goal: plan?.goal, usable: plan?.usable, status: cycle?.status, linear: cycle?.linear })) };
-});
-const until = (page, condition, argument) => page.waitForFunction(condition, argument);
-/** The screen position of a world point. */
-const spot = async (page, x, y) => {
-  const box = await page.locator('#map').boundingBox();
-  const at = await page.evaluate(([wx, wy]) => window.fairway.camera.toScreen({ x: wx, y: wy }), [x, y]);
-  return [box.x + at.x, box.y + at.y];
-};
-const click = async (page, x, y) => page.mouse.click(...await spot(page, x, y));
-const drag = async (page, ...points) => {
-  await page.mouse.move(...await spot(page, ...points[0]));
-  await page.mouse.down();
-  for (const point of points.slice(1)) await page.mouse.move(...await spot(page, ...point), { steps: 6 });
-  await page.mouse.up();
-};
-const cellAt = (page, x, y) => page.evaluate(([wx, wy]) => {
-  const grid = window.fairway.run.grids[0][0];
-  const { frame } = grid;
-  const [i, j] = [Math.floor((wx - frame.origin.x) / frame.resolution), Math.floor((wy - frame.origin.y) / frame.resolution)];
-  let value = grid.cells[j * frame.width + i];
-  for (const { runs } of grid.changes) {
-    for (let k = 0; k < runs.length; k += 4) {
-      if (runs[k] === j && i >= runs[k + 1] && i < runs[k + 1] + runs[k + 2]) value = runs[k + 3];
-    }
-  }
-  return value;
-}, [x, y]);
+const withLive = (work, options) => liveWith(browser, work, options);
 
 test('a goal by a click, with a heading by a drag; the robot arrives', () => withLive(async (page) => {
   await page.selectOption('#speed', '8');
@@ -101,16 +48,15 @@ test('a goal by a click, with a heading by a drag; the robot arrives', () => wit
   });
 }));
 
-test('a start by a drag begins a new run at that pose', () => withLive(async (page) => {
+test('a robot is moved in the running world, which keeps its history', () => withLive(async (page) => {
   await until(page, () => window.fairway.run.duration > 0.5);
-  await page.click('#tool-start');
+  const { time } = await last(page);
+  await page.click('#tool-pose');
   await drag(page, [10, 8], [8, 8]);
-  await until(page, () => {
-    const first = window.fairway.run.frames[0];
-    return first.time === 0 && Math.abs(first.robots[0].x - 10) < 0.1;
-  });
-  const first = await page.evaluate(() => window.fairway.run.frames[0].robots[0]);
-  assert.ok(Math.abs(Math.abs(first.heading) - Math.PI) < 0.1);
+  await until(page, () => Math.abs(window.fairway.run.frames.at(-1).robots[0].x - 10) < 0.5);
+  const now = await last(page);
+  assert.ok(now.time > time, 'the run continues');
+  assert.ok(await page.evaluate(() => window.fairway.run.frames[0].time) === 0, 'the past is kept');
 }));
 
 test('obstacles drawn during the drive lead to another path, and can be erased', () => withLive(async (page) => {
@@ -181,17 +127,20 @@ test('a person is placed, moved, and removed; the robot has no contact', () => w
   assert.ok(!(await last(page)).robots[0].collided);
 }));
 
-test('robots are added and removed', () => withLive(async (page) => {
+test('robots are added to the running world and removed from it; the run continues', () => withLive(async (page) => {
+  await until(page, () => window.fairway.run.duration > 0.5);
   await page.click('#tool-robot');
   await drag(page, [4, 10], [6, 10]);
   await until(page, () => window.fairway.run.begin.robots.length === 2 && window.fairway.run.frames.length > 0);
-  assert.equal(await page.locator('[data-robot]').count(), 2);
+  await until(page, () => document.querySelectorAll('[data-robot]').length === 2);
   await page.click('[data-robot="1"]');
   await page.click('#tool-goal');
   await click(page, 12, 10);
   await until(page, () => Math.abs((window.fairway.run.frames.at(-1).robots[1].plan?.goal.x ?? 0) - 12) < 0.1);
   await page.click('#remove-robot');
-  await until(page, () => window.fairway.run.begin.robots.length === 1);
+  await until(page, () => window.fairway.run.frames.at(-1).robots[1].absent);
+  await until(page, () => document.querySelectorAll('[data-robot]').length === 1);
+  assert.equal(await page.evaluate(() => window.fairway.run.frames[0].time), 0);
 }));
 
 test('pause, step, speed and restart', () => withLive(async (page) => {
@@ -218,41 +167,44 @@ test('the past can be viewed while the world continues', () => withLive(async (p
   await until(page, () => window.fairway.run.duration > 2);
   await page.click('#to-start');
   assert.ok(await page.evaluate(() => window.fairway.time) < 0.2);
-  assert.ok(await page.isVisible('#go-live'));
+  assert.ok(await page.isVisible('#past') && await page.isEnabled('#go-live'));
   const shown = await page.evaluate(() => window.fairway.time);
   const { time } = await last(page);
   await until(page, (t) => window.fairway.run.duration > t + 0.3, time);
   assert.equal(await page.evaluate(() => window.fairway.time), shown);
   await page.click('#go-live');
   await until(page, () => window.fairway.run.duration - window.fairway.time < 0.5);
-  assert.ok(!(await page.isVisible('#go-live')));
+  assert.ok(!(await page.isVisible('#past')) && await page.isDisabled('#go-live'));
 }));
 
 test('settings show their units, take effect at once, and are refused if invalid', () => withLive(async (page) => {
+  await page.click('#tab-settings');
   await page.click('[data-group="robot"] summary');
   await page.click('[data-group="mpc"] summary');
   const row = page.locator('[data-setting="robot.linear_max"]');
   assert.match(await row.textContent(), /m\/s/);
-  await row.locator('input[type="number"]').fill('0.3');
-  await row.locator('input[type="number"]').press('Enter');
+  await row.locator('input[type="text"]').fill('0.3');
+  await row.locator('input[type="text"]').press('Enter');
   await until(page, () => window.fairway.run.setting('robot', 'linear_max') === 0.3);
   await page.selectOption('#speed', '4');
   await until(page, () => {
     const { frames } = window.fairway.run;
     return frames.slice(-10).every((f) => f.robots[0].cycle && f.robots[0].cycle.linear < 0.31);
   });
-  await until(page, () => / of 0\.30 m\/s/.test(document.querySelector('[data-value="speed"]').textContent));
+  await until(page, () => / \/ 0\.30 m\/s/.test(document.querySelector('[data-value="speed"]').textContent));
   const slider = row.locator('input[type="range"]');
   await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
   await slider.click({ position: { x: box.width * 0.9, y: box.height / 2 } });
   await until(page, () => window.fairway.run.setting('robot', 'linear_max') > 0.5);
   // A decay rate above 1 / dt contradicts Eq. (14).
-  const decay = page.locator('[data-setting="mpc.decay_rate"] input[type="number"]');
+  const decay = page.locator('[data-setting="mpc.decay_rate"] input[type="text"]');
   await decay.fill('50');
   await decay.press('Enter');
-  await until(page, () => !document.getElementById('notice').hidden);
-  assert.match(await page.textContent('#notice'), /mpc\.decay_rate/);
+  const refusal = page.locator('[data-setting="mpc.decay_rate"] .refusal');
+  await refusal.waitFor();
+  assert.match(await refusal.textContent(), /With a step of 0\.1 s the decay rate must be at most 10 \/s \(now 50\)/);
+  assert.notEqual(await decay.inputValue(), '50', 'the refused value is replaced');
   assert.notEqual(await page.evaluate(() => window.fairway.run.setting('mpc', 'decay_rate')), 50);
   await page.click('[data-group="tracking"] summary');
   await page.locator('[data-setting="tracking.target_mode"] select').selectOption({ index: 1 });
@@ -266,7 +218,7 @@ test('each map can be selected', () => withLive(async (page) => {
     await page.selectOption('#map-choice', { label: name });
     await title(page, name);
     await until(page, () => window.fairway.run.frames.length > 3);
-    assert.ok((await last(page)).robots[0].usable, name);
+    await until(page, () => window.fairway.run.frames.at(-1).robots[0].plan?.usable);
   }
 }, { map: null }));
 
@@ -302,8 +254,9 @@ test('saved files can be used: scenario, recording, report', () => withLive(asyn
   await click(page, 4, 8);
   await page.click('#tool-goal');
   await click(page, 14, 4);
+  await page.click('#tab-settings');
   await page.click('[data-group="robot"] summary');
-  const box = page.locator('[data-setting="robot.linear_max"] input[type="number"]');
+  const box = page.locator('[data-setting="robot.linear_max"] input[type="text"]');
   await box.fill('0.8');
   await box.press('Enter');
   await page.selectOption('#speed', '8');
@@ -357,6 +310,6 @@ test('a late page shows the past, and a page reconnects after the server was res
   await until(second.page, () => window.fairway?.run?.frames[0].time === 0 && window.fairway.run.duration > 3);
   await second.context.close();
   await server.stop();
-  await until(first.page, () => /trying again/.test(document.getElementById('connection').textContent));
+  await until(first.page, () => /reconnecting/.test(document.getElementById('connection').textContent));
   await first.context.close();
 });

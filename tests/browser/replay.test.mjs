@@ -41,7 +41,7 @@ test('steps, jumps to start and end, and plays again from the end', () => withPa
   assert.ok(Math.abs(await time(page) - 0.1) < 1e-6);
   await page.click('#to-end');
   assert.equal(await time(page), 60);
-  await page.waitForFunction(() => document.getElementById('clock').textContent === '60.0 of 60.0 s');
+  await page.waitForFunction(() => document.getElementById('clock').textContent === '60.0 / 60.0 s');
   await page.click('#play');
   await page.waitForFunction(() => window.fairway.time > 0 && window.fairway.time < 50);
   await page.click('#play');
@@ -132,7 +132,8 @@ test('every layer is drawn, and can be hidden', () => withPage(async (page) => {
   await page.evaluate(() => window.fairway.onSeek(20));
   await page.click('#show-layers');
   const all = await picture(page);
-  const layers = await page.locator('#layers label:not([hidden]) input').all();
+  // Reasons are drawn for robots that cannot drive only.
+  const layers = await page.locator('#layers label:not([hidden]) [data-layer]:not([data-layer="reasons"])').all();
   assert.equal(layers.length, 8);
   for (const layer of layers) {
     await layer.uncheck();
@@ -181,5 +182,5 @@ test('robots are selected by their cards and on the map', () => withPage(async (
   const box = await page.locator('#map').boundingBox();
   await page.mouse.click(box.x + at.x, box.y + at.y);
   await page.waitForSelector('[data-robot="1"][aria-pressed="true"]');
-  assert.match(await page.textContent('[data-robot="1"]'), /held back by: corridor/);
+  assert.match(await page.textContent('.card.selected .why'), /(Limited by|Active constraint): Corridor/);
 }));

@@ -82,9 +82,10 @@ test('panel, theme, and settings', () => withPage(async (page) => {
   assert.notEqual(await picture(page), light);
   await page.click('#theme');
   assert.equal(await picture(page), light);
+  await page.click('#tab-settings');
   await page.click('[data-group="robot"] summary');
-  assert.match(await page.textContent('[data-setting="robot.linear_max"]'), /linear_max\s*1 m\/s/);
-  assert.match(await page.textContent('#summary'), /Way driven/);
+  assert.match(await page.textContent('[data-setting="robot.linear_max"]'), /Maximum linear\s*1 m\/s/);
+  assert.match(await page.textContent('#summary'), /Distance travelled/);
 }));
 
 test('follows the dark theme of the system', () => withPage(async (page) => {
@@ -110,9 +111,10 @@ test('fits the map and its buttons on small screens, portrait and landscape', as
   for (const viewport of [{ width: 390, height: 780 }, { width: 780, height: 390 }]) {
     await withPage(async (page) => {
       const box = async (id) => page.locator(id).boundingBox();
+      await page.click('#show-menu');
       const [map, footer, play, theme] = [await box('#map'), await box('footer'), await box('#play'), await box('#theme')];
       assert.ok(Math.min(map.y + map.height, footer.y) - map.y > 200, 'the map');
-      assert.ok(play.y + play.height <= viewport.height && theme.y >= 0 && theme.height > 25, 'the buttons');
+      assert.ok(play.y + play.height <= viewport.height && theme.y >= 0 && theme.height >= 44 && play.height >= 44, 'the buttons');
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     }, { viewport, hasTouch: true, isMobile: true });
   }
@@ -143,6 +145,24 @@ test('shows the true bodies of the robots', () => withPage(async (page) => {
   assert.deepEqual(await colors(-0.26, -0.15), body);
   assert.notDeepEqual(await colors(0, 0.25), body);
 }));
+
+test('two runs are side by side, at the same time', () => withPage(async (page) => {
+  await page.setInputFiles('#compare-file', shared.run.page);
+  const pane = await (await page.waitForSelector('#pane')).contentFrame();
+  await pane.waitForFunction(() => window.fairway?.drawn > 0);
+  await page.evaluate(() => window.fairway.onSeek(20));
+  await pane.waitForFunction(() => Math.abs(window.fairway.time - 20) < 0.01);
+  assert.ok(!(await pane.isVisible('#transport')) && await pane.isVisible('#map'));
+  await page.click('#compare');
+  assert.equal(await page.locator('#pane').count(), 0);
+}));
+
+test('5 minutes of 4 robots are less than 1 MB', async () => {
+  const run = await syntheticRun({ robots: 4, seconds: 300, side: 240 });
+  const { size } = await stat(run.page);
+  await rm(run.folder, { recursive: true });
+  assert.ok(size < 1e6, `${size}`);
+});
 
 test('prints in the light theme, with the map, the plots and the robots', () => withPage(async (page) => {
   const pdf = await page.pdf();

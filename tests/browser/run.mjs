@@ -19,11 +19,16 @@ if (file === 'page.test.mjs' && !existsSync(here('../../viewer/node_modules/esbu
   skip('needs `npm ci` in viewer (./test does it)');
 }
 const chromium = process.env.FAIRWAY_CHROMIUM ?? '/usr/bin/chromium';
-const browser = ['replay.test.mjs', 'live.test.mjs'];
+const browser = ['replay.test.mjs', 'replay_view.test.mjs', 'lidar.test.mjs', 'live.test.mjs', 'live_review.test.mjs', 'screens.test.mjs',
+  'playground.test.mjs'];
 if (browser.includes(file) && !existsSync(chromium)) skip(`needs Chromium at ${chromium}`);
-const server = ['live.test.mjs', 'clients.test.mjs', 'foxglove.test.mjs'];
+const server = ['live.test.mjs', 'live_review.test.mjs', 'screens.test.mjs', 'clients.test.mjs', 'foxglove.test.mjs'];
 if (server.includes(file) && spawnSync(`${programs}/fairway`, ['serve', '--help']).status !== 0) {
   skip('needs `fairway serve`, which needs libboost-dev');
+}
+
+if (file === 'playground.test.mjs' && !existsSync(`${programs}/../playground.html`)) {
+  skip('needs the page: cmake --build --preset release --target playground');
 }
 
 const { status } = spawnSync(process.execPath, ['--test', '--test-reporter=spec', here(file)],

@@ -54,11 +54,13 @@ def check_schemas(root: pathlib.Path, tool: pathlib.Path) -> list:
         worlds = root / "benchmarks/make_narrow_worlds.py"
         subprocess.run([worlds, folder / "worlds", "--count", "1"], check=True, capture_output=True)
         subprocess.run([root / "benchmarks/make_body_tasks.py", folder / "bodies"], check=True)
+        subprocess.run([root / "benchmarks/make_people_cases.py", folder / "people"], check=True)
         plan = ["plan", workshop, "--start", "2,4.4", "--goal", "22.2,14.6"]
         runs = [plan, [*plan, "--set", "robot.radius=1"], ["simulate", root / "scenarios/workshop.yaml"],
                 ["simulate", root / "scenarios/workshop.yaml", "--time-limit", "1"],
                 ["solve", folder / "problem.txt", "--out", folder / "problem.res"],
-                ["barn", folder / "worlds"], ["bodies", folder / "bodies", "--tasks", "corner_car_mirrored"]]
+                ["barn", folder / "worlds"], ["bodies", folder / "bodies", "--tasks", "corner_car_mirrored"],
+                ["people", "recorded", folder / "people"]]
         errors = []
         for run in runs:
             out = folder / "result.json"

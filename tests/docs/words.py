@@ -10,7 +10,7 @@ BANNED = ("anew", "for ever", "forever", "likewise", "in vain", "to and fro", "a
 # A model or an engine may be what moves the robots.
 PATTERN = re.compile(r"\b(" + "|".join(word.replace(" ", r"\s+") for word in BANNED) +
                      r")\b(?! (?:the )?robots?\b)", re.IGNORECASE)
-FOLDERS = ("src", "apps", "ros", "tests", "experiments", "benchmarks", "examples", "python")
+FOLDERS = ("src", "apps", "ros", "tests", "experiments", "benchmarks", "examples", "python", "vda5050")
 # A comment or a text, to be read; characters are skipped so that '"' opens nothing.
 CPP_TOKENS = re.compile(r"//(?P<line>[^\n]*)|/\*(?P<block>.*?)\*/|R\"(?P<d>\w*)\((?P<raw>.*?)\)(?P=d)\""
                         r"|\"(?P<text>(?:\\.|[^\"\\\n])*)\"|'(?:\\.|[^'\\\n])'", re.DOTALL)

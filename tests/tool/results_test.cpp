@@ -120,6 +120,26 @@ TEST(Merge, JoinsShardsAsOneBatch) {
   EXPECT_EQ(merged.at("cycle_us").at("max"), 0.5);
 }
 
+// As a safety campaign writes them: counts, and the runs that ended badly.
+TEST(Merge, AddsTheTotalsOfACampaign) {
+  const TemporaryFolder folder;
+  const auto shard = [](int runs, double least, json list) {
+    return json{{"seed", 1},
+                {"totals", {{"runs", runs}, {"least_clearance", least}, {"contacts", {{"x", 1}}}}},
+                {"runs", std::move(list)}};
+  };
+  folder.write("a.json", shard(10, 0.2, {{{"run", 4}, {"contact", "x"}}}).dump());
+  folder.write("b.json", shard(7, 0.1, json::array()).dump());
+  const ToolRun run = run_tool(folder, "merge a.json b.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json merged = json::parse(run.out);
+  EXPECT_EQ(merged.at("totals").at("runs"), 17);
+  EXPECT_EQ(merged.at("totals").at("least_clearance"), 0.1);
+  EXPECT_EQ(merged.at("totals").at("contacts").at("x"), 2);
+  EXPECT_EQ(merged.at("runs").size(), 1U);
+  EXPECT_EQ(merged.at("seed"), 1);
+}
+
 TEST(Merge, RefusesShardsThatDoNotBelongTogether) {
   const TemporaryFolder folder;
   folder.write("a.json", batch({0, 2}, 0.5).dump());

@@ -45,6 +45,36 @@ TEST(Simulate, DrivesThroughTheGapAndWritesTheResult) {
   EXPECT_GT(content_of(folder.path("v.svg")).size(), 1000U);
 }
 
+TEST(Simulate, DrivesAnyBodyOnAnyBase) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write(
+      "omni.yaml",
+      "kind: omni\nlength: 1.0\nwidth: 0.4\nlinear_min: -0.8\nlinear_max: 0.8\nlateral_max: 0.6\n"
+      "angular_max: 1\nlinear_acceleration: 0.8\nlateral_acceleration: 0.8\n"
+      "angular_acceleration: 2\n");
+  const std::string options =
+      "simulate --map room.yaml --start 1.2,1,0 --goal 7,3,1.57 --body omni.yaml ";
+  const ToolRun run = run_tool(folder, options + "--json r.json --trace t.csv --report r.html");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json robot = json::parse(content_of(folder.path("r.json"))).at("robots").at(0);
+  EXPECT_TRUE(robot.at("reached").get<bool>());
+  EXPECT_GT(robot.at("min_clearance").get<double>(), 0.0);
+  EXPECT_NE(content_of(folder.path("t.csv")).find("clearance,lateral\n"), std::string::npos);
+  const ToolRun blocked = run_tool(
+      folder,
+      "simulate --map room.yaml --start 1.2,1,0 --goal 4,0.5 --time-limit 2 --body omni.yaml");
+  EXPECT_EQ(blocked.code, 1);
+  EXPECT_NE(blocked.err.find("does not fit at the goal"), std::string::npos) << blocked.err;
+  EXPECT_EQ(blocked.err.find("robot.radius"), std::string::npos) << blocked.err;
+  const ToolRun logged = run_tool(folder, options + "--log r.mcap");
+  EXPECT_EQ(logged.code, 2);
+  EXPECT_NE(logged.err.find("--log: expected robots without"), std::string::npos) << logged.err;
+  const ToolRun lidar = run_tool(folder, options + "--sensing lidar");
+  EXPECT_EQ(lidar.code, 2);
+  EXPECT_NE(lidar.err.find("sensing: expected map"), std::string::npos) << lidar.err;
+}
+
 TEST(Simulate, ReachesTheGoalInEveryScenarioOfTheProject) {
   const TemporaryFolder folder;
   int count = 0;

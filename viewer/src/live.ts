@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Run } from './data/run';
 import { StreamReader } from './data/stream';
+import { EditButtons } from './input/edit_buttons';
 import { Files } from './input/files';
 import { connectButtons, listenToKeys } from './input/keys';
 import { type Transport, connect, showPlaying } from './input/playback';
+import { robotActions } from './input/robot_actions';
+import { openLink } from './input/share';
 import { Toolbar } from './input/toolbar';
-import { throttled } from './input/tools';
 import { element } from './page/dom';
+import { Tabs } from './page/tabs';
+import { BodyEditor } from './panels/body_editor';
+import { EventList } from './panels/event_list';
 import { SettingsPanel } from './panels/settings_panel';
+import { Legend } from './view/legend';
 import { Viewer } from './view/viewer';
 
 interface State {
@@ -17,6 +23,17 @@ interface State {
   maps: string[];
   sensing: 'map' | 'lidar';
   noise: 'none' | 'standard';
+  halted: boolean;
+  waiting: boolean;
+  edited: boolean;
+  undo: string;
+  redo: string;
+}
+
+interface Message {
+  state?: State;
+  notice?: string;
+  refused?: { text: string; at?: { x: number; y: number }; settings?: string[] };
 }
 
 const WINDOW = 60; // displayed past [s]
@@ -24,16 +41,22 @@ const KEPT = 600; // past in memory [s]
 
 /** The live page: events arrive over a WebSocket, and the user's actions are sent back. */
 class Live implements Transport {
-  playing = true;
+  playing = true; // the world, or in the past its replay
   private readonly viewer = new Viewer();
+  private readonly legend = new Legend(this.viewer);
   private readonly reader = new StreamReader((run) => this.begin(run));
   private readonly settings: SettingsPanel;
+  private readonly body: BodyEditor;
   private readonly files: Files;
+  private readonly toolbar: Toolbar;
+  private readonly edits: EditButtons;
+  private readonly events: EventList;
+  private state: State | null = null;
   private socket: WebSocket | null = null;
   private run: Run | null = null;
   private following = true;
   private fresh = false; // a run has begun and is not displayed yet
-  private factor = 1;
+  private linked = false; // the address has been followed
   private retry = 250; // until the next attempt to connect [ms]
   private frozen: [number, number] = [0, 1];
   private last = 0;
@@ -42,25 +65,31 @@ class Live implements Transport {
   constructor() {
     const { viewer } = this;
     const send = (command: Record<string, unknown>): void => this.send(command);
-    const toolbar = new Toolbar(viewer, send);
-    viewer.camera.insetTop = 48;
+    this.toolbar = new Toolbar(viewer, send);
+    this.edits = new EditButtons(send);
+    viewer.panel.actions = robotActions(viewer, send);
     this.files = new Files(send, (notice) => this.tell(notice));
-    const change = throttled((assignment: string) => send({ do: 'set', assignment }), 100);
-    this.settings = new SettingsPanel(element('settings'),
-      (group, name, value) => change(`${group}.${name}=${value}`));
+    new Tabs(element('tabs'), [['Robots', 'robots'], ['Events', 'events'], ['Settings', 'settings']]);
+    const change = (assignments: string[]): void => send({ do: 'set', assignments });
+    this.body = new BodyEditor((values) => this.settings.send(values));
+    this.settings = new SettingsPanel(element('settings'), change, this.body.root);
+    this.events = new EventList(element('events'), (time, robot) => { viewer.select(robot); this.seek(time); });
     viewer.onSeek = (time) => this.seek(time);
     viewer.span = () => this.span();
     connect(this);
     connectButtons(viewer);
-    listenToKeys(viewer, this, toolbar.keys, toolbar.help);
-    element('go-live').addEventListener('click', () => this.end());
+    listenToKeys(viewer, this, this.toolbar);
+    for (const id of ['go-live', 'past-live']) element(id).addEventListener('click', () => this.end());
     this.open();
     requestAnimationFrame((now) => this.tick(now));
     Object.assign(window, { fairway: viewer });
   }
 
+  /** In the present: pauses the world. In the past: replays it. */
   toggle(): void {
-    this.send({ do: 'pause', paused: this.playing });
+    if (this.following) return this.send({ do: 'pause', paused: this.playing });
+    this.playing = !this.playing;
+    showPlaying(this.playing);
   }
 
   step(direction: 1 | -1): void {
@@ -75,11 +104,13 @@ class Live implements Transport {
   seek(time: number): void {
     if (!this.run) return;
     const first = this.run.frames[0]?.time ?? 0;
-    if (this.following) this.frozen = this.span();
+    if (this.following) {
+      this.frozen = this.span();
+      this.playing = false;
+    }
     if (time < this.frozen[0]) this.frozen = [Math.max(time, first), this.frozen[1]];
-    this.following = time >= this.run.duration - 1e-6;
     this.viewer.time = Math.min(Math.max(time, first), this.run.duration);
-    element('go-live').hidden = this.following;
+    this.follow(time >= this.run.duration - 1e-6);
     this.viewer.invalidate();
   }
 
@@ -95,6 +126,18 @@ class Live implements Transport {
     this.send({ do: 'speed', factor });
   }
 
+  // Follows the present, or shows clearly that this is the past, in which nothing can be changed.
+  private follow(following: boolean): void {
+    this.following = following;
+    document.body.classList.toggle('past', !following);
+    element('go-live').toggleAttribute('disabled', following);
+    element('past').hidden = following;
+    this.toolbar.enable(following);
+    if (following && this.state) this.playing = !this.state.paused;
+    showPlaying(this.playing);
+    this.showState();
+  }
+
   private span(): [number, number] {
     if (!this.following) return this.frozen;
     const first = this.run?.frames[0]?.time ?? 0;
@@ -105,7 +148,8 @@ class Live implements Transport {
 
   private open(): void {
     const url = new URL('/live', location.href);
-    url.protocol = 'ws:';
+    url.hash = '';
+    url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
     const socket = new WebSocket(url);
     socket.binaryType = 'arraybuffer';
     socket.addEventListener('open', () => {
@@ -114,11 +158,11 @@ class Live implements Transport {
       this.pill('live', 'good');
     });
     socket.addEventListener('message', ({ data }) => {
-      if (typeof data === 'string') this.told(JSON.parse(data) as { state?: State; notice?: string });
+      if (typeof data === 'string') this.told(JSON.parse(data) as Message);
       else this.received(new Uint8Array(data as ArrayBuffer));
     });
     socket.addEventListener('close', () => {
-      this.pill('connection lost, trying again', 'bad');
+      this.pill('Disconnected, reconnecting', 'bad');
       setTimeout(() => this.open(), this.retry);
       this.retry = Math.min(this.retry * 2, 5000);
     });
@@ -127,6 +171,7 @@ class Live implements Transport {
 
   private send(command: Record<string, unknown>): void {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
+    else this.viewer.say('Disconnected: the change was not sent.');
   }
 
   private pill(text: string, tone: string): void {
@@ -141,20 +186,42 @@ class Live implements Transport {
     root.textContent = notice;
     root.hidden = false;
     clearTimeout(this.noticeTimer);
-    this.noticeTimer = window.setTimeout(() => { root.hidden = true; }, 6000);
+    this.noticeTimer = window.setTimeout(() => { root.hidden = true; }, 8000);
   }
 
-  private told({ state, notice }: { state?: State; notice?: string }): void {
+  private told({ state, notice, refused }: Message): void {
     if (notice) this.tell(notice);
+    if (refused) this.refuse(refused);
     if (!state) return;
-    this.playing = !state.paused;
-    this.factor = state.speed;
-    showPlaying(this.playing);
-    this.pill(state.paused ? 'paused' : 'live', state.paused ? 'warn' : 'good');
+    this.state = state;
+    if (this.following) {
+      this.playing = !state.paused;
+      showPlaying(this.playing);
+    }
     const speed = element<HTMLSelectElement>('speed');
     if (document.activeElement !== speed) speed.value = `${state.speed}`;
-    this.files.show(state.maps, state.map);
+    this.files.show(state.maps, state.map, state.edited);
     this.files.showSenses(state.sensing, state.noise);
+    this.showState();
+  }
+
+  private refuse({ text, at, settings }: NonNullable<Message['refused']>): void {
+    if (settings) {
+      this.settings.refuse(settings, text);
+      if (settings.includes('robot.length')) this.body.refused(text);
+    } else if (at) this.viewer.tellAt(at, text);
+    else this.tell(text);
+  }
+
+  private showState(): void {
+    const { state } = this;
+    if (!state) return;
+    this.edits.show(state.undo, state.redo, state.halted, this.following);
+    if (this.socket?.readyState !== WebSocket.OPEN) return;
+    if (!this.following) this.pill(`viewing ${this.viewer.time.toFixed(1)} s`, 'slow');
+    else if (state.waiting) this.pill('starting', 'idle');
+    else if (state.halted) this.pill('emergency stop', 'bad');
+    else this.pill(state.paused ? 'paused' : 'live', state.paused ? 'slow' : 'good');
   }
 
   private begin(run: Run): void {
@@ -168,8 +235,7 @@ class Live implements Transport {
     if (!run || run.frames.length === 0) return;
     if (this.fresh) {
       this.fresh = false;
-      this.following = true;
-      element('go-live').hidden = true;
+      this.follow(true);
       element('title').textContent = run.begin.name;
       document.title = `${run.begin.name} – Fairway`;
       const before = viewer.run?.grids[0]?.[0]?.frame;
@@ -177,37 +243,66 @@ class Live implements Transport {
       viewer.time = run.duration;
       viewer.show(run, JSON.stringify(before) === JSON.stringify(now));
     }
-    this.settings.show(run.settings);
+    if (!this.linked) {
+      this.linked = true;
+      const time = openLink(viewer, this.legend);
+      if (time !== null) this.seek(time);
+    }
+    if (this.settings.show(run.settings)) this.body.show(run.body);
+    this.events.follow(run);
     if (run.frames.length > 1000 && run.duration - run.frames[0]!.time > 1.2 * KEPT) {
       run.forget(run.duration - KEPT);
     }
     viewer.invalidate();
   }
 
-  // Displays the present with a short delay, so that motion between cycles is smooth.
   private tick(now: number): void {
     const seconds = Math.min((now - this.last) / 1e3, 0.25);
     this.last = now;
-    const { run, viewer } = this;
-    if (run && this.following && run.frames.length > 0) {
-      const end = run.duration;
-      const lag = end - viewer.time;
-      const period = end - (run.frames.at(-2)?.time ?? end);
-      if (lag < 0 || lag > 0.6 * Math.max(this.factor, 1)) viewer.time = end;
-      else if (lag > 0) {
-        // The displayed time is never ahead of the received data, and its delay does not grow.
-        const pace = lag > 1.5 * period ? 1.15 : 1;
-        viewer.time = Math.min(viewer.time + pace * this.factor * seconds, end);
-        viewer.invalidate();
-      }
+    if (this.run && this.run.frames.length > 0) {
+      if (this.following) this.showPresent(this.run, seconds);
+      else this.showPast(this.run, seconds);
     }
-    viewer.render();
+    this.viewer.render();
     requestAnimationFrame((next) => this.tick(next));
+  }
+
+  // Displays the present with a short delay, so that motion between cycles is smooth.
+  private showPresent(run: Run, seconds: number): void {
+    const { viewer } = this;
+    const factor = this.state?.speed ?? 1;
+    const end = run.duration;
+    const lag = end - viewer.time;
+    const period = end - (run.frames.at(-2)?.time ?? end);
+    if (lag < 0 || lag > 0.6 * Math.max(factor, 1)) viewer.time = end;
+    else if (lag > 0) {
+      // The displayed time is never ahead of the received data, and its delay does not grow.
+      const pace = lag > 1.5 * period ? 1.15 : 1;
+      viewer.time = Math.min(viewer.time + pace * factor * seconds, end);
+      viewer.invalidate();
+    }
+  }
+
+  private showPast(run: Run, seconds: number): void {
+    const { viewer } = this;
+    const [from, to] = this.frozen;
+    if (this.playing && seconds > 0) {
+      viewer.time = Math.min(viewer.time + (this.state?.speed ?? 1) * seconds, run.duration);
+      if (viewer.time > to) this.frozen = [from, viewer.time];
+      viewer.invalidate();
+      if (viewer.time >= run.duration) return this.follow(true);
+    }
+    const text = `Viewing ${viewer.time.toFixed(1)} s; the world is at ${run.duration.toFixed(1)} s. Tools are off.`;
+    const root = element('past-text');
+    if (root.textContent !== text) {
+      root.textContent = text;
+      this.showState();
+    }
   }
 }
 
 /** Connects to the server that this page came from. */
 export async function startLive(): Promise<void> {
-  if (!location.protocol.startsWith('http')) throw new Error('it holds no run, and nobody serves it');
+  if (!location.protocol.startsWith('http')) throw new Error('it holds no run, and it was not opened from a server');
   new Live();
 }

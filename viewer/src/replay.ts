@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 import { unpack } from './data/bytes';
 import { StreamReader } from './data/stream';
+import { connectCompare, followParent, isPane } from './input/compare';
 import { connectButtons, listenToKeys } from './input/keys';
 import { type Transport, connect, showPlaying } from './input/playback';
+import { openLink } from './input/share';
+import { Toolbar } from './input/toolbar';
 import { element } from './page/dom';
+import { Tabs } from './page/tabs';
+import { EventList } from './panels/event_list';
 import { SettingsPanel } from './panels/settings_panel';
 import { showSummary } from './panels/summary';
+import { Legend } from './view/legend';
 import { Viewer } from './view/viewer';
 
 class Replay implements Transport {
@@ -83,12 +89,19 @@ export async function startReplay(packed: string): Promise<void> {
   document.title = `${run.begin.name} – Fairway`;
   const replay = new Replay(viewer);
   viewer.onSeek = (time) => replay.seek(time);
+  const legend = new Legend(viewer);
   connect(replay);
   connectButtons(viewer);
-  listenToKeys(viewer, replay);
+  listenToKeys(viewer, replay, new Toolbar(viewer, null));
+  new Tabs(element('tabs'), [['Robots', 'robots'], ['Events', 'events'], ['Summary', 'summary'], ['Settings', 'settings']]);
   showSummary(element('summary'), run);
   new SettingsPanel(element('settings'), null).show(run.settings);
+  new EventList(element('events'), (time, robot) => { viewer.select(robot); replay.seek(time); }).follow(run, true);
   viewer.show(run);
+  if (isPane()) followParent((time) => replay.seek(time));
+  else connectCompare(viewer);
+  const asked = openLink(viewer, legend);
+  if (asked !== null) replay.seek(asked);
   // For measurements and tests.
   Object.assign(window, { fairway: viewer });
 }

@@ -19,6 +19,7 @@
 #include "experiments/barn/barn_summary.hpp"
 #include "experiments/clocks.hpp"
 #include "fairway/io/number_text.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/trace_file.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
 #include "results/episode_output.hpp"
@@ -44,6 +45,7 @@ struct BarnCommand {
   std::string sensing = "map";
   std::string physics = "unicycle";
   std::string noise = "none";
+  std::string body;
   int seed = 1;
   int trials = 1;
   std::string trace_dir;
@@ -94,6 +96,16 @@ Expected<BarnOptions> BarnCommand::options() const {
   options.settings = *own;
   options.sensing.sensing = sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
   if (noise == "standard") use_standard_noise(options.sensing);
+  if (!body.empty()) {
+    const Expected<RobotModel> model = io::read_robot_model(body);
+    if (!model) return tl::unexpected(model.error());
+    options.model = *model;
+    note_input(body);
+    if (sensing != "map" || physics != "unicycle")
+      return fail("--body: expected --sensing map and --physics unicycle, found others");
+    if (!outputs.log.empty())
+      return fail("--body: expected no --log, since such a run cannot be replayed; found one");
+  }
   options.seed = static_cast<std::uint64_t>(seed);
   return options;
 }
@@ -267,6 +279,10 @@ void add_command(
   options.add("--physics", command->physics, "What moves the robot").one_of({"unicycle", "mujoco"});
   options.add("--noise", command->noise, "Errors of lidar and odometry")
       .one_of({"none", "standard"});
+  options
+      .add("--body", command->body,
+           "Drive with this outline and base, as under `robot:` of a scenario's robot")
+      .type_name("FILE.yaml");
   options.add("--seed", command->seed, "Seed of all random numbers").not_negative();
   options.add("--trials", command->trials, "Runs per world").between(1, 1000);
   add_shard_option(options, command->shard);

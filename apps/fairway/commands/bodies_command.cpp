@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "cli/physics_choice.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
 #include "cli/shard_option.hpp"
@@ -56,6 +57,8 @@ Json drive_json(const BodyDrive& drive, bool parking) {
            {"length", drive.length},
            {"cusps", drive.cusps},
            {"min_clearance", drive.min_clearance},
+           {"end_distance", drive.end_distance},
+           {"end_turn", drive.end_turn},
            {"plan_ms", 1e3 * drive.plan_seconds},
            {"cycle_us",
             {{"median", 1e6 * cycle.median}, {"p99", 1e6 * cycle.p99}, {"max", 1e6 * cycle.max}}},
@@ -68,9 +71,8 @@ Json drive_json(const BodyDrive& drive, bool parking) {
 }
 
 Expected<int> BodiesCommand::run() const {
-  if (physics == "mujoco")
-    return fail(
-        "--physics: expected unicycle, found mujoco, which has no models of these bases yet");
+  const Expected<BodyPlantMaker> plant = choose_body_plant(physics);
+  if (!plant) return tl::unexpected(plant.error());
   if (const auto checked = check_output(json); !checked) return tl::unexpected(checked.error());
   const Expected<std::vector<BodyTask>> all = read(source, names_of(tasks));
   if (!all) return tl::unexpected(all.error());
@@ -85,6 +87,7 @@ Expected<int> BodiesCommand::run() const {
   if (parking) {  // the car is three times as long as the bodies are
     settings.path.cell = 0.15;
     settings.path.margin = 0.05;
+    settings.alternatives = 1;
     settings.cost = {.linear_effort = 0.1, .turn_effort = 0.03, .steering_angle = 0.1};
   }
   Json rows = Json::array();
@@ -96,7 +99,7 @@ Expected<int> BodiesCommand::run() const {
   for (const BodyTask& task : *all) {
     if (!part.has(number++)) continue;
     progress.show(fmt::format("{}: {} of {} done", task.name, rows.size(), all->size()));
-    const BodyDrive drive = drive_task(task, settings, thread_cpu_seconds);
+    const BodyDrive drive = drive_task(task, settings, thread_cpu_seconds, *plant);
     if (drive.success) ++successes;
     rows.push_back(drive_json(drive, parking));
     text += fmt::format(

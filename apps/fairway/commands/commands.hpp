@@ -14,6 +14,8 @@ void add_parking_command(CommandLine& tool);
 void add_compare_command(CommandLine& tool);
 void add_dynabarn_command(CommandLine& tool);
 void add_merge_command(CommandLine& tool);
+void add_order_command(CommandLine& tool);
+void add_people_command(CommandLine& tool);
 void add_plan_command(CommandLine& tool);
 /// The commands completion and manual. @pre `tool` outlives its run.
 void add_reference_commands(CommandLine& tool);

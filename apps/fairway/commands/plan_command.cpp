@@ -14,6 +14,7 @@
 #include "cli/settings_options.hpp"
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
+#include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/planning/planner.hpp"
 #include "results/plan_output.hpp"
 
@@ -26,6 +27,7 @@ struct PlanCommand {
   std::string start;
   std::string goal;
   std::string corridor;
+  std::string zones;
   std::optional<double> clearance;
   std::optional<double> inward_offset;
   std::optional<double> robot_radius;
@@ -72,6 +74,14 @@ Expected<void> PlanCommand::apply_options(Settings& target) const {
   return validate(target);
 }
 
+PreparedMap prepared(const OccupancyGrid& grid, const PlanQuery& query) {
+  BitGrid obstacles(grid, unknown_cells(query.settings.map));
+  if (!query.zones.empty()) {
+    obstacles.set_zones(std::make_shared<const ZoneMap>(query.zones, query.settings.robot.radius));
+  }
+  return PreparedMap(std::move(obstacles));
+}
+
 PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats) {
   PlanAnswer best;
   Planner planner;
@@ -85,7 +95,7 @@ PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats
   };
   for (int i = 0; i == 0 || !enough(i); ++i) {
     const Stopwatch prepare;
-    const PreparedMap map(grid, unknown_cells(query.settings.map));
+    const PreparedMap map = prepared(grid, query);
     const double seconds = prepare.seconds();
     Plan plan = planner.plan(map, query.start.position,
                              {.position = query.goal.position, .heading = query.goal.heading},
@@ -100,7 +110,7 @@ PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats
             .prepare_seconds = i > 0 ? std::min(seconds, best.prepare_seconds) : seconds};
   }
   if (!best.plan.usable()) {
-    const PreparedMap map(grid, unknown_cells(query.settings.map));
+    const PreparedMap map = prepared(grid, query);
     const double radius = query.settings.robot.radius;
     best.reason = explain(map, query.start.position, best.plan, radius);
     best.obstruction = find_obstruction(map, query.start.position, best.plan, radius);
@@ -127,6 +137,11 @@ Expected<int> PlanCommand::run() const {
   if (const auto applied = apply_options(query.settings); !applied) {
     return tl::unexpected(applied.error());
   }
+  if (!zones.empty()) {
+    const Expected<Zones> read = io::read_zones_file(zones);
+    if (!read) return tl::unexpected(read.error());
+    query.zones = *read;
+  }
   const Expected<OccupancyGrid> grid = load_map(map);
   if (!grid) return tl::unexpected(grid.error());
   if (const auto apart = check_apart({{"--json", json}, {"--picture", picture}}); !apart)
@@ -152,7 +167,7 @@ Expected<int> PlanCommand::run() const {
   }
   const std::string text = plan_json(found, query, choice->name,
                                      {.schema = "plan.v1",
-                                      .files = {map, settings.file},
+                                      .files = {map, settings.file, zones},
                                       .map = &*grid,
                                       .settings = &query.settings});
   if (const auto written = write_output(json, text); !written) {
@@ -200,6 +215,8 @@ void add_plan_command(CommandLine& tool) {
       .add("--repeat", command->repeats,
            "Report the fastest of N runs; default: as many as fit in 0.4 s")
       .between(1, 1000);
+  options.add("--zones", command->zones, "YAML file with a list `zones` that the plan obeys")
+      .type_name("FILE.yaml");
   options.add("--json", command->json, "Write the plan as JSON; - is standard output")
       .type_name("FILE");
   options.add("--picture", command->picture, "Draw the plan; .svg, .png or .pdf").type_name("FILE");

@@ -15,7 +15,9 @@
 #include "commands/commands.hpp"
 #include "experiments/clocks.hpp"
 #include "fairway/io/number_text.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/scenario_file.hpp"
+#include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/trace_file.hpp"
 #include "fairway/simulation/scenarios/swap_scenario.hpp"
 #include "results/episode_output.hpp"
@@ -31,9 +33,11 @@ struct SimulateCommand {
   std::string start;
   std::string goal;
   std::string swap;
+  std::string zones;
   std::string sensing;
   std::string noise;
   std::string physics;
+  std::string body;
   std::optional<int> seed;
   std::optional<double> time_limit;
   std::string json;
@@ -109,12 +113,30 @@ Expected<Scenario> SimulateCommand::load() const {
   if (!own) return tl::unexpected(own.error());
   if (const auto valid = validate(*own); !valid) return tl::unexpected(valid.error());
   loaded->settings = *own;
+  if (!zones.empty()) {
+    const Expected<Zones> read = io::read_zones_file(zones);
+    if (!read) return tl::unexpected(read.error());
+    loaded->zones.insert(loaded->zones.end(), read->begin(), read->end());
+    if (const auto valid = validate(loaded->zones); !valid) return tl::unexpected(valid.error());
+  }
   if (!sensing.empty())
     loaded->sensing.sensing = sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
   if (!noise.empty()) {
     use_noise(loaded->sensing, noise == "standard" ? SensorNoise::Standard : SensorNoise::None);
   }
   if (!physics.empty()) loaded->engine = physics == "mujoco" ? Engine::Mujoco : Engine::Unicycle;
+  if (!body.empty()) {
+    const Expected<RobotModel> model = io::read_robot_model(body);
+    if (!model) return tl::unexpected(model.error());
+    note_input(body);
+    for (RobotTask& robot : loaded->robots)
+      robot.model = *model;
+    describe_models(*loaded);
+  }
+  if (const auto fits = check_models(*loaded); !fits) return tl::unexpected(fits.error());
+  if (has_models(*loaded) && !outputs.log.empty())
+    return fail(
+        "--log: expected robots without a body of their own, found one: it cannot be replayed");
   if (seed) loaded->seed = static_cast<std::uint64_t>(*seed);
   if (time_limit) loaded->time_limit = *time_limit;
   return loaded;
@@ -137,7 +159,7 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
   if (!json.empty()) {
     Json object = episode_json(world, result);
     add_provenance(object, {.schema = "simulate.v1",
-                            .files = {scenario, map, settings.file},
+                            .files = {scenario, map, settings.file, zones},
                             .map = &world.map,
                             .seed = world.seed,
                             .settings = &world.settings});
@@ -206,12 +228,20 @@ void add_simulate_command(CommandLine& tool) {
            "Robots on a circle in open space swap places with the opposite robot [-, m]; "
            "--seed shifts their starts slightly, 0 does not")
       .type_name("N[,RADIUS]");
+  options
+      .add("--zones", command->zones,
+           "YAML file with a list `zones` that the robots obey, with those of the scenario")
+      .type_name("FILE.yaml");
   options.add("--sensing", command->sensing, "What the robots know; overrides the scenario")
       .one_of({"map", "lidar"});
   options.add("--noise", command->noise, "Errors of lidar and odometry; overrides the scenario")
       .one_of({"none", "standard"});
   options.add("--physics", command->physics, "What moves the robots; overrides the scenario")
       .one_of({"unicycle", "mujoco"});
+  options
+      .add("--body", command->body,
+           "Outline and base of all robots, as under `robot:` of a scenario's robot")
+      .type_name("FILE.yaml");
   options.add("--seed", command->seed, "Seed of all random numbers").not_negative();
   options.add("--time-limit", command->time_limit, "Longest run [s]")
       .check(number_between(0.001, 1e5));

@@ -13,6 +13,7 @@
 #include "fairway/io/drawing/world_picture.hpp"
 #include "fairway/planning/path_obstruction.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
+#include "results/plan_output.hpp"
 
 namespace fairway::app {
 
@@ -33,6 +34,20 @@ Json status_json(const RobotResult& robot) {
     }
   }
   return counts;
+}
+
+Json zones_json(const ZoneBreaches& breaches) {
+  return Json{{"intrusion", breaches.intrusion},
+              {"excursion", breaches.excursion},
+              {"excess", breaches.excess},
+              {"against_lanes", breaches.against_lanes}};
+}
+
+std::string zones_text(const ZoneBreaches& breaches) {
+  return fmt::format(
+      "broke the zones: {:.4f} m into a keep-out, {:.4f} m out of the strips, {:.4f} m/s too fast, "
+      "{:.4f} m against a one-way zone",
+      breaches.intrusion, breaches.excursion, breaches.excess, breaches.against_lanes);
 }
 
 std::string distance_text(double value) {
@@ -64,8 +79,16 @@ std::string failure_reason(const Scenario& scenario,
     return fmt::format("touched something at {:.2f} s, near ({:.2f}, {:.2f})", robot.time,
                        position.x(), position.y());
   }
-  if (!robot.plan.usable() && scenario.sensing.sensing == Sensing::Map) {
-    const PreparedMap map(scenario.map, unknown_cells(scenario.settings.map));
+  if (robot.reached && !robot.zones.none()) return zones_text(robot.zones);
+  // What is narrow for a disc is not what is narrow for a body of its own.
+  const bool disc = !scenario.robots[index].model;
+  if (!robot.plan.usable() && disc && scenario.sensing.sensing == Sensing::Map) {
+    BitGrid obstacles(scenario.map, unknown_cells(scenario.settings.map));
+    if (!scenario.zones.empty()) {
+      obstacles.set_zones(
+          std::make_shared<const ZoneMap>(scenario.zones, scenario.settings.robot.radius));
+    }
+    const PreparedMap map(std::move(obstacles));
     return explain(map, position, robot.plan, scenario.settings.robot.radius);
   }
   if (!robot.plan.usable()) return robot.plan.reason();
@@ -78,6 +101,19 @@ std::string failure_reason(const Scenario& scenario,
   text += fmt::format("; last status: {}", to_text(last->status));
   if (last->limit != LimitingFactor::None) text += fmt::format(" ({})", to_text(last->limit));
   return text;
+}
+
+// What closes every route of a robot that knows the map, where it is now.
+std::optional<PathObstruction> obstruction_of(const Scenario& scenario,
+                                              const EpisodeResult& result,
+                                              std::size_t index) {
+  const RobotResult& robot = result.robots[index];
+  if (robot.collided || robot.plan.usable() || scenario.sensing.sensing != Sensing::Map) return {};
+  if (scenario.robots[index].model) return {};
+  const TraceRow* const last = last_row(result, index);
+  const Pose2 pose = last != nullptr ? last->pose : scenario.robots[index].start;
+  const PreparedMap map(scenario.map, unknown_cells(scenario.settings.map));
+  return find_obstruction(map, pose.position, robot.plan, scenario.settings.robot.radius);
 }
 
 }  // namespace
@@ -102,8 +138,11 @@ Json episode_json(const Scenario& scenario, const EpisodeResult& result) {
                           {"cycle_us", microseconds_json(robot.cycle_seconds)},
                           {"solve_us", microseconds_json(robot.solve_seconds)},
                           {"plan_us", microseconds_json(robot.plan_seconds)}});
-    if (!robot.reached || robot.collided)
-      robots.back()["reason"] = failure_reason(scenario, result, i);
+    if (!scenario.zones.empty()) robots.back()["zones"] = zones_json(robot.zones);
+    if (robot.reached && !robot.collided && robot.zones.none()) continue;
+    robots.back()["reason"] = failure_reason(scenario, result, i);
+    if (const auto found = obstruction_of(scenario, result, i))
+      robots.back()["obstruction"] = obstruction_json(*found);
   }
   json["robots"] = std::move(robots);
   return json;
@@ -135,13 +174,16 @@ std::string failure_text(const Scenario& scenario, const EpisodeResult& result) 
   };
   if (auto text = failed([](const RobotResult& robot) { return robot.collided; })) return *text;
   if (auto text = failed([](const RobotResult& robot) { return !robot.reached; })) return *text;
+  if (auto text = failed([](const RobotResult& robot) { return !robot.zones.none(); }))
+    return *text;
   return "the run was stopped early";
 }
 
 Expected<std::string> world_picture(const Scenario& scenario,
                                     const EpisodeResult& result,
                                     const std::string& file) {
-  io::WorldDrawing drawing{.map = &scenario.map, .robots = {}, .bodies = {}};
+  io::WorldDrawing drawing{
+      .map = &scenario.map, .robots = {}, .bodies = {}, .zones = scenario.zones};
   for (std::size_t i = 0; i < result.robots.size(); ++i) {
     const Plan& plan = result.robots[i].plan;
     drawing.robots.push_back({.name = result.robots[i].name,

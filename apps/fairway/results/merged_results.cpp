@@ -69,6 +69,37 @@ struct Weighted {
   double weight;
 };
 
+// Counts of all runs from those of the parts: sums, and the least of what begins with "least".
+Json total(std::string_view key, const std::vector<const Json*>& parts) {
+  const Json& first = *parts.front();
+  if (first.is_object()) {
+    Json object = Json::object();
+    for (const auto& [name, value] : first.items()) {
+      std::vector<const Json*> inner;
+      for (const Json* one : parts) {
+        if (one->is_object() && one->contains(name)) inner.push_back(&one->at(name));
+      }
+      object[name] = total(name, inner);
+    }
+    return object;
+  }
+  Json sum = first;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Json& other = *parts[i];
+    if (!other.is_number()) continue;
+    if (!sum.is_number()) {
+      sum = other;
+    } else if (key.substr(0, 5) == "least") {
+      sum = std::min(sum.get<double>(), other.get<double>());
+    } else if (sum.is_number_integer() && other.is_number_integer()) {
+      sum = sum.get<std::int64_t>() + other.get<std::int64_t>();
+    } else {
+      sum = sum.get<double>() + other.get<double>();
+    }
+  }
+  return sum;
+}
+
 // A summary of all runs from those of the parts.
 Json joined(std::string_view key, const std::vector<Weighted>& parts) {
   const Json& first = *parts.front().value;
@@ -95,6 +126,22 @@ Json joined(std::string_view key, const std::vector<Weighted>& parts) {
     object[name] = joined(name, inner);
   }
   return object;
+}
+
+// How much a part counts in a summary: means of `fairway people` are over its successes, and its
+// rate of danger is over its steps; everything else is over all runs.
+double weight_of(std::string_view key, const Json& runs) {
+  double weight = 0.0;
+  for (const Json& run : runs) {
+    if (run.contains("outcome") && key.rfind("mean_", 0) == 0) {
+      weight += run.at("outcome") == "success" ? 1.0 : 0.0;
+    } else if (key == "danger_rate") {
+      weight += run.value("steps", 0.0);
+    } else {
+      weight += 1.0;
+    }
+  }
+  return weight;
 }
 
 }  // namespace
@@ -134,11 +181,17 @@ Expected<Json> merge_results(std::span<const ShardResult> shards) {
       std::vector<Weighted> parts;
       for (const ShardResult& shard : shards) {
         if (shard.result.contains(key)) {
-          parts.push_back(
-              {&shard.result.at(key), static_cast<double>(shard.result.at(list).size())});
+          parts.push_back({&shard.result.at(key), weight_of(key, shard.result.at(list))});
         }
       }
-      merged[key] = joined(key, parts);
+      if (key == "totals") {
+        std::vector<const Json*> counts;
+        for (const Weighted& one : parts)
+          counts.push_back(one.value);
+        merged[key] = total(key, counts);
+      } else {
+        merged[key] = joined(key, parts);
+      }
     }
   }
   merged["merged"] = Json::array();

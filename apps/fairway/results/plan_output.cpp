@@ -18,6 +18,13 @@ Json point_json(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); 
 
 }  // namespace
 
+Json obstruction_json(const PathObstruction& obstruction) {
+  return {{"kind", to_text(obstruction.kind)},
+          {"position", point_json(obstruction.position)},
+          {"found", obstruction.found},
+          {"needed", obstruction.needed}};
+}
+
 std::string plan_json(const PlanAnswer& answer,
                       const PlanQuery& query,
                       const char* method,
@@ -27,10 +34,7 @@ std::string plan_json(const PlanAnswer& answer,
   json["success"] = plan.usable();
   if (!plan.usable()) json["reason"] = answer.reason;
   if (answer.obstruction) {
-    json["obstruction"] = Json{{"kind", to_text(answer.obstruction->kind)},
-                               {"position", point_json(answer.obstruction->position)},
-                               {"found", answer.obstruction->found},
-                               {"needed", answer.obstruction->needed}};
+    json["obstruction"] = obstruction_json(*answer.obstruction);
   }
   json["method"] = method;
   json["start"] = point_json(query.start.position);
@@ -94,7 +98,8 @@ Expected<void> write_plan_picture(const std::string& file,
                   .path = plan.path,
                   .corridor = plan.corridor,
                   .track = {}}},
-      .bodies = {}};
+      .bodies = {},
+      .zones = query.zones};
   const Expected<std::string> bytes = io::draw_world(drawing, *io::picture_format(file));
   return bytes ? write_output(file, *bytes) : tl::unexpected(bytes.error());
 }

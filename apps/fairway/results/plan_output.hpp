@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 
+#include "cli/output.hpp"
 #include "cli/point_argument.hpp"
 #include "cli/provenance.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/planning/path_obstruction.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway::app {
 
@@ -16,6 +18,7 @@ struct PlanQuery {
   PointArgument start;
   PointArgument goal;
   Settings settings;
+  Zones zones;
   PlannerHooks hooks;
 };
 
@@ -26,6 +29,9 @@ struct PlanAnswer {
   std::optional<PathObstruction> obstruction;  ///< the same as numbers, if there is no path
   double prepare_seconds = 0.0;  ///< computing obstacles and distances of the map's cells [s]
 };
+
+/// An obstruction as all results write it.
+[[nodiscard]] Json obstruction_json(const PathObstruction& obstruction);
 
 /// The plan as the JSON object of the command-line interface; `method` is the corridor's.
 [[nodiscard]] std::string plan_json(const PlanAnswer& answer,

@@ -149,6 +149,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
     const std::string_view offered = view(request[http::field::sec_websocket_protocol]);
     const bool is_viewer = offered.find(FoxgloveDialogue::kProtocol) != std::string_view::npos;
     if (!is_viewer && view(request.target()) != "/live") return refuse(http::status::not_found);
+    context_.world.welcome();
     Dialogue& dialogue = is_viewer ? static_cast<Dialogue&>(context_.viewers) : context_.pages;
     // The connection now belongs to the socket session, with its end.
     start_socket_session(std::move(stream_), parser_->release(), dialogue,

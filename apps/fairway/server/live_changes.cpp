@@ -12,10 +12,7 @@ namespace fairway::app {
 
 namespace {
 
-constexpr double kWalkingSpeed = 1.4;              // [m/s]
 constexpr std::size_t kMostStrokeCells = 500'000;  // of one stroke
-constexpr std::size_t kMostBodies = 100;
-constexpr std::size_t kMostRobots = 50;
 
 // Cells from `first` to `last` of one side of the map.
 struct CellRange {
@@ -53,25 +50,7 @@ std::vector<CellIndex> cells_of(const PaintCommand& stroke, const GridFrame& fra
   return cells;
 }
 
-// "robot 3": the first number that no other has.
-template <typename Named>
-std::string new_name(const std::string& kind, const std::vector<Named>& others) {
-  for (std::size_t number = 1;; ++number) {
-    std::string name = kind;
-    name.append(" ").append(std::to_string(number));
-    const auto taken = [&](const Named& other) { return other.name == name; };
-    if (std::none_of(others.begin(), others.end(), taken)) return name;
-  }
-}
-
 }  // namespace
-
-bool LiveWorld::has_robot(std::size_t robot) const { return robot < scenario_.robots.size(); }
-
-bool LiveWorld::on_map(const Eigen::Vector2d& point) const {
-  const GridFrame& frame = scenario_.map.frame();
-  return frame.contains(frame.cell_at(point));
-}
 
 void LiveWorld::apply(EpisodeControl& /*control*/, const PauseCommand& command) {
   state_.paused = command.paused;
@@ -91,94 +70,118 @@ void LiveWorld::apply(EpisodeControl& /*control*/, const SpeedCommand& command) 
 }
 
 void LiveWorld::apply(EpisodeControl& /*control*/, const RestartCommand& /*command*/) {
+  // Removed robots leave their indices, so edits from before would change others.
+  if (std::find(removed_.begin(), removed_.end(), true) != removed_.end()) history_.clear();
   again_ = true;
 }
 
-void LiveWorld::apply(EpisodeControl& control, const GoalCommand& command) {
-  if (!has_robot(command.robot) || !on_map(command.goal.position)) return;
-  scenario_.robots[command.robot].goal = command.goal;
-  control.set_goal(command.robot, command.goal);
+void LiveWorld::apply(EpisodeControl& /*control*/, const RevertCommand& /*command*/) {
+  const Settings settings = scenario_.settings;
+  const SensingModel sensing = scenario_.sensing;
+  begin_with(state_.map, choices_[state_.map].make());
+  scenario_.settings = settings;
+  scenario_.sensing = sensing;
 }
 
-void LiveWorld::apply(EpisodeControl& /*control*/, const StartCommand& command) {
-  if (!has_robot(command.robot) || !on_map(command.pose.position)) return;
-  scenario_.robots[command.robot].start = command.pose;
-  again_ = true;
+void LiveWorld::apply(EpisodeControl& control, const HaltCommand& command) {
+  control.set_halted(command.halted);
+  state_.halted = command.halted;
+  tell_state();
 }
 
-void LiveWorld::apply(EpisodeControl& /*control*/, const AddRobotCommand& command) {
-  if (!on_map(command.pose.position)) return;
-  if (scenario_.robots.size() >= kMostRobots) {
-    listener_.on_notice("There are as many robots as the live page can have");
-    return;
+void LiveWorld::apply(EpisodeControl& control, const UndoCommand& command) {
+  const bool done = command.redo ? history_.redo(control) : history_.undo(control);
+  if (!done) refuse(command.redo ? "There is nothing to redo." : "There is nothing to undo.");
+  tell_state();
+}
+
+void LiveWorld::refuse(std::string text, std::optional<Eigen::Vector2d> at) {
+  listener_.on_refusal({.client = client_, .text = std::move(text), .at = at});
+}
+
+void LiveWorld::edited(Edit edit) {
+  history_.add(std::move(edit));
+  state_.edited = true;
+  tell_state();
+}
+
+// Makes cells what `states` says; cells under a robot stay free.
+void LiveWorld::set_cells(EpisodeControl& control,
+                          const std::vector<CellIndex>& cells,
+                          const std::vector<CellState>& states) {
+  std::vector<CellIndex> blocked;
+  std::vector<CellIndex> free;
+  const bool unknown_blocks = scenario_.settings.map.unknown_is_occupied;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool is_blocked =
+        states[i] == CellState::Occupied || (states[i] == CellState::Unknown && unknown_blocks);
+    (is_blocked ? blocked : free).push_back(cells[i]);
   }
-  scenario_.robots.push_back({.name = new_name("robot", scenario_.robots),
-                              .start = command.pose,
-                              .goal = {.position = command.pose.position, .heading = {}}});
-  again_ = true;
-}
-
-void LiveWorld::apply(EpisodeControl& /*control*/, const RemoveRobotCommand& command) {
-  if (!has_robot(command.robot) || scenario_.robots.size() == 1) return;
-  scenario_.robots.erase(scenario_.robots.begin() + static_cast<std::ptrdiff_t>(command.robot));
-  again_ = true;
+  control.set_cells(free, false);
+  control.set_cells(blocked, true);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool refused = states[i] != CellState::Free &&
+                         !control.world().obstacles().blocked(cells[i]) &&
+                         (states[i] == CellState::Occupied || unknown_blocks);
+    scenario_.map.set(cells[i], refused ? CellState::Free : states[i]);
+  }
 }
 
 void LiveWorld::apply(EpisodeControl& control, const PaintCommand& command) {
-  const std::vector<CellIndex> cells = cells_of(command, scenario_.map.frame());
-  control.set_cells(cells, command.blocked);
-  for (const CellIndex cell : cells) {
-    const bool blocked = control.world().obstacles().blocked(cell);
-    if (blocked != command.blocked) continue;  // a robot stands there
-    scenario_.map.set(cell, blocked ? CellState::Occupied : CellState::Free);
+  std::vector<CellIndex> cells;
+  std::vector<CellState> before;
+  const CellState wanted = command.blocked ? CellState::Occupied : CellState::Free;
+  for (const CellIndex cell : cells_of(command, scenario_.map.frame())) {
+    if (scenario_.map.at(cell) == wanted) continue;
+    cells.push_back(cell);
+    before.push_back(scenario_.map.at(cell));
   }
+  if (cells.empty()) return;
+  set_cells(control, cells, std::vector<CellState>(cells.size(), wanted));
+  std::vector<CellState> after;
+  after.reserve(cells.size());
+  for (const CellIndex cell : cells)
+    after.push_back(scenario_.map.at(cell));
+  const auto change = [this, cells](std::vector<CellState> states) {
+    return [this, cells, states = std::move(states)](EpisodeControl& to) {
+      set_cells(to, cells, states);
+    };
+  };
+  edited({.label = command.blocked ? "draw obstacle" : "erase",
+          .undo = change(std::move(before)),
+          .redo = change(std::move(after)),
+          .stroke = command.stroke});
 }
 
-void LiveWorld::apply(EpisodeControl& control, const WalkCommand& command) {
-  if (!on_map(command.target)) return;
-  const World& world = control.world();
-  const bool is_new = !command.body;
-  const std::size_t index = command.body.value_or(world.num_bodies());
-  if (index > world.num_bodies() || (!is_new && index == world.num_bodies())) return;
-  if (is_new && index >= kMostBodies) return;
-  MovingBody body;
-  if (is_new) {
-    body.name = new_name("person", scenario_.bodies);
-    body.key_frames = {{.time = 0.0, .position = command.target}};
-  } else {
-    body = world.body(index);
-    const Eigen::Vector2d here = body.at(world.time()).position;
-    const double needs = (command.target - here).norm() / kWalkingSpeed;
-    body.loop = false;
-    body.key_frames = {{.time = world.time(), .position = here}};
-    if (needs > 0.01) {
-      body.key_frames.push_back({.time = world.time() + needs, .position = command.target});
-    }
-  }
-  control.set_body(index, body);
-  // In a scenario that is saved it stands where it was led.
-  body.key_frames = {{.time = 0.0, .position = command.target}};
-  if (index == scenario_.bodies.size()) scenario_.bodies.emplace_back();
-  scenario_.bodies.at(index) = body;
-}
-
-void LiveWorld::apply(EpisodeControl& control, const RemoveBodyCommand& command) {
-  if (command.body >= control.world().num_bodies()) return;
-  control.remove_body(command.body);
-  scenario_.bodies.erase(scenario_.bodies.begin() + static_cast<std::ptrdiff_t>(command.body));
+// Changes the settings of the running world.
+void LiveWorld::use_settings(EpisodeControl& control, const Settings& settings) {
+  scenario_.settings = settings;
+  Settings live = settings;
+  live.planning.background = true;
+  control.set_settings(live);
 }
 
 void LiveWorld::apply(EpisodeControl& control, const SettingCommand& command) {
-  Settings changed = scenario_.settings;
-  Expected<void> valid = io::assign_setting(changed, command.assignment);
+  const Settings before = scenario_.settings;
+  Settings changed = before;
+  Expected<void> valid;
+  std::vector<std::string> names;
+  for (const std::string& assignment : command.assignments) {
+    names.push_back(assignment.substr(0, assignment.find('=')));
+    if (valid) valid = io::assign_setting(changed, assignment);
+  }
   if (valid) valid = validate(changed);
   if (!valid) {
-    listener_.on_notice(valid.error().message);
-    stream_.on_navigators(control.world().time(), scenario_.settings, {});  // sliders go back
+    listener_.on_refusal(
+        {.client = client_, .text = valid.error().message, .at = {}, .settings = std::move(names)});
     return;
   }
-  scenario_.settings = changed;
-  control.set_settings(changed);
+  use_settings(control, changed);
+  std::string label = "change " + names.front();
+  const auto use = [this](const Settings& settings) {
+    return [this, settings](EpisodeControl& to) { use_settings(to, settings); };
+  };
+  edited({.label = std::move(label), .undo = use(before), .redo = use(changed)});
 }
 
 void LiveWorld::apply(EpisodeControl& /*control*/, const SenseCommand& command) {
@@ -191,14 +194,35 @@ void LiveWorld::apply(EpisodeControl& /*control*/, const ChooseMapCommand& comma
   if (command.index >= choices_.size()) return;
   const Settings settings = scenario_.settings;
   const SensingModel sensing = scenario_.sensing;
-  scenario_ = choices_[command.index].make();
+  if (state_.map < left_.size() && state_.edited) left_[state_.map] = as_saved();
+  const bool kept = left_[command.index].has_value();
+  begin_with(command.index, kept ? *left_[command.index] : choices_[command.index].make());
+  state_.edited = kept;
   // A given scenario has its own settings; the built-in maps keep those in force.
   if (!choices_[command.index].own_settings) {
     scenario_.settings = settings;
     scenario_.sensing = sensing;
   }
-  state_.map = command.index;
+}
+
+// Begins a new run with a choice, as it is given or as it was left.
+void LiveWorld::begin_with(std::size_t choice, Scenario scenario) {
+  scenario_ = std::move(scenario);
+  removed_.assign(scenario_.robots.size(), false);
+  state_.map = choice;
+  state_.edited = false;
+  history_.clear();
   again_ = true;
+}
+
+// The scenario without the robots that were removed from the run.
+Scenario LiveWorld::as_saved() const {
+  Scenario saved = scenario_;
+  saved.robots.clear();
+  for (std::size_t i = 0; i < scenario_.robots.size(); ++i) {
+    if (!removed_[i]) saved.robots.push_back(scenario_.robots[i]);
+  }
+  return saved;
 }
 
 }  // namespace fairway::app

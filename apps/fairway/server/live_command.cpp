@@ -20,6 +20,7 @@ constexpr double kWidestBrush = 5.0;       // [m]
 constexpr double kLongestStroke = 100.0;   // [m]
 constexpr std::size_t kLongestText = 400;  // of a setting [bytes]
 constexpr std::size_t kMostIndex = 100'000;
+constexpr std::size_t kMostAssignments = 20;
 
 // Numbers of a message; what is wrong is thrown and becomes an Error in parse_command.
 double number(const Json& json, const char* key, double most = kFurthest) {
@@ -51,6 +52,7 @@ ClientCommand paint(const Json& json) {
   if (!(command.radius > 0.0) || (command.to - command.from).norm() > kLongestStroke) {
     throw std::invalid_argument("the stroke is out of range");
   }
+  if (json.contains("stroke")) command.stroke = index(json, "stroke");
   return command;
 }
 
@@ -62,8 +64,15 @@ ClientCommand goal(const Json& json) {
 }
 
 ClientCommand setting(const Json& json) {
-  SettingCommand command{.assignment = json.at("assignment").get<std::string>()};
-  if (command.assignment.size() > kLongestText) throw std::invalid_argument("too long");
+  SettingCommand command{.assignments = {}};
+  const Json& given =
+      json.contains("assignments") ? json.at("assignments") : Json::array({json.at("assignment")});
+  if (!given.is_array() || given.empty() || given.size() > kMostAssignments)
+    throw std::invalid_argument("assignments are not a short list");
+  for (const Json& text : given) {
+    command.assignments.push_back(text.get<std::string>());
+    if (command.assignments.back().size() > kLongestText) throw std::invalid_argument("too long");
+  }
   return command;
 }
 
@@ -100,10 +109,25 @@ const std::map<std::string, Reader, std::less<>>& readers() {
        }},
       {"restart", [](const Json&) -> ClientCommand { return RestartCommand{}; }},
       {"goal", goal},
-      {"start",
+      {"cancel",
        [](const Json& json) -> ClientCommand {
-         return StartCommand{.robot = index(json, "robot"), .pose = pose(json)};
+         return CancelCommand{.robot = index(json, "robot")};
        }},
+      {"pose",
+       [](const Json& json) -> ClientCommand {
+         return PoseCommand{.robot = index(json, "robot"), .pose = pose(json)};
+       }},
+      {"reset_robot",
+       [](const Json& json) -> ClientCommand {
+         return ResetRobotCommand{.robot = index(json, "robot")};
+       }},
+      {"halt",
+       [](const Json& json) -> ClientCommand {
+         return HaltCommand{.halted = json.at("halted").get<bool>()};
+       }},
+      {"undo", [](const Json&) -> ClientCommand { return UndoCommand{.redo = false}; }},
+      {"redo", [](const Json&) -> ClientCommand { return UndoCommand{.redo = true}; }},
+      {"revert", [](const Json&) -> ClientCommand { return RevertCommand{}; }},
       {"add_robot",
        [](const Json& json) -> ClientCommand { return AddRobotCommand{.pose = pose(json)}; }},
       {"remove_robot",

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "fairway/base/error.hpp"
 #include "fairway/simulation/scenario.hpp"
@@ -27,10 +29,29 @@ struct GoalCommand {
   std::size_t robot = 0;
   Goal goal;
 };
-struct StartCommand {
+/// Drops the goal of a robot.
+struct CancelCommand {
+  std::size_t robot = 0;
+};
+/// Places a robot in the running world. It also starts there when the run is reset.
+struct PoseCommand {
   std::size_t robot = 0;
   Pose2 pose;
 };
+/// Puts a robot back to its start, for example after a collision; it keeps its goal.
+struct ResetRobotCommand {
+  std::size_t robot = 0;
+};
+/// Emergency stop of all robots, or its release.
+struct HaltCommand {
+  bool halted = false;
+};
+/// Undoes the last edit, or makes the edit again that was undone last.
+struct UndoCommand {
+  bool redo = false;
+};
+/// Begins again with the map and the robots as they were before any edit.
+struct RevertCommand {};
 struct AddRobotCommand {
   Pose2 pose;
 };
@@ -43,6 +64,7 @@ struct PaintCommand {
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
   double radius = 0.1;
   bool blocked = true;
+  std::uint64_t stroke = 0;  ///< parts of one stroke are undone together
 };
 /// A person walks to a place; without a body a new person is placed there.
 struct WalkCommand {
@@ -52,8 +74,9 @@ struct WalkCommand {
 struct RemoveBodyCommand {
   std::size_t body = 0;
 };
+/// Changes settings together: they are valid together, or none of them changes.
 struct SettingCommand {
-  std::string assignment;  ///< group.name=value
+  std::vector<std::string> assignments;  ///< group.name=value
 };
 struct ChooseMapCommand {
   std::size_t index = 0;
@@ -71,7 +94,12 @@ using ClientCommand = std::variant<PauseCommand,
                                    SpeedCommand,
                                    RestartCommand,
                                    GoalCommand,
-                                   StartCommand,
+                                   CancelCommand,
+                                   PoseCommand,
+                                   ResetRobotCommand,
+                                   HaltCommand,
+                                   UndoCommand,
+                                   RevertCommand,
                                    AddRobotCommand,
                                    RemoveRobotCommand,
                                    PaintCommand,

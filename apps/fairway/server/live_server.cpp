@@ -33,7 +33,7 @@ class LiveServer {
       : stop_signal_([this] { loop_.stop(); }),
         acceptor_(loop_),
         pause_(loop_),
-        world_(std::move(maps), listener()),
+        world_(std::move(maps), listener(), LiveWorld::Begin::WithViewer),
         pages_(world_),
         uploads_([this](Scenario scenario) { return world_.use_map(std::move(scenario)); }),
         context_{.world = world_,
@@ -90,7 +90,8 @@ class LiveServer {
                   });
                 },
             .on_state = handed(&PageDialogue::state),
-            .on_notice = handed(&PageDialogue::notice)};
+            .on_notice = handed(&PageDialogue::notice),
+            .on_refusal = handed(&PageDialogue::refusal)};
   }
 
   void accept() {

@@ -23,21 +23,25 @@ constexpr std::size_t kMostWaitingWithDownloads = 300;  // commands and download
 constexpr std::size_t kMostUploads = 8;                 // maps; the oldest makes room
 constexpr std::size_t kMostRecords = 64U << 20U;        // for a report [bytes]
 constexpr double kBeginningPeriod = 60.0;  // who joins late sees at least as much of the past [s]
-constexpr std::size_t kBeginningBytes = 8U << 20U;  // or so much of it
-constexpr double kServing = 0.05;                   // of a cycle, however late it is [s]
-constexpr double kFarBehind = 0.5;                  // then it does not try to catch up [s]
+constexpr std::size_t kBeginningBytes = 8U << 20U;    // or so much of it
+constexpr std::chrono::milliseconds kPlansTaken{40};  // how often, in a world that is paused
+constexpr double kServing = 0.05;                     // of a cycle, however late it is [s]
+constexpr double kFarBehind = 0.5;                    // then it does not try to catch up [s]
 
 }  // namespace
 
-LiveWorld::LiveWorld(std::vector<MapChoice> choices, LiveListener listener)
+LiveWorld::LiveWorld(std::vector<MapChoice> choices, LiveListener listener, Begin begin)
     : choices_(std::move(choices)),
       num_given_(choices_.size()),
       listener_(std::move(listener)) {
   for (const MapChoice& choice : choices_)
     state_.maps.push_back(choice.name);
-  scenario_ = choices_.front().make();
+  left_.resize(choices_.size());
+  begin_with(0, choices_.front().make());
   good_settings_ = scenario_.settings;
-  thread_ = std::jthread([this] { run(); });
+  welcomed_ = begin != Begin::WithViewer;
+  state_.waiting = !welcomed_;
+  if (begin != Begin::Stepped) thread_ = std::jthread([this] { run(); });
 }
 
 LiveWorld::~LiveWorld() {
@@ -48,7 +52,18 @@ LiveWorld::~LiveWorld() {
   wake_.notify_all();
 }
 
-void LiveWorld::ask(ClientCommand command) { enqueue(std::move(command), kMostWaitingCommands); }
+void LiveWorld::ask(ClientCommand command, std::uint64_t client) {
+  enqueue(Asked{.command = std::move(command), .client = client}, kMostWaitingCommands);
+}
+
+void LiveWorld::welcome() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (welcomed_) return;
+    welcomed_ = true;
+  }
+  wake_.notify_all();
+}
 
 bool LiveWorld::use_map(Scenario scenario) {
   return enqueue(UseMap{.scenario = std::move(scenario)}, kMostMapsWaiting);
@@ -83,7 +98,8 @@ void LiveWorld::run() {
   }
 }
 
-void LiveWorld::run_once() {
+// @return the scenario of the new run.
+Scenario LiveWorld::begin_run() {
   again_ = false;
   fresh_ = true;
   full_told_ = false;
@@ -91,12 +107,21 @@ void LiveWorld::run_once() {
   told_since_ = 0;
   due_ = steady_seconds();
   records_.clear();
-  const Scenario scenario = scenario_;
+  scenario_ = as_saved();
+  removed_.assign(scenario_.robots.size(), false);
+  state_.halted = false;
+  Scenario scenario = scenario_;
+  scenario.settings.planning.background = true;  // so that no cycle waits for a plan
+  tell_state();
+  return scenario;
+}
+
+void LiveWorld::run_once() {
+  const Scenario scenario = begin_run();
   io::RunMessages recorded(*messages_);
   ObserverList observers;
   observers.add(stream_);
   observers.add(recorded);
-  tell_state();
   static_cast<void>(
       run_episode(scenario, {.clock = steady_seconds,
                              .on_cycle = {},
@@ -111,10 +136,7 @@ void LiveWorld::recover(const std::string& reason) {
   listener_.on_notice("The run has ended: " + one_line(reason));
   ++failures_;
   if (failures_ == 1) scenario_.settings = good_settings_;
-  if (failures_ == 2) {
-    scenario_ = choices_.front().make();
-    state_.map = 0;
-  }
+  if (failures_ == 2) begin_with(0, choices_.front().make());
   if (failures_ <= 2) return;
   std::unique_lock lock(mutex_);
   wake_.wait(lock, [this] { return stopping_ || !requests_.empty(); });
@@ -139,13 +161,27 @@ bool LiveWorld::play(EpisodeControl& control) {
 // goes on.
 void LiveWorld::serve_requests(EpisodeControl& control) {
   const double least = steady_seconds() + kServing;
-  while (std::optional<Request> request = next_request(std::max(due_, least))) {
-    carry_out(control, *request);
+  while (true) {
+    std::optional<Request> request = next_request(std::max(due_, least));
+    if (!request && !waits_on()) return;
+    if (request) {
+      carry_out(control, *request);
+    } else {
+      control.take_plans();
+    }
     stream_.tell_true_map(control.world().time(), control.world().obstacles());
     publish();
     tell_beginning(control.world().time());
     if (again_ || std::exchange(step_, false)) return;
   }
+}
+
+bool LiveWorld::holds() const { return state_.paused || state_.waiting; }
+
+// Whether the world stays as it is although nothing was asked.
+bool LiveWorld::waits_on() {
+  const std::lock_guard lock(mutex_);
+  return !stopping_ && holds();
 }
 
 // So that the past which late comers are sent is bounded, also where the world is paused and
@@ -162,12 +198,19 @@ void LiveWorld::tell_beginning(double time) {
 std::optional<LiveWorld::Request> LiveWorld::next_request(double until) {
   std::unique_lock lock(mutex_);
   const auto asked = [this] { return stopping_ || !requests_.empty(); };
-  if (state_.paused) {
-    wake_.wait(lock, asked);
+  if (state_.waiting && welcomed_) {
+    state_.waiting = false;
+    due_ = steady_seconds();
+    lock.unlock();
+    tell_state();
+    lock.lock();
+  }
+  if (state_.paused || state_.waiting) {
+    wake_.wait_for(lock, kPlansTaken, [&] { return asked() || state_.waiting == welcomed_; });
   } else {
     wake_.wait_for(lock, std::chrono::duration<double>(due_ - steady_seconds()), asked);
   }
-  const bool enough = !state_.paused && steady_seconds() > until;
+  const bool enough = !holds() && steady_seconds() > until;
   if (stopping_ || requests_.empty() || enough) return std::nullopt;
   Request request = std::move(requests_.front());
   requests_.pop_front();
@@ -185,7 +228,7 @@ void LiveWorld::publish() {
   if (!full_told_ && (messages_->full() || records_.size() >= kMostRecords)) {
     full_told_ = true;
     listener_.on_notice(
-        "The recording is full: what happens now is not saved. Restart begins a new one");
+        "The recording is full: from now on nothing is saved. Reset run begins a new one.");
   }
   listener_.on_messages(messages_->take());
 }
@@ -193,12 +236,15 @@ void LiveWorld::publish() {
 void LiveWorld::tell_state() {
   state_.sensing = scenario_.sensing.sensing;
   state_.noise = noise_of(scenario_.sensing);
+  state_.undo = history_.undo_label();
+  state_.redo = history_.redo_label();
   listener_.on_state(state_);
 }
 
 void LiveWorld::carry_out(EpisodeControl& control, Request& request) {
-  if (auto* command = std::get_if<ClientCommand>(&request)) {
-    std::visit([&](const auto& what) { apply(control, what); }, *command);
+  if (auto* asked = std::get_if<Asked>(&request)) {
+    client_ = asked->client;
+    std::visit([&](const auto& what) { apply(control, what); }, asked->command);
   } else if (auto* save_request = std::get_if<Save>(&request)) {
     save(*save_request);
   } else if (auto* map = std::get_if<UseMap>(&request)) {
@@ -206,11 +252,15 @@ void LiveWorld::carry_out(EpisodeControl& control, Request& request) {
       const auto oldest = static_cast<std::ptrdiff_t>(num_given_);
       choices_.erase(choices_.begin() + oldest);
       state_.maps.erase(state_.maps.begin() + oldest);
+      left_.erase(left_.begin() + oldest);
+      if (state_.map == num_given_) state_.edited = false;  // it is dropped with its edits
+      if (state_.map > num_given_) --state_.map;
     }
     const std::string name = map->scenario.name;
     choices_.push_back(
         {.name = name, .make = [scenario = std::move(map->scenario)] { return scenario; }});
     state_.maps.push_back(name);
+    left_.emplace_back();
     apply(control, ChooseMapCommand{.index = choices_.size() - 1});
   }
 }
@@ -221,7 +271,7 @@ void LiveWorld::save(const Save& request) const {
       request.done(messages_->recording());
       return;
     case Download::Scenario:
-      request.done(io::zip_archive(io::scenario_files(scenario_)));
+      request.done(io::zip_archive(io::scenario_files(as_saved())));
       return;
     case Download::Report:
       request.done(io::report_page(records_));

@@ -20,7 +20,7 @@ std::shared_ptr<const std::string> dumped(const Json& json) {
 }  // namespace
 
 void PageDialogue::on_open(Connection& connection) {
-  connections_.insert(&connection);
+  connections_.emplace(&connection, next_client_++);
   if (state_) connection.send(state_, false);
   if (past_.empty()) return;
   connection.send(past_.front().beginning, true);
@@ -32,7 +32,7 @@ void PageDialogue::on_open(Connection& connection) {
 void PageDialogue::on_message(Connection& connection, std::string_view message, bool binary) {
   Expected<ClientCommand> command = binary ? fail("expected text") : parse_command(message);
   if (command) {
-    world_.ask(*std::move(command));
+    world_.ask(*std::move(command), connections_.at(&connection));
   } else {
     connection.send(dumped({{"notice", command.error().message}}), false);
   }
@@ -64,6 +64,11 @@ void PageDialogue::state(const LiveState& state) {
                 {"speed", state.speed},
                 {"map", state.map},
                 {"maps", state.maps},
+                {"halted", state.halted},
+                {"waiting", state.waiting},
+                {"edited", state.edited},
+                {"undo", state.undo},
+                {"redo", state.redo},
                 {"sensing", setting_names(state.sensing)[static_cast<std::size_t>(state.sensing)]},
                 {"noise", setting_names(state.noise)[static_cast<std::size_t>(state.noise)]}}}});
   send_all(state_, false);
@@ -71,8 +76,17 @@ void PageDialogue::state(const LiveState& state) {
 
 void PageDialogue::notice(const std::string& text) { send_all(dumped({{"notice", text}}), false); }
 
+void PageDialogue::refusal(const Refusal& refusal) {
+  Json json{{"text", refusal.text}};
+  if (refusal.at) json["at"] = {{"x", refusal.at->x()}, {"y", refusal.at->y()}};
+  if (!refusal.settings.empty()) json["settings"] = refusal.settings;
+  for (const auto& [connection, client] : connections_) {
+    if (client == refusal.client) connection->send(dumped({{"refused", json}}), false);
+  }
+}
+
 void PageDialogue::send_all(const Bytes& message, bool binary) {
-  for (Connection* connection : connections_)
+  for (const auto& [connection, client] : connections_)
     connection->send(message, binary);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 
 #include "server/connection.hpp"
@@ -26,6 +27,7 @@ class PageDialogue final : public Dialogue {
   void beginning(std::string records);
   void state(const LiveState& state);
   void notice(const std::string& text);
+  void refusal(const Refusal& refusal);
 
  private:
   using Bytes = std::shared_ptr<const std::string>;
@@ -39,7 +41,8 @@ class PageDialogue final : public Dialogue {
   };
 
   LiveWorld& world_;
-  std::set<Connection*> connections_;
+  std::map<Connection*, std::uint64_t> connections_;  // their numbers
+  std::uint64_t next_client_ = 1;
   std::deque<Stretch> past_;
   Bytes state_;
 };

@@ -198,7 +198,8 @@ std::optional<Figure> break_figure(MapKind kind, const std::vector<CorridorCompa
                         .fill = kMdsrcColor.faded(0.25)},
                        {.kind = Kind::Line, .text = "path", .stroke = kPathStroke},
                        {.kind = Kind::Area, .text = "obstacle", .fill = io::kOccupiedColor}},
-            .panels = {panel("MDSRC, as published", pair), panel("fewest (ours)", joined)}};
+            .panels = {panel("MDSRC, as published", pair),
+                       panel("fewest-rectangle (Fairway)", joined)}};
         return draw_panels(picture, format);
       }};
 }

@@ -48,7 +48,7 @@ const char* short_name(CorridorKind kind) {
     case CorridorKind::FewestConfiguration:
       break;
   }
-  return "fewest (ours)";
+  return "fewest-rectangle (Fairway)";
 }
 
 Panel corridor_panel(const std::shared_ptr<const CorridorComparison>& map,

@@ -104,7 +104,7 @@ std::vector<io::LegendEntry> stuck_legend() {
           area("current corridor, contracted", kMdsrcColor),
           area("next corridor, contracted", kFsrcColor),
           {.kind = Kind::Line, .text = "ISMPC", .stroke = track_stroke(DriverKind::Ismpc)},
-          {.kind = Kind::Line, .text = "ours", .stroke = track_stroke(DriverKind::Ours)}};
+          {.kind = Kind::Line, .text = "Fairway", .stroke = track_stroke(DriverKind::Ours)}};
 }
 
 }  // namespace

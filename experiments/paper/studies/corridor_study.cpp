@@ -112,15 +112,15 @@ const char* to_text(CorridorKind kind) noexcept {
     case CorridorKind::MdsrcPublished:
       return "MDSRC, as published";
     case CorridorKind::SrcSound:
-      return "SRC, made sound";
+      return "SRC, corrected";
     case CorridorKind::FsrcSound:
-      return "FSRC, made sound";
+      return "FSRC, corrected";
     case CorridorKind::MdsrcSound:
-      return "MDSRC, made sound";
+      return "MDSRC, corrected";
     case CorridorKind::Fewest:
-      return "fewest (ours), workspace";
+      return "fewest-rectangle (Fairway), workspace";
     case CorridorKind::FewestConfiguration:
-      return "fewest (ours), for the centre";
+      return "fewest-rectangle (Fairway), for the centre";
   }
   return "unknown";
 }

@@ -27,7 +27,7 @@ const char* to_text(DriverKind kind) noexcept {
     case DriverKind::Ismpc:
       return "ISMPC (the paper's)";
     case DriverKind::Ours:
-      return "ours";
+      return "Fairway";
   }
   return "unknown";
 }

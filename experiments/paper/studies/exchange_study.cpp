@@ -65,7 +65,7 @@ const char* to_text(ExchangeKind kind) noexcept {
     case ExchangeKind::Ismpc:
       return "ISMPC (the paper's)";
     case ExchangeKind::Ours:
-      return "ours";
+      return "Fairway";
   }
   return "unknown";
 }

@@ -78,7 +78,7 @@ const char* to_text(RectangleKind kind) noexcept {
     case RectangleKind::Mdsrc:
       return "MDSRC";
     case RectangleKind::Largest:
-      return "largest (ours)";
+      return "largest (Fairway)";
   }
   return "unknown";
 }

@@ -100,7 +100,7 @@ Table table_two(const std::vector<CorridorEnvironment>& environments) {
               .header = {"method"},
               .rows = {}};
   for (const CorridorEnvironment& e : environments) {
-    for (const char* name : {"NC paper", "NC ours", "MA paper", "MA ours"})
+    for (const char* name : {"NC paper", "NC Fairway", "MA paper", "MA Fairway"})
       table.header.push_back(e.name + ": " + name);
   }
   for (std::size_t i = 0; i < kCorridorKinds; ++i) {
@@ -192,7 +192,7 @@ Table corridor_times(const std::vector<CorridorEnvironment>& environments) {
       .rows = {}};
   for (const CorridorEnvironment& e : environments) {
     table.header.push_back(e.name + ": TS paper");
-    table.header.push_back(e.name + ": TS ours");
+    table.header.push_back(e.name + ": TS Fairway");
   }
   for (std::size_t i = 0; i < kCorridorKinds; ++i) {
     const auto method = static_cast<CorridorKind>(i);

@@ -183,7 +183,7 @@ Table drive_change_table(const DriveRuns& runs) {
 Table arrival_table(const std::vector<DriveRuns>& courses) {
   Table table{.caption = "Arrivals within 120 s, and contacts.", .header = {"method"}, .rows = {}};
   for (const DriveRuns& runs : courses) {
-    table.header.push_back(std::string(to_text(runs.course)) + ": arrived");
+    table.header.push_back(std::string(to_text(runs.course)) + ": success rate");
     table.header.emplace_back("contacts");
   }
   for (const DriverKind kind : kDrivers) {

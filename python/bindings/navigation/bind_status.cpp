@@ -9,14 +9,15 @@ namespace fairway::python {
 
 namespace {
 
-constexpr std::array kStatusNames = {"Ok",         "Degraded",    "Stopping", "Blocked",
-                                     "Recovering", "Stale",       "BadInput", "Infeasible",
-                                     "NoPlan",     "GoalReached", "Planning", "GaveUp"};
+constexpr std::array kStatusNames = {"Ok",       "Degraded", "Stopping",   "Blocked", "Recovering",
+                                     "Stale",    "BadInput", "Infeasible", "NoPlan",  "GoalReached",
+                                     "Planning", "GaveUp",   "Holding"};
 constexpr std::array kLimitNames = {
     "None_",         "Speed",           "Acceleration", "Corridor",     "MovingObstacle",
     "StopNotProven", "OutsideCorridor", "StalePose",    "StaleMap",     "StaleTracks",
     "InvalidPose",   "InvalidTracks",   "PoseJump",     "SolverFailed", "NoPath",
-    "InvalidGoal",   "InvalidTime",     "SmallerPlan",  "InvalidScan",  "LateCycle"};
+    "InvalidGoal",   "InvalidTime",     "SmallerPlan",  "InvalidScan",  "LateCycle",
+    "KeepOutZone",   "Strip",           "SpeedZone",    "OneWayZone",   "Hold"};
 
 // A value that is not listed yet gets a name from its text: "goal reached" becomes GoalReached.
 std::string name_from(const char* text) {

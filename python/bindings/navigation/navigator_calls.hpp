@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "navigation/shared_navigator.hpp"
+#include "navigation/zone_list.hpp"
 
 namespace fairway::python {
 
@@ -80,6 +81,25 @@ void bind_navigator_calls(py::class_<SharedNavigator<Navigator>>& type) {
       .def(
           "cancel", [](Shared& self) { self.run([](Navigator& n) { n.cancel(); }); },
           "Drops the goal: the robot brakes to a standstill.")
+      .def(
+          "set_zones",
+          [](Shared& self, const py::sequence& zones) {
+            const Zones read = zones_of(zones);
+            self.run([&](Navigator& n) { n.set_zones(read); });
+          },
+          py::arg("zones"),
+          "Replaces the zones. Each is a mapping with the keys of a scenario file: kind, polygon, "
+          "and as the kind needs reference, speed, weight, direction, name.")
+      .def(
+          "hold", [](Shared& self) { self.run([](Navigator& n) { n.hold(); }); },
+          "Stops the robot along its corridor and keeps it there; goal and plan are kept.")
+      .def(
+          "resume", [](Shared& self) { self.run([](Navigator& n) { n.resume(); }); },
+          "Ends a hold.")
+      .def_property_readonly(
+          "on_hold",
+          [](Shared& self) { return self.run([](Navigator& n) { return n.on_hold(); }); },
+          "Whether the robot is on hold.")
       .def(
           "reset",
           [](Shared& self, double linear, double angular) {

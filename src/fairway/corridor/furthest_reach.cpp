@@ -9,6 +9,7 @@
 
 #include "fairway/base/simd.hpp"
 #include "fairway/corridor/rectangle/box_repair.hpp"
+#include "fairway/corridor/rectangle/zone_points.hpp"
 
 namespace fairway {
 
@@ -74,7 +75,8 @@ bool ReachSearch::fits(const TurnedFrame& frame, const PathPiece& piece) noexcep
   std::array<CellIndex, kLearned> found;
   const BlockedCells blocked =
       find_blocked_cells(*obstacles_, frame.region(box), settings_.radius, origin_, found);
-  if (blocked.count == 0) return !blocked.outside_map;
+  if (blocked.in_zone) learn_zones(*obstacles_, frame, box, settings_.radius, points_);
+  if (blocked.count == 0) return !blocked.outside_map && !blocked.in_zone;
   const Box core;
   const BoxRepair repair{
       .grid = obstacles_->frame(), .frame = frame, .core = core, .radius = settings_.radius};
@@ -150,6 +152,7 @@ void ReachSearch::start(const BitGrid& obstacles,
   num_directions_ = 0;
   if (!is_free(obstacles, TurnedBox{.origin = origin_}, settings.radius)) return;
   points_.look_around(obstacles, origin_, settings.radius, settings.longest_side);
+  look_at_zones(obstacles, origin_, settings.radius, settings.longest_side, points_);
 
   const auto add = [&](double angle) {
     directions_[num_directions_++] = {.angle = angle, .bad = kNowhere};

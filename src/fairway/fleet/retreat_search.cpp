@@ -77,7 +77,7 @@ void RetreatSearch::begin_pass(const PassingEnvironment& around) noexcept {
 
 // Whether there is another pass.
 bool RetreatSearch::end_pass(const PassingEnvironment& around) noexcept {
-  pass_ += after_ == 0.0 && pass_ % 2 == 0 ? 2 : 1;
+  pass_ += after_ == 0.0 && pass_ % 2 == 0 ? 2U : 1U;
   running_ = pass_ < 2 * kClearances.size();
   if (running_) begin_pass(around);
   return running_;

@@ -54,7 +54,8 @@ Expected<void> validate(const BaseModel& base) {
                            {"linear_max", base.linear_max, 0.01, kFastest},
                            {"angular_max", base.angular_max, 0.01, kFastest},
                            {"linear_acceleration", base.linear_acceleration, 0.01, kStrongest},
-                           {"angular_acceleration", base.angular_acceleration, 0.01, kStrongest}});
+                           {"angular_acceleration", base.angular_acceleration, 0.01, kStrongest},
+                           {"response_time", base.response_time, 0.0, 1.0}});
       !ok)
     return ok;
   if (is_steered(base)) {

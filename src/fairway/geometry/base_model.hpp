@@ -66,6 +66,7 @@ struct BaseModel {
   double lateral_acceleration = 1.0;  ///< Omni: of lateral speed [m/s^2]
   double angular_acceleration = 2.0;  ///< of angular speed [rad/s^2]
   WheelLimit wheels;
+  double response_time = 0.0;  ///< until the base follows an input that changes [s], 0 to 1
 };
 
 /// Whether every value that applies is finite and in its range.

@@ -210,6 +210,22 @@ double BodyShape::inscribed_radius(const Vector2d& center) const noexcept {
   return most;
 }
 
+double BodyShape::distance(const Vector2d& point) const noexcept {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ConvexPart& part : parts_) {
+    if (part.count > 2 && depth(part, point) >= part.radius) return 0.0;
+    // Outside of the polygon, its sides decide; a point has one of no length.
+    for (int i = 0; i < part.count; ++i) {
+      const Vector2d edge = next_vertex(part, i) - part.vertex(i);
+      const Vector2d way = point - part.vertex(i);
+      const double share =
+          std::clamp(way.dot(edge) / std::max(edge.squaredNorm(), 1e-18), 0.0, 1.0);
+      least = std::min(least, (way - share * edge).norm() - part.radius);
+    }
+  }
+  return std::max(0.0, least);
+}
+
 double BodyShape::greatest_speed(double linear, double lateral, double angular) const noexcept {
   double most = std::sqrt(linear * linear + lateral * lateral);
   for (const ConvexPart& part : parts_) {

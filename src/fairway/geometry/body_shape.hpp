@@ -67,6 +67,9 @@ class BodyShape {
   /// Radius of the largest disc about `center` inside one of its parts; 0 when there is none [m].
   [[nodiscard]] double inscribed_radius(const Eigen::Vector2d& center) const noexcept;
 
+  /// Distance from `point`, in the body's frame, to the body [m]; 0 inside.
+  [[nodiscard]] double distance(const Eigen::Vector2d& point) const noexcept;
+
   /// Discs whose union covers it: when all of them are free, so is the body.
   [[nodiscard]] std::span<const Footprint::Disc> cover() const noexcept { return cover_; }
 

@@ -25,15 +25,17 @@ std::string field(const std::string& text) {
 std::string trace_csv(const EpisodeResult& episode) {
   std::string text =
       "time,robot,x,y,heading,linear,angular,status,command_linear,command_angular,limit,rectangle,"
-      "clearance\n";
+      "clearance";
+  text += episode.trace.lateral ? ",lateral\n" : "\n";
   auto out = std::back_inserter(text);
   for (const TraceRow& row : episode.trace.rows) {
-    fmt::format_to(out,
-                   "{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{:.9g},{:.9g},{},{},{:.9g}\n",
-                   row.time, field(episode.robots[row.robot].name), row.pose.position.x(),
-                   row.pose.position.y(), row.pose.heading, row.twist.linear, row.twist.angular,
-                   to_text(row.status), row.command.linear, row.command.angular, to_text(row.limit),
-                   row.rectangle, row.clearance);
+    fmt::format_to(
+        out, "{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{:.9g},{:.9g},{},{},{:.9g}", row.time,
+        field(episode.robots[row.robot].name), row.pose.position.x(), row.pose.position.y(),
+        row.pose.heading, row.twist.linear, row.twist.angular, to_text(row.status),
+        row.command.linear, row.command.angular, to_text(row.limit), row.rectangle, row.clearance);
+    if (episode.trace.lateral) fmt::format_to(out, ",{:.9g}", row.lateral);
+    text += '\n';
   }
   return text;
 }

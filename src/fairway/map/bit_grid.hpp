@@ -3,11 +3,14 @@
 
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fairway/base/setting.hpp"
 #include "fairway/map/occupancy_grid.hpp"
+#include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
 
@@ -19,6 +22,9 @@ enum class UnknownCells : std::uint8_t { Occupied, Free };
 ///
 /// Next to its rows the grid stores bands: groups of kBandRows rows combined by OR. A test skips a
 /// band without obstacles in one step.
+///
+/// A grid may carry zones beside its cells. The tests of free space obey them exactly: no cell
+/// stands for a zone.
 class BitGrid {
  public:
   static constexpr int kBandRows = 8;  ///< rows in a band; the topmost band may have fewer
@@ -42,7 +48,11 @@ class BitGrid {
     return (row(cell.y)[static_cast<std::size_t>(cell.x) / 64] >> (cell.x % 64) & 1U) != 0;
   }
 
-  /// Packs another grid, and reuses the memory if the size is unchanged.
+  /// Sets the zones that hold on this map; null for none.
+  void set_zones(std::shared_ptr<const ZoneMap> zones) noexcept { zones_ = std::move(zones); }
+  [[nodiscard]] const ZoneMap* zones() const noexcept { return zones_.get(); }
+
+  /// Packs another grid, and reuses the memory if the size is unchanged. Keeps the zones.
   void assign(const OccupancyGrid& grid, UnknownCells unknown = UnknownCells::Occupied);
 
   /// Changes one cell. @pre the cell lies in the grid.
@@ -156,6 +166,7 @@ class BitGrid {
   std::size_t words_per_row_ = 0;
   std::vector<std::uint64_t> words_;
   std::vector<std::uint64_t> bands_;
+  std::shared_ptr<const ZoneMap> zones_;
 };
 
 /// Settings for reading a map.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fairway/map/body_zones.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/map/polygon_separation.hpp"
 
@@ -127,7 +128,10 @@ bool BodyClearance::is_free_exactly(const Pose2& local, double clearance) const 
                         .along = direction(local.heading),
                         .min = body_.low() * cells,
                         .max = body_.high() * cells};
-    return fairway::is_free(*obstacles_, box, radius);
+    if (obstacles_->zones() == nullptr) return fairway::is_free(*obstacles_, box, radius);
+    std::array<CellIndex, 1> found;  // NOLINT(*-member-init); zones were tested before
+    const BlockedCells blocked = find_blocked_cells(*obstacles_, box, radius, box.origin, found);
+    return blocked.count == 0 && !blocked.outside_map;
   }
   return std::all_of(body_.parts().begin(), body_.parts().end(), [&](const ConvexPart& part) {
     return is_free_part(part_in_grid(part, local), radius);
@@ -138,6 +142,11 @@ bool BodyClearance::is_free(const Pose2& pose, double clearance) const noexcept 
   if (!is_finite(pose)) return false;
   const Pose2 local = in_grid_frame(pose);
   const Guess first = guess(local, clearance);
+  const ZoneMap* zones = obstacles_->zones();
+  if (zones != nullptr && first != Guess::Blocked &&
+      !internal::zones_allow(*zones, body_, pose, clearance + kFreeSpaceSkin)) {
+    return false;
+  }
   return first == Guess::Free || (first == Guess::Near && is_free_exactly(local, clearance));
 }
 

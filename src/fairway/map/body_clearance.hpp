@@ -20,9 +20,10 @@ struct BodyContact {
 /// Tests a body of any shape against the blocked cells of a map: poses, and motions from one pose
 /// to another with everything between.
 ///
-/// Cells and body are closed, and everything outside the map is blocked. Every test is exact up to
-/// kFreeSpaceSkin (free_space.hpp), which errs towards "blocked"; the distance field only decides
-/// what is far from every obstacle, or deep in one. Nothing is allocated.
+/// Zones of the map count as well: keep-outs and strips. Cells and body are closed, and everything
+/// outside the map is blocked. Every test is exact up to kFreeSpaceSkin (free_space.hpp), which
+/// errs towards "blocked"; the distance field only decides what is far from every obstacle, or deep
+/// in one. Nothing is allocated.
 class BodyClearance {
  public:
   /// How much a motion's clearance may be underestimated [m]: see is_free for motions.

@@ -42,6 +42,12 @@ class DistanceField {
   ///       inside the window.
   void update(const BitGrid& obstacles, const CellWindow& changed);
 
+  /// Reduces the distance of one cell, until the next update that covers it.
+  /// @pre `index` counts the cells row by row.
+  void reduce(std::size_t index, float distance) noexcept {
+    cells_[index] = std::min(cells_[index], distance);
+  }
+
   [[nodiscard]] const GridFrame& frame() const noexcept { return frame_; }
 
   /// Distance at the centre of a cell [m]; 0 outside the grid.

@@ -27,11 +27,14 @@ bool is_free(const BitGrid& obstacles,
              const Footprint& footprint,
              const Pose2& pose,
              double clearance) noexcept {
-  if (footprint.is_rectangle()) return is_free(obstacles, footprint.rectangle_at(pose), clearance);
+  if (footprint.is_rectangle()) {
+    return is_free(obstacles, footprint.rectangle_at(pose), clearance, ZoneSubject::Body);
+  }
   for (int i = 0; i < footprint.num_discs(); ++i) {
     const Footprint::Disc& disc = footprint.disc_at(i);
     const Eigen::Vector2d center = transform(pose, disc.center);
-    if (!is_free(obstacles, center, center, disc.radius + clearance)) return false;
+    if (!is_free(obstacles, center, center, disc.radius + clearance, ZoneSubject::Body))
+      return false;
   }
   return true;
 }
@@ -44,20 +47,23 @@ double footprint_clearance(const BitGrid& obstacles,
     double least = limit;
     for (int i = 0; i < footprint.num_discs(); ++i) {
       const Footprint::Disc& disc = footprint.disc_at(i);
-      const double distance =
-          distance_to_blocked(obstacles, transform(pose, disc.center), disc.radius + limit);
+      const double distance = distance_to_blocked(obstacles, transform(pose, disc.center),
+                                                  disc.radius + limit, ZoneSubject::Body);
       least = std::min(least, distance - disc.radius);
     }
     return least;
   }
   const OrientedRectangle body = footprint.rectangle_at(pose);
-  if (is_free(obstacles, body, 0.0)) {
-    if (is_free(obstacles, body, limit)) return limit;
-    return bisect(0.0, limit, [&](double c) { return is_free(obstacles, body, c); });
+  const auto keeps = [&](const OrientedRectangle& rectangle, double clearance) {
+    return is_free(obstacles, rectangle, clearance, ZoneSubject::Body);
+  };
+  if (keeps(body, 0.0)) {
+    if (keeps(body, limit)) return limit;
+    return bisect(0.0, limit, [&](double c) { return keeps(body, c); });
   }
   const double most = 0.5 * (body.max - body.min).maxCoeff();
   return -bisect(0.0, most, [&](double shrink) {
-    return !is_free(obstacles, footprint.shrunk(shrink).rectangle_at(pose), 0.0);
+    return !keeps(footprint.shrunk(shrink).rectangle_at(pose), 0.0);
   }) - kResolution;
 }
 

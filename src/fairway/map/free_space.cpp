@@ -28,6 +28,19 @@ TurnedBox to_grid(const GridFrame& frame, const OrientedRectangle& r) noexcept {
           .max = r.max / frame.resolution};
 }
 
+// Whether the zones of the map forbid a box in grid coordinates, for the centre of a disc.
+bool in_zone(const BitGrid& obstacles, const TurnedBox& box, double radius) noexcept {
+  const ZoneMap* zones = obstacles.zones();
+  if (zones == nullptr || !zones->forbids()) return false;
+  const GridFrame& frame = obstacles.frame();
+  const OrientedRectangle world{
+      .seed = frame.to_world(box.origin),
+      .orientation = frame.origin.heading + std::atan2(box.along.y(), box.along.x()),
+      .min = box.min * frame.resolution,
+      .max = box.max * frame.resolution};
+  return zones->forbidding(world, radius * frame.resolution, ZoneSubject::Disc).has_value();
+}
+
 constexpr int kBandRows = BitGrid::kBandRows;
 
 // Returns the first blocked cell of a region inside the grid, or {-1, -1} if there is none. Bands
@@ -110,7 +123,8 @@ class Collector {
 
 std::optional<CellIndex> find_blocked_cell(const BitGrid& obstacles,
                                            const OrientedRectangle& rectangle,
-                                           double clearance) noexcept {
+                                           double clearance,
+                                           ZoneSubject subject) noexcept {
   constexpr CellIndex kBelow{.x = -1, .y = -1};
   // This form also catches every non-finite number.
   if (rectangle.is_empty() || !(clearance >= 0.0)) return kBelow;
@@ -120,14 +134,17 @@ std::optional<CellIndex> find_blocked_cell(const BitGrid& obstacles,
   if (!(region.low().x() > 0.0 && region.low().y() > 0.0)) return kBelow;
   if (!inside(frame, region)) return CellIndex{.x = frame.width, .y = frame.height};
   const CellIndex cell = scan(obstacles, region);
-  if (cell == kBelow) return std::nullopt;
-  return cell;
+  if (!(cell == kBelow)) return cell;
+  const ZoneMap* zones = obstacles.zones();
+  if (zones != nullptr && zones->forbidding(rectangle, clearance + kFreeSpaceSkin, subject))
+    return kBelow;
+  return std::nullopt;
 }
 
 bool is_free(const BitGrid& obstacles, const TurnedBox& box, double radius) noexcept {
   const RoundedRegion region(box, radius);
   return inside(obstacles.frame(), region) &&
-         scan(obstacles, region) == CellIndex{.x = -1, .y = -1};
+         scan(obstacles, region) == CellIndex{.x = -1, .y = -1} && !in_zone(obstacles, box, radius);
 }
 
 BlockedCells find_blocked_cells(const BitGrid& obstacles,
@@ -137,7 +154,9 @@ BlockedCells find_blocked_cells(const BitGrid& obstacles,
                                 std::span<CellIndex> found) noexcept {
   const GridFrame& frame = obstacles.frame();
   const RoundedRegion region(box, radius);
-  BlockedCells result{.count = 0, .outside_map = !inside(frame, region)};
+  BlockedCells result{.count = 0,
+                      .outside_map = !inside(frame, region),
+                      .in_zone = in_zone(obstacles, box, radius)};
   const auto bounded = [](double v, int size) {
     return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(size) - 1.0));
   };
@@ -166,12 +185,15 @@ BlockedCells find_blocked_cells(const BitGrid& obstacles,
 
 double distance_to_blocked(const BitGrid& obstacles,
                            const Eigen::Vector2d& point,
-                           double limit) noexcept {
+                           double limit,
+                           ZoneSubject subject) noexcept {
   const GridFrame& frame = obstacles.frame();
   const Vector2d g = frame.to_grid(point);
   const Vector2d size(frame.width, frame.height);
   // This form also catches a non-finite point.
   if (!((g.array() > 0.0).all() && (g.array() < size.array()).all())) return 0.0;
+  if (const ZoneMap* zones = obstacles.zones(); zones != nullptr)
+    limit = zones->clearance_at(point, limit, subject);
   double best = std::min({limit / frame.resolution, g.minCoeff(), (size - g).minCoeff()});
   const auto outside = [](double v, int cell) { return std::max({cell - v, v - cell - 1, 0.0}); };
   const auto nearest_in_row = [&](int y) {

@@ -17,6 +17,9 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
 
 /// Returns a blocked cell at most `clearance` + kFreeSpaceSkin [m] away from `rectangle`, or none.
 ///
+/// Where the zones of the map forbid the rectangle, with the same clearance and skin, the result is
+/// a cell outside the grid. `subject` says what the rectangle stands for, which only zones ask.
+///
 /// All other tests for free space in Fairway rely on this one. Cells are closed squares, the
 /// rectangle is closed, and distances are Euclidean (the grown rectangle has round corners).
 /// Nothing is sampled: the answer is exact up to the skin, which errs towards "blocked". Everything
@@ -29,32 +32,38 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
 ///
 /// Cost: one word operation per 64 cells of every band that the region touches, and of every row of
 /// the bands that contain obstacles near the region.
-[[nodiscard]] std::optional<CellIndex> find_blocked_cell(const BitGrid& obstacles,
-                                                         const OrientedRectangle& rectangle,
-                                                         double clearance) noexcept;
+[[nodiscard]] std::optional<CellIndex> find_blocked_cell(
+    const BitGrid& obstacles,
+    const OrientedRectangle& rectangle,
+    double clearance,
+    ZoneSubject subject = ZoneSubject::Disc) noexcept;
 
 /// Returns whether every blocked cell is further than `clearance` [m] from `rectangle`; see
 /// find_blocked_cell.
 [[nodiscard]] inline bool is_free(const BitGrid& obstacles,
                                   const OrientedRectangle& rectangle,
-                                  double clearance) noexcept {
-  return !find_blocked_cell(obstacles, rectangle, clearance);
+                                  double clearance,
+                                  ZoneSubject subject = ZoneSubject::Disc) noexcept {
+  return !find_blocked_cell(obstacles, rectangle, clearance, subject);
 }
 
 /// Returns whether a disc of radius `clearance` [m] can move straight from `a` to `b`.
 [[nodiscard]] inline bool is_free(const BitGrid& obstacles,
                                   const Eigen::Vector2d& a,
                                   const Eigen::Vector2d& b,
-                                  double clearance) noexcept {
-  return is_free(obstacles, segment_rectangle(a, b), clearance);
+                                  double clearance,
+                                  ZoneSubject subject = ZoneSubject::Disc) noexcept {
+  return is_free(obstacles, segment_rectangle(a, b), clearance, subject);
 }
 
 /// Returns the exact distance from `point` to the nearest obstacle, at most `limit` [m]. Obstacles
 /// are the blocked cells and the outside of the grid. The distance is 0 on an obstacle, and for a
-/// non-finite point.
+/// non-finite point. Zones count with ZoneMap::clearance_at; with `subject` Body only those for the
+/// contour.
 [[nodiscard]] double distance_to_blocked(const BitGrid& obstacles,
                                          const Eigen::Vector2d& point,
-                                         double limit) noexcept;
+                                         double limit,
+                                         ZoneSubject subject = ZoneSubject::Disc) noexcept;
 
 /// A rectangle in grid coordinates: the points origin + x u + y v with min <= (x, y) <= max, where
 /// u is the unit vector `along` and v is u rotated by +90 degrees. Lengths are in cells.
@@ -71,6 +80,7 @@ struct TurnedBox {
 struct BlockedCells {
   std::size_t count = 0;     ///< number of cells written
   bool outside_map = false;  ///< the region extends beyond the grid (cells may be written as well)
+  bool in_zone = false;      ///< zones forbid the region (cells may be written as well)
 };
 
 /// Finds blocked cells at most `radius` [cells] from `box`: in every row that has any, the one
@@ -81,15 +91,16 @@ struct BlockedCells {
 /// is reported, but not searched.
 ///
 /// The test is as exact as find_blocked_cell: unless `found` is empty, no cell is written if and
-/// only if there is none. @pre the box is not empty and finite; radius >= 0.
+/// only if there is none. Zones count as for a Disc. @pre the box is not empty and finite; radius
+/// >= 0.
 [[nodiscard]] BlockedCells find_blocked_cells(const BitGrid& obstacles,
                                               const TurnedBox& box,
                                               double radius,
                                               const Eigen::Vector2d& towards,
                                               std::span<CellIndex> found) noexcept;
 
-/// Returns whether no blocked cell is at most `radius` [cells] from `box` and the region lies in
-/// the grid. No skin is added. @pre as find_blocked_cells.
+/// Returns whether no blocked cell is at most `radius` [cells] from `box`, the region lies in the
+/// grid, and zones do not forbid it for a Disc. No skin is added. @pre as find_blocked_cells.
 [[nodiscard]] bool is_free(const BitGrid& obstacles, const TurnedBox& box, double radius) noexcept;
 
 }  // namespace fairway

@@ -9,10 +9,12 @@ namespace fairway {
 
 /// How a cycle lies in time.
 enum class Punctuality : std::uint8_t {
-  First,    ///< there was none before it
-  OnTime,   ///< within the longest hold, or earlier than a period
-  Late,     ///< later than the longest hold after the one before
-  Invalid,  ///< the time is not finite, or not after that of the cycle before
+  First,   ///< there was none before it
+  OnTime,  ///< within the longest hold, or earlier than a period
+  Late,    ///< later than the longest hold after the one before
+  /// The time is not finite, not after that of the cycle before, or not in seconds: the second time
+  /// in a row more than a hundred periods later.
+  Invalid,
 };
 
 /// The time of a cycle, seen from the one before.
@@ -27,7 +29,8 @@ class CycleTimer {
  public:
   /// @param longest  Until when a cycle is on time [s].
   [[nodiscard]] CycleTiming next(double time, double period, double longest) noexcept {
-    constexpr double kRounding = 1e-6;  // of a period; sums of periods are rounded
+    constexpr double kRounding = 1e-6;      // of a period; sums of periods are rounded
+    constexpr double kMostPeriods = 100.0;  // of a pause; times in milliseconds have 1000
     CycleTiming timing{.elapsed = period};
     if (!std::isfinite(time)) {
       timing.punctuality = Punctuality::Invalid;
@@ -41,7 +44,10 @@ class CycleTimer {
         timing.shift = elapsed - period;
       } else {
         const bool late = elapsed > longest + kRounding * period;
-        timing.punctuality = late ? Punctuality::Late : Punctuality::OnTime;
+        pauses_ = elapsed > kMostPeriods * period ? pauses_ + 1 : 0;
+        timing.punctuality = pauses_ > 1 ? Punctuality::Invalid
+                             : late      ? Punctuality::Late
+                                         : Punctuality::OnTime;
         timing.elapsed = std::abs(elapsed - period) < kRounding * period ? period : elapsed;
       }
     }
@@ -76,6 +82,7 @@ class CycleTimer {
   }
 
   bool began_ = false;
+  int pauses_ = 0;  // one after the other
   double last_ = 0.0;
   double late_ = 0.0;
   double late_at_ = 0.0;

@@ -32,14 +32,6 @@ LimitingFactor check_input(const NavigationInput& input,
   return LimitingFactor::None;
 }
 
-bool CycleClock::plausible(double time, double period) noexcept {
-  constexpr double kMostPeriods = 100.0;  // between two cycles; times in milliseconds have 1000
-  const double interval = time - last_;
-  last_ = time;
-  slow_ = interval > kMostPeriods * period ? slow_ + 1 : 0;
-  return slow_ < 2;
-}
-
 NavigationStatus status_for(LimitingFactor bad_input) noexcept {
   return bad_input == LimitingFactor::InvalidPose || bad_input == LimitingFactor::InvalidTracks ||
                  bad_input == LimitingFactor::PoseJump || bad_input == LimitingFactor::InvalidTime

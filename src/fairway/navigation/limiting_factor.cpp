@@ -3,6 +3,24 @@
 
 namespace fairway {
 
+LimitingFactor limit_of(StopVerdict verdict) noexcept {
+  switch (verdict) {
+    case StopVerdict::EntersZone:
+      return LimitingFactor::KeepOutZone;
+    case StopVerdict::LeavesStrip:
+      return LimitingFactor::Strip;
+    case StopVerdict::TooFast:
+      return LimitingFactor::SpeedZone;
+    case StopVerdict::WrongWay:
+      return LimitingFactor::OneWayZone;
+    case StopVerdict::Free:
+    case StopVerdict::HitsStatic:
+    case StopVerdict::HitsMoving:
+      break;
+  }
+  return LimitingFactor::StopNotProven;
+}
+
 LimitingFactor limit_of(const ConstraintName& constraint) noexcept {
   switch (constraint.kind) {
     case ConstraintKind::None:

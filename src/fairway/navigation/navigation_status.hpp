@@ -20,11 +20,14 @@ enum class NavigationStatus : std::uint8_t {
   GoalReached,  ///< at the goal, at standstill
   Planning,     ///< a first plan is being made in the background: at standstill
   GaveUp,       ///< no progress for `navigation.patience`: the goal is dropped, at standstill
+  Holding,      ///< on hold: stopping along the corridor, or at standstill; the goal is kept
 };
+
+inline constexpr NavigationStatus kLastNavigationStatus = NavigationStatus::Holding;
 
 /// Number of statuses.
 inline constexpr std::size_t kNavigationStatuses =
-    static_cast<std::size_t>(NavigationStatus::GaveUp) + 1;
+    static_cast<std::size_t>(kLastNavigationStatus) + 1;
 
 [[nodiscard]] constexpr const char* to_text(NavigationStatus status) noexcept {
   switch (status) {
@@ -52,6 +55,8 @@ inline constexpr std::size_t kNavigationStatuses =
       return "planning";
     case NavigationStatus::GaveUp:
       return "gave up";
+    case NavigationStatus::Holding:
+      return "holding";
   }
   return "unknown";
 }
@@ -78,9 +83,14 @@ enum class LimitingFactor : std::uint8_t {
   SmallerPlan,  ///< the plan was made for a smaller robot
   InvalidScan,  ///< the last scan was refused: not finite, or absurd
   LateCycle,    ///< the cycle came later than `safety.longest_hold` after the one before
+  KeepOutZone,  ///< the stop after every new command would enter a keep-out zone
+  Strip,        ///< the stop after every new command would leave the strips
+  SpeedZone,    ///< the speed limit of a zone, here or ahead
+  OneWayZone,   ///< every new command would go against the direction of a one-way zone
+  Hold,         ///< the robot is on hold
 };
 
-inline constexpr LimitingFactor kLastLimitingFactor = LimitingFactor::LateCycle;
+inline constexpr LimitingFactor kLastLimitingFactor = LimitingFactor::Hold;
 
 /// How many there are.
 inline constexpr std::size_t kLimitingFactors = static_cast<std::size_t>(kLastLimitingFactor) + 1;
@@ -127,6 +137,16 @@ inline constexpr std::size_t kLimitingFactors = static_cast<std::size_t>(kLastLi
       return "invalid scan";
     case LimitingFactor::LateCycle:
       return "late cycle";
+    case LimitingFactor::KeepOutZone:
+      return "keep-out zone";
+    case LimitingFactor::Strip:
+      return "strip";
+    case LimitingFactor::SpeedZone:
+      return "speed zone";
+    case LimitingFactor::OneWayZone:
+      return "one-way zone";
+    case LimitingFactor::Hold:
+      return "hold";
   }
   return "unknown";
 }

@@ -13,6 +13,8 @@
 
 namespace fairway {
 
+class EntranceMap;
+
 /// The measurements of a control cycle. All times are on one clock of the caller [s]. A measurement
 /// without a time is as new as `time`.
 struct Measurements {
@@ -27,6 +29,8 @@ struct Measurements {
       map_time{};           ///< time at which a changing map was current; a fixed map always is
   Fleet fleet{};            ///< other robots, which are not among the obstacles
   std::uint32_t robot = 0;  ///< number of the robot in the fleet
+  /// Where people appear at this site, if that is known; must be valid during the call.
+  const EntranceMap* entrances = nullptr;
 };
 
 /// The input of the navigator in a cycle: measurements and the map. Times are as in Measurements.
@@ -38,11 +42,14 @@ struct NavigationInput {
   double obstacles_time = 0.0;  ///< time of their measurement; see obstacles_due if there are none
   /// Whether a tracker runs continuously: an empty list becomes stale too.
   bool obstacles_due = false;
-  const BitGrid* map = nullptr;  ///< the newest static obstacles; must be valid during the call
-  double map_time = 0.0;         ///< time of their measurement; that of a fixed map is `time`
-  Fleet fleet{};                 ///< other robots, which are not among the obstacles
-  std::uint32_t robot = 0;       ///< number of the robot in the fleet
-  bool planning = false;         ///< whether a plan is being made for a robot that has none
+  /// The newest static obstacles, with the zones; must be valid during the call.
+  const BitGrid* map = nullptr;
+  double map_time = 0.0;    ///< time of their measurement; that of a fixed map is `time`
+  Fleet fleet{};            ///< other robots, which are not among the obstacles
+  std::uint32_t robot = 0;  ///< number of the robot in the fleet
+  bool planning = false;    ///< whether a plan is being made for a robot that has none
+  bool hold = false;        ///< whether the robot is to stop along its corridor, for a while
+  const EntranceMap* entrances = nullptr;  ///< where people appear, if that is known
 };
 
 /// The result of a cycle.
@@ -53,6 +60,8 @@ struct NavigationStep {
   bool wants_plan = false;    ///< whether the navigator requests a new plan; the facades make it
   std::size_t rectangle = 0;  ///< index of the corridor's rectangle that contains the robot
   const MpcSolution* plan = nullptr;  ///< predicted motion; valid until the next cycle; may be null
+  double lateral = 0.0;   ///< of a command to an omnidirectional base, to the left [m/s]
+  double steering = 0.0;  ///< angle of the steered wheel of a car or tricycle, also at rest [rad]
 };
 
 }  // namespace fairway

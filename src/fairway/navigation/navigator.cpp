@@ -17,18 +17,14 @@ namespace fairway {
 
 namespace {
 
-constexpr double kStoppedSpeed = 0.02;  // [m/s]; slower is a standstill
-constexpr double kNoticeable = 1e-3;    // [m]; smaller violations are within the plan's margin
-
-bool has_stopped(const Twist2& twist) noexcept {
-  return std::abs(twist.linear) < kStoppedSpeed && std::abs(twist.angular) < kStoppedSpeed;
-}
+constexpr double kNoticeable = 1e-3;  // [m]; smaller violations are within the plan's margin
 
 }  // namespace
 
 NavigationStep Navigator::update(const NavigationInput& input) noexcept {
   begin_cycle(input.time);
-  const NavigationStep result = cycle(input);
+  NavigationStep result = cycle(input);
+  name_limits(input, result);
   end_cycle(input.time, result.command);
   return result;
 }
@@ -39,9 +35,6 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
       bad != LimitingFactor::None) {
     return stop(status_for(bad), bad);
   }
-  if (!clock_.plausible(given.time, period_)) {
-    return stop(NavigationStatus::BadInput, LimitingFactor::InvalidTime);
-  }
   if (const LimitingFactor bad = check_timing(); bad != LimitingFactor::None) {
     solution_.horizon = 0;
     return stop(status_for(bad), bad);
@@ -49,6 +42,7 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
   NavigationInput input = given;
   input.pose = reckoning_.advanced(given.pose, given.pose_time, given.time);
   ahead_ = reckoning_.advanced(input.pose, given.time, given.time + dead_time_);
+  if (input.hold && std::abs(sent_.linear) < kStoppedSpeed) return stay_on_hold();
   if (corridor_.empty()) return without_plan(input);
   if (plan_time_ < 0.0) plan_time_ = input.time;
   if (goal_check_.update((input.pose.position - plan_.goal.position).norm(), sent_.linear,
@@ -62,9 +56,13 @@ NavigationStep Navigator::cycle(const NavigationInput& given) noexcept {
   }
   note_remaining();
   coordinate(input);
+  find_zone_speeds(input);
   pose_problem(input);
   NavigationStep result = drive(input);
-  if (fleet_.waits()) {
+  const bool waits_for_people = encounters_.plan().stages > 0;
+  if (waits_for_people && has_stopped(result.command) && result.limit == LimitingFactor::None)
+    result.limit = LimitingFactor::MovingObstacle;
+  if (fleet_.waits() || input.hold || waits_for_people) {
     recovery_.reset();
   } else {
     result = recover(input, result);
@@ -156,8 +154,13 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
                          .lead = dead_time_ + lag_,
                          .heading = ahead_.heading,
                          .goal_heading = plan_.goal.heading,
-                         .free_length = free_length}},
+                         .free_length = free_length,
+                         .speed_limits = zone_speeds_.count > 0 ? &zone_speeds_ : nullptr,
+                         .waits_at_reversals =
+                             input.map->zones() != nullptr && input.map->zones()->has_strips()}},
               settings_.tracking, mpc, robot, problem_);
+  plan_encounters(input);
+  limit_speed(input);
 }
 
 // Sends the best answer whose stop is proven; else stops.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,6 +20,8 @@
 #include "fairway/safety/safe_stop.hpp"
 #include "fairway/tracking/candidate_solver.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
+#include "fairway/tracking/space_time/space_time_planner.hpp"
+#include "fairway/tracking/zone_speeds.hpp"
 
 namespace fairway {
 
@@ -73,6 +76,11 @@ class Navigator {
   void note_remaining() noexcept;
   void coordinate(const NavigationInput& input) noexcept;
   void pose_problem(const NavigationInput& input) noexcept;
+  [[nodiscard]] NavigationStep stay_on_hold() noexcept;
+  void find_zone_speeds(const NavigationInput& input) noexcept;
+  void limit_speed(const NavigationInput& input) noexcept;
+  void name_limits(const NavigationInput& input, NavigationStep& step) const noexcept;
+  void plan_encounters(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep drive(const NavigationInput& input) noexcept;
   [[nodiscard]] NavigationStep send(std::size_t candidate,
                                     std::span<const Twist2> commands) noexcept;
@@ -84,6 +92,11 @@ class Navigator {
   [[nodiscard]] std::span<const Twist2> commands_of(const MpcSolution& answer) noexcept;
 
   [[nodiscard]] Twist2 limited(const Twist2& wanted) const noexcept;
+
+  static constexpr double kStoppedSpeed = 0.02;  // [m/s] and [rad/s]; slower is a standstill
+  [[nodiscard]] static bool has_stopped(const Twist2& twist) noexcept {
+    return std::abs(twist.linear) < kStoppedSpeed && std::abs(twist.angular) < kStoppedSpeed;
+  }
 
   Settings settings_;
   double period_;       // from one command to the next, as it should be [s]
@@ -97,7 +110,10 @@ class Navigator {
   Plan plan_;
   CorridorFollower corridor_;
   FleetCoordinator fleet_;
-  ReferencePath path_;  // the corridor's reference path, or the detour around other robots
+  SpaceTimePlanner encounters_;
+  ReferencePath path_;           // the corridor's reference path, or the detour around other robots
+  PathSpeedLimits zone_speeds_;  // along that path
+  bool in_speed_zone_ = false;   // a zone limits the speed in this cycle, here or ahead
   ControlProblem problem_;
   MpcSolution solution_;  // of the last cycle; horizon 0 when there is none
   Candidates candidates_;
@@ -111,7 +127,6 @@ class Navigator {
   BaseResponse response_;  // of the base now
   Pose2 ahead_;            // where the robot will be when it answers to the command of this cycle
   SafeStop stop_;
-  CycleClock clock_;
   DeadReckoning reckoning_;
   GoalCheck goal_check_;
   double plan_time_ = -1.0;  // when the present plan was first driven on

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happens between the cycles of a Navigator: plans, resets, messages. The cycle itself is in
-// navigator.cpp.
+// Plans, resets and messages of a Navigator. The cycle itself is in navigator.cpp.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "fairway/fleet/motion_report.hpp"
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/navigation/navigator.hpp"
+#include "fairway/tracking/space_time/space_time_targets.hpp"
 
 namespace fairway {
 
@@ -23,6 +23,7 @@ Navigator::Navigator(const Settings& settings,
       body_(footprint_of(settings.robot)),
       own_solver_(std::move(own)),
       solver_(own_solver_ ? own_solver_.get() : other),
+      encounters_(settings.robot, settings.prediction, settings.tracking.space_time_horizon),
       step_(period_),
       stop_(settings.robot, period_, longest_),
       reckoning_(settings.robot) {}
@@ -53,6 +54,7 @@ void Navigator::reset(const Twist2& actual) noexcept {
   sent_ = is_finite(actual) ? actual : Twist2{};
   sent_before_ = sent_;
   solution_.horizon = 0;
+  encounters_.reset();
   stop_.reset(sent_);
   reckoning_.reset(sent_);
   response_ = {.slow = sent_, .quick = sent_};
@@ -119,6 +121,26 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
                         .driven = driven ? &solution_ : nullptr,
                         .step_length = settings_.mpc.step_length,
                         .fleet = fleet_});
+}
+
+// Where moving obstacles come near, the targets are those of a plan that looks further ahead.
+void Navigator::plan_encounters(const NavigationInput& input) noexcept {
+  if ((input.obstacles.empty() && input.entrances == nullptr) || fleet_.waits() || input.hold ||
+      input.map->zones() != nullptr ||
+      settings_.tracking.target_mode != TargetMode::ReferencePath) {
+    encounters_.reset();
+    return;
+  }
+  const double lead = dead_time_ + lag_;
+  const bool planned = encounters_.update({.time = input.time + lead,
+                                           .pose = problem_.start,
+                                           .speed = sent_.linear,
+                                           .path = path_,
+                                           .corridor = corridor_,
+                                           .obstacles = input.obstacles,
+                                           .age = input.time - input.obstacles_time + lead,
+                                           .entrances = input.entrances});
+  if (planned) set_space_time_targets(encounters_.plan(), settings_.mpc, problem_);
 }
 
 }  // namespace fairway

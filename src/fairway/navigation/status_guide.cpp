@@ -96,6 +96,10 @@ StatusGuide guide_of(NavigationStatus value) noexcept {
                   "the robot is stopped.",
               .causes = "As for `blocked`.",
               .remedy = "Set another goal, or the same one again."};
+    case NavigationStatus::Holding:
+      return {.meaning = "The robot brakes along its corridor, or is stopped; the goal is kept.",
+              .causes = "`hold` was called.",
+              .remedy = "Call `resume`: the robot drives on."};
   }
   return {};
 }
@@ -233,6 +237,35 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
                   "Call `update` in time. Raise `safety.longest_hold` if late cycles cannot "
                   "be avoided: the robot then keeps more distance. The base needs a "
                   "watchdog: see docs/safety.md."};
+    case LimitingFactor::KeepOutZone:
+      return {.meaning =
+                  "The stop after every new command would enter a keep-out zone. The robot follows "
+                  "the stop that was proven last.",
+              .causes = "A zone was set in front of the robot or over it; the robot was pushed.",
+              .remedy =
+                  "Normal, if it lasts a few cycles. A robot inside a keep-out zone stays there: "
+                  "remove the zone, or move the robot by other means."};
+    case LimitingFactor::Strip:
+      return {
+          .meaning =
+              "The stop after every new command would leave the strips, or the robot is outside "
+              "of them.",
+          .causes =
+              "New strips do not contain the robot; strips that do not overlap where one is to "
+              "follow the other; the robot was pushed.",
+          .remedy = "Set strips that contain the robot and overlap along its path."};
+    case LimitingFactor::SpeedZone:
+      return {.meaning = "The speed limit of a zone holds the robot back, here or ahead.",
+              .causes = "Normal operation.",
+              .remedy = "Nothing; the limit is met before the body enters the zone."};
+    case LimitingFactor::OneWayZone:
+      return {.meaning = "Every new command would go against the direction of a one-way zone.",
+              .causes = "The zone was set around a robot that drives against it.",
+              .remedy = "Normal, if it lasts a few cycles: the robot plans another path."};
+    case LimitingFactor::Hold:
+      return {.meaning = "The robot is on hold.",
+              .causes = "`hold` was called.",
+              .remedy = "Call `resume`."};
   }
   return {};
 }

@@ -129,7 +129,8 @@ bool GridSearch::is_pocket(Grid& grid,
     grid.prepare_rows(node.y - 1, node.y + 1, so_far_.data());
     for (unsigned d = 0; d < 8; ++d) {
       const CellIndex next{.x = node.x + kStepX[d], .y = node.y + kStepY[d]};
-      if (grid.nodes()[grid.index(next)] != 0 && grid.linked(node, d)) visit(next);
+      // From the neighbour to here: zones may allow one direction only.
+      if (grid.nodes()[grid.index(next)] != 0 && grid.linked(next, (d + 4) % 8)) visit(next);
     }
   }
   return std::none_of(starts.begin(), starts.end(), [&](const Terminal& start) {

@@ -67,13 +67,18 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
   const TravelCost costs(obstacles, distances, robot_radius + settings.margin, settings);
   start_.point = frame.to_grid(start);
   goal_.point = frame.to_grid(goal);
+  goal_.is_goal = true;
+  const auto leads_straight = [&] {
+    return is_free(obstacles, start, goal, costs.required()) &&
+           !costs.goes_against_zone(start_.point, goal_.point);
+  };
   join_grid(costs, robot_radius, start_);
   join_grid(costs, robot_radius, goal_);
   PathResult result;
   bool found = search(costs, result);
   if (found) {
     take_centres();
-  } else if (!is_free(obstacles, start, goal, costs.required())) {
+  } else if (!leads_straight()) {
     found = search_between_centres(costs, settings, robot_radius, result);
   }
   if (found) {
@@ -81,7 +86,7 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
     result.path = straight_path(costs, settings.any_angle);
     result.path.waypoints.front() = start;
     result.path.waypoints.back() = goal;
-  } else if (is_free(obstacles, start, goal, costs.required())) {
+  } else if (leads_straight()) {
     // The clearance between two walls may suffice on a line, but not at the centre of any cell.
     result.status = PathStatus::Found;
     result.cost = costs.line(start_.point, goal_.point).cost * frame.resolution;
@@ -138,7 +143,8 @@ bool PathPlanner::add_ring(const TravelCost& costs, double clearance, int ring, 
     for (int dx = -ring; dx <= ring; dx += step) {
       const CellIndex cell{.x = middle.x + dx, .y = middle.y + dy};
       if (costs.is_allowed(cell) &&
-          is_free(costs.obstacles(), frame.to_world(end.point), frame.center(cell), clearance)) {
+          is_free(costs.obstacles(), frame.to_world(end.point), frame.center(cell), clearance) &&
+          may_join(costs, end, center(cell))) {
         end.cells.push_back(cell);
       }
     }
@@ -147,14 +153,18 @@ bool PathPlanner::add_ring(const TravelCost& costs, double clearance, int ring, 
 }
 
 bool PathPlanner::search(const TravelCost& costs, PathResult& result) {
-  blocks_.begin(costs);
-  bool found = search_.find(blocks_, start_.blocks, goal_.blocks);
-  result.expanded = search_.expanded();
-  if (!found) return false;
-  coarse_path_.assign(search_.nodes().begin(), search_.nodes().end());
-  cells_.begin(costs, coarse_path_);
-  found = search_.find(cells_, start_.terminals, goal_.terminals);
-  result.expanded += search_.expanded();
+  result.expanded = 0;
+  bool found = false;
+  if (!costs.needs_fine_search()) {
+    blocks_.begin(costs);
+    found = search_.find(blocks_, start_.blocks, goal_.blocks);
+    result.expanded = search_.expanded();
+    if (!found) return false;
+    coarse_path_.assign(search_.nodes().begin(), search_.nodes().end());
+    cells_.begin(costs, coarse_path_);
+    found = search_.find(cells_, start_.terminals, goal_.terminals);
+    result.expanded += search_.expanded();
+  }
   if (!found) {
     // The blocks treat their cells as connected, which may be wrong. Search all cells.
     cells_.begin(costs);
@@ -169,6 +179,12 @@ void PathPlanner::take_centres() {
   points_.clear();
   for (const CellIndex cell : search_.nodes())
     points_.push_back(center(cell));
+}
+
+// Whether one-way zones allow the line between an end and a point of the grid.
+bool PathPlanner::may_join(const TravelCost& costs, const End& end, const Vector2d& point) {
+  return !(end.is_goal ? costs.goes_against_zone(point, end.point)
+                       : costs.goes_against_zone(end.point, point));
 }
 
 // Searches with so much less clearance that the cell beside the best point is allowed, moves every
@@ -195,7 +211,10 @@ bool PathPlanner::search_between_centres(const TravelCost& costs,
 // Whether the path keeps its clearance; from and to a tight end it keeps the radius only.
 bool PathPlanner::fits_along(const TravelCost& costs, double robot_radius) const noexcept {
   const auto fits = [&](const End& end, const Vector2d& point) {
-    if (!end.tight) return costs.fits(end.point, point);
+    if (!may_join(costs, end, point)) return false;
+    if (!end.tight) {
+      return end.is_goal ? costs.fits(point, end.point) : costs.fits(end.point, point);
+    }
     const GridFrame& frame = costs.frame();
     return is_free(costs.obstacles(), frame.to_world(end.point), frame.to_world(point),
                    robot_radius);

@@ -50,6 +50,7 @@ class PathPlanner {
   // An end of the path, and the cells that connect it to the grid.
   struct End {
     Eigen::Vector2d point;  // grid coordinates
+    bool is_goal = false;   // the path leads to it, and not away from it
     bool tight = false;     // closer to an obstacle than radius + margin
     std::vector<CellIndex> cells;
     std::vector<Terminal> blocks;
@@ -63,6 +64,9 @@ class PathPlanner {
                                             const PathSettings& settings,
                                             double robot_radius,
                                             PathResult& result);
+  [[nodiscard]] static bool may_join(const TravelCost& costs,
+                                     const End& end,
+                                     const Eigen::Vector2d& point);
   [[nodiscard]] bool fits_along(const TravelCost& costs, double robot_radius) const noexcept;
   void take_centres();
   [[nodiscard]] Path straight_path(const TravelCost& costs, bool any_angle);

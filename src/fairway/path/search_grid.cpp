@@ -206,14 +206,14 @@ void CellGrid::add_cells(CellIndex first, CellIndex last) {
     for (int x = std::max(0, first.x); x <= right; ++x) {
       const int i = index({.x = x, .y = y});
       if (row[x] < least || nodes_[static_cast<std::size_t>(i)] != 0) continue;
-      nodes_[static_cast<std::size_t>(i)] = byte_at(row[x]);
+      nodes_[static_cast<std::size_t>(i)] = byte_of(costs_->at_cell({.x = x, .y = y}, row[x]));
       indices_.push_back(i);
     }
   }
 }
 
 void CellGrid::mark_open() {
-  if (costs_->diagonals_need_checks()) return;
+  if (costs_->diagonals_need_checks() || costs_->steps_need_checks()) return;
   for (const int i : indices_) {
     if (is_gentle(i)) nodes_[static_cast<std::size_t>(i)] |= kOpen;
   }
@@ -226,7 +226,11 @@ void CellGrid::reset(std::uint32_t* so_far) {
 }
 
 bool CellGrid::linked(CellIndex node, unsigned direction) const noexcept {
-  return direction % 2 == 0 || costs_->diagonal_is_free(node, kStepX[direction], kStepY[direction]);
+  const int dx = kStepX[direction];
+  const int dy = kStepY[direction];
+  if (direction % 2 != 0 && !costs_->diagonal_is_free(node, dx, dy)) return false;
+  return !costs_->steps_need_checks() ||
+         costs_->step_fits(node, {.x = node.x + dx, .y = node.y + dy});
 }
 
 }  // namespace fairway

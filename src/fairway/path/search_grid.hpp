@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -51,8 +52,11 @@ class SearchGrid {
 
   // Returns the byte of a node at `distance` [m] from the nearest obstacle; never 0.
   [[nodiscard]] std::uint8_t byte_at(float distance) const noexcept {
-    return static_cast<std::uint8_t>(
-        static_cast<int>(costs_->at_distance(distance) * static_cast<float>(unit_) + 0.5F));
+    return byte_of(costs_->at_distance(distance));
+  }
+  [[nodiscard]] std::uint8_t byte_of(float cost) const noexcept {
+    const int units = static_cast<int>(cost * static_cast<float>(unit_) + 0.5F);
+    return static_cast<std::uint8_t>(std::min(units, static_cast<int>(kCost)));
   }
 
   // Returns whether GridSearch may skip detours at a node (see GridSearch::run): the node and its

@@ -46,11 +46,51 @@ TravelCost::TravelCost(const BitGrid& obstacles,
   rise_ = static_cast<float>(rise);
   at_zero_ = static_cast<float>(1.0 + rise * (allowed + settings.comfort_distance));
   greatest_cost_ = graded ? static_cast<float>(1.0 + settings.comfort_weight) : 1.0F;
+  greatest_at_distance_ = greatest_cost_;
+  const ZoneMap* zones = obstacles.zones();
+  if (zones == nullptr) return;
+  steps_need_checks_ = zones->forbids() || zones->has_costs();
+  if (!zones->has_costs()) return;
+  zone_costs_ = zones;
+  greatest_cost_ += static_cast<float>(zones->greatest_cost());
+}
+
+float TravelCost::zone_cost(CellIndex cell) const noexcept {
+  return static_cast<float>(zone_costs_->cost_at(frame().center(cell)));
+}
+
+bool TravelCost::goes_against_zone(const Eigen::Vector2d& a,
+                                   const Eigen::Vector2d& b) const noexcept {
+  return zone_costs_ != nullptr &&
+         zone_costs_->against({.a = frame().to_world(a), .b = frame().to_world(b)}).has_value();
+}
+
+bool TravelCost::step_fits(CellIndex from, CellIndex to) const noexcept {
+  const ZoneMap* zones = obstacles_.zones();
+  const Eigen::Vector2d a = frame().center(from);
+  const Eigen::Vector2d b = frame().center(to);
+  if (zone_costs_ != nullptr && zones->against({.a = a, .b = b})) return false;
+  const double far = static_cast<double>(surely_free_distance_) + frame().resolution;
+  if (far < zones->reach() && distances_.at(from) >= far && distances_.at(to) >= far) return true;
+  return !zones->forbidding(segment_rectangle(a, b), required_ + kFreeSpaceSkin, ZoneSubject::Disc);
 }
 
 TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
                                   const Eigen::Vector2d& b,
                                   double limit) const noexcept {
+  if (zone_costs_ == nullptr) return line_by_distance(a, b, limit);
+  const double extra =
+      zone_costs_->cost_along({.a = frame().to_world(a), .b = frame().to_world(b)}) /
+      frame().resolution;
+  Line line = line_by_distance(a, b, limit - extra);
+  line.cost += extra;
+  line.surely_free = line.surely_free && !goes_against_zone(a, b);
+  return line;
+}
+
+TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
+                                              const Eigen::Vector2d& b,
+                                              double limit) const noexcept {
   const GridFrame& grid = frame();
   const auto inside = [&](const Eigen::Vector2d& p) {
     return p.x() >= 0.0 && p.x() < grid.width && p.y() >= 0.0 && p.y() < grid.height;
@@ -108,7 +148,8 @@ TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
 }
 
 bool TravelCost::fits(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const noexcept {
-  return is_free(obstacles_, frame().to_world(a), frame().to_world(b), required_);
+  return is_free(obstacles_, frame().to_world(a), frame().to_world(b), required_) &&
+         !goes_against_zone(a, b);
 }
 
 }  // namespace fairway

@@ -16,6 +16,9 @@ namespace fairway {
 /// A metre in that cell costs 1 + comfort_weight * max(0, 1 - (d - r) / comfort_distance), at most
 /// 1 + comfort_weight. A line costs the integral over the cells it crosses. A cell is *allowed* if
 /// a disc of radius r is free at its centre (is_free holds there).
+///
+/// Zones of the map add their cost of a metre (ZoneMap::cost_at), for lines exactly, and forbid
+/// lines against the direction of a one-way zone.
 class TravelCost {
  public:
   /// Keeps references to both maps, which must outlive this object.
@@ -39,10 +42,24 @@ class TravelCost {
   /// Cost of a metre at distance `d` [m] from the nearest obstacle.
   [[nodiscard]] float at_distance(float d) const noexcept {
     const float cost = at_zero_ - rise_ * d;
-    return std::min(std::max(cost, 1.0F), greatest_cost_);
+    return std::min(std::max(cost, 1.0F), greatest_at_distance_);
   }
   /// The greatest cost of a metre.
   [[nodiscard]] float greatest_cost() const noexcept { return greatest_cost_; }
+  /// Cost of a metre at the centre of a cell, with `distance` [m] to the nearest obstacle.
+  [[nodiscard]] float at_cell(CellIndex cell, float distance) const noexcept {
+    const float cost = at_distance(distance);
+    return zone_costs_ == nullptr ? cost : cost + zone_cost(cell);
+  }
+
+  /// Whether zones make places or directions differ in cost, so that a coarse search would choose
+  /// wrong.
+  [[nodiscard]] bool needs_fine_search() const noexcept { return zone_costs_ != nullptr; }
+  /// Whether moves between allowed neighbours need `step_fits`, because of zones.
+  [[nodiscard]] bool steps_need_checks() const noexcept { return steps_need_checks_; }
+  /// Whether zones allow to move from the centre of a cell to that of a neighbour.
+  [[nodiscard]] bool step_fits(CellIndex from, CellIndex to) const noexcept;
+
   /// Increase of the cost per metre closer to an obstacle [1/m].
   [[nodiscard]] float rise() const noexcept { return rise_; }
 
@@ -60,6 +77,10 @@ class TravelCost {
            !obstacles_.blocked({.x = cell.x - dx * near, .y = cell.y + dy * far});
   }
 
+  /// Whether a straight motion between two points in grid coordinates goes against a one-way zone.
+  [[nodiscard]] bool goes_against_zone(const Eigen::Vector2d& from,
+                                       const Eigen::Vector2d& to) const noexcept;
+
   /// The cost of a straight line.
   struct Line {
     double cost = std::numeric_limits<double>::infinity();  ///< [cells]
@@ -67,16 +88,23 @@ class TravelCost {
     bool surely_free = false;
   };
 
-  /// Computes the cost of the line between two points in grid coordinates. The cost is infinite if
-  /// it exceeds `limit` or an end lies outside the map. Whether the robot fits is not tested.
+  /// Computes the cost of the line from one point to another in grid coordinates. The cost is
+  /// infinite if it exceeds `limit` or an end lies outside the map. Whether the robot fits is not
+  /// tested.
   [[nodiscard]] Line line(const Eigen::Vector2d& a,
                           const Eigen::Vector2d& b,
                           double limit = std::numeric_limits<double>::infinity()) const noexcept;
 
-  /// Tests exactly whether the robot fits along a line between two points in grid coordinates.
+  /// Tests exactly whether the robot fits along a line from one point to another in grid
+  /// coordinates.
   [[nodiscard]] bool fits(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const noexcept;
 
  private:
+  [[nodiscard]] Line line_by_distance(const Eigen::Vector2d& a,
+                                      const Eigen::Vector2d& b,
+                                      double limit) const noexcept;
+  [[nodiscard]] float zone_cost(CellIndex cell) const noexcept;
+
   const BitGrid& obstacles_;
   const DistanceField& distances_;
   double required_;
@@ -84,8 +112,11 @@ class TravelCost {
   float surely_free_distance_;  // least distance at the centre of a cell that is free all over [m]
   float at_zero_;               // cost that the linear increase extrapolates to at distance 0
   float rise_;
+  float greatest_at_distance_;
   float greatest_cost_;
   int corner_;
+  const ZoneMap* zone_costs_ = nullptr;  // of the map, where they have costs or directions
+  bool steps_need_checks_ = false;
 };
 
 }  // namespace fairway

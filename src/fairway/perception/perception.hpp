@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "fairway/localization/pose_correction.hpp"
 #include "fairway/perception/moving_object_tracker.hpp"
 #include "fairway/perception/rolling_grid.hpp"
 
@@ -18,9 +22,17 @@ class Perception {
   Perception(const PerceptionSettings& settings, const Eigen::Vector2d& position);
 
   /// Processes one scan.
-  /// @param position  Position of the robot at the scan's time, in the same frame.
+  /// @param position  Position of the robot at the scan's time, in the frame of the scan's poses.
   /// @param body_radius  Radius of the disc that covers the robot [m].
   void observe(const LidarScan& scan, const Eigen::Vector2d& position, double body_radius) noexcept;
+
+  /// Sets the zones that both readings of the map carry; null for none.
+  void set_zones(std::shared_ptr<const ZoneMap> zones) noexcept {
+    grid_.set_zones(std::move(zones));
+  }
+
+  /// Doubts occupied cells that none of the last scans has touched, as RollingGrid::doubt_unseen.
+  CellWindow doubt_unseen(int scans) noexcept { return grid_.doubt_unseen(scans); }
 
   [[nodiscard]] const RollingGrid& grid() const noexcept { return grid_; }
   [[nodiscard]] const MovingObjectTracker& tracker() const noexcept { return tracker_; }
@@ -28,12 +40,27 @@ class Perception {
   [[nodiscard]] std::span<const Beam> beams() const noexcept { return beams_; }
   [[nodiscard]] double time() const noexcept { return time_; }  ///< of the last scan [s]
 
+  /// Returns the pose in the frame of the grid for a pose in the frame of the scans' poses. Both
+  /// are the same unless `match_scans` is set.
+  [[nodiscard]] Pose2 corrected(const Pose2& odometry) const noexcept {
+    return correction_ ? correction_->corrected(odometry) : odometry;
+  }
+
+  /// The certainty of corrected poses; null unless `match_scans` is set.
+  [[nodiscard]] const PoseCertainty* certainty() const noexcept {
+    return correction_ ? &correction_->certainty() : nullptr;
+  }
+
  private:
+  void match(const Pose2& odometry) noexcept;
+
   PerceptionSettings settings_;
   std::size_t max_beams_;
   RollingGrid grid_;
   MovingObjectTracker tracker_;
   std::vector<Beam> beams_;
+  std::optional<PoseCorrection> correction_;
+  std::vector<Eigen::Vector2d> ends_;
   double time_;
 };
 

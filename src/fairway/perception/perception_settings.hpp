@@ -28,6 +28,7 @@ struct PerceptionSettings {
   double acceleration_noise = 1.5;  ///< acceleration noise of moving objects [m/s^2]
   double forget_after = 2.0;        ///< time after which a hidden moving object is forgotten [s]
   double uncertainty_share = 1.0;   ///< standard deviations added to a radius []
+  bool match_scans = false;         ///< whether poses by odometry are corrected by matching scans
   int max_beams = 4096;             ///< number of beams used of a scan, the first ones, 1 to 100000
 };
 
@@ -101,6 +102,10 @@ void visit_perception(Settings& s, Visitor&& field) {
                     "number of standard deviations of its position added to a moving object's "
                     "radius; a greater value keeps more distance",
                     0, 10});
+  field(s.match_scans,
+        SettingInfo{"match_scans", "",
+                    "whether poses by odometry are corrected by matching each scan with the "
+                    "surfaces seen before; without a map only"});
   field(s.max_beams,
         SettingInfo{"max_beams", "", "number of beams used of a scan, the first ones", 1, 100000});
 }

@@ -96,7 +96,7 @@ RollingGrid::RollingGrid(const PerceptionSettings& settings, const Vector2d& cen
     : settings_(settings),
       side_(side_in_cells(settings)),
       cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_),
-             Cell{.evidence = 0, .scan = kNever, .newness = 0}),
+             Cell{.evidence = 0, .newness = 0, .scan = kNever}),
       occupied_(window_around(center, side_, settings.resolution), false),
       not_seen_free_(occupied_.frame(), true) {}
 
@@ -172,7 +172,7 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
   const auto cells_of = [&](int y) {
     return cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(side_);
   };
-  move_rows(cells_of, cells_of, kBlock, Cell{.evidence = 0, .scan = kNever, .newness = 0});
+  move_rows(cells_of, cells_of, kBlock, Cell{.evidence = 0, .newness = 0, .scan = kNever});
   const auto move_bits = [&](BitGrid& grid, std::uint64_t fill) {
     grid.rewrite([&](const auto& words_of_row) {
       move_rows([&](int y) { return words_of_row(y).data(); },
@@ -191,18 +191,20 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
 }
 
 void RollingGrid::next_scan() noexcept {
-  scan_ = static_cast<std::uint8_t>((scan_ + 1) % kNever);
-  if (scan_ != 0) return;
-  // The numbers wrap around: old numbers must not equal new ones.
-  scan_ = 1;
+  if (++scan_ < kNever) return;
+  // The numbers have run out: those of the older half become 0, the others keep their order.
+  constexpr std::uint16_t kHalf = kNever / 2;
+  scan_ = static_cast<std::uint16_t>(scan_ - kHalf);
   for (Cell& cell : cells_) {
-    if (cell.scan != kNever) cell.scan = 0;
+    if (cell.scan == kNever) continue;
+    cell.scan = cell.scan > kHalf ? static_cast<std::uint16_t>(cell.scan - kHalf) : 0;
   }
 }
 
 void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
   const bool known = value.scan != kNever;
   const bool was_occupied = known && value.evidence > 0;
+  const bool was_blocked = occupied_.blocked(cell);  // not where it was doubted
   value.scan = scan_;
   value.evidence = static_cast<std::int8_t>(
       std::clamp(value.evidence + evidence, settings_.least_evidence, settings_.most_evidence));
@@ -212,11 +214,24 @@ void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
   } else if (evidence > 0 && value.newness > 0) {
     --value.newness;
   }
-  if (known && is_occupied == was_occupied) return;
-  not_seen_free_.set(cell, is_occupied);
-  if (is_occupied == was_occupied) return;
+  if (!known || is_occupied != was_occupied) not_seen_free_.set(cell, is_occupied);
+  if (is_occupied == was_blocked) return;
   occupied_.set(cell, is_occupied);
   include(changed_, cell);
+}
+
+CellWindow RollingGrid::doubt_unseen(int scans) noexcept {
+  CellWindow doubted{.first = {.x = side_, .y = side_}, .last = {.x = -1, .y = -1}};
+  for (int y = 0; y < side_; ++y) {
+    for (int x = occupied_.first_blocked(y, 0, side_ - 1); x >= 0;
+         x = occupied_.first_blocked(y, x + 1, side_ - 1)) {
+      const CellIndex cell{.x = x, .y = y};
+      if (scan_ - cell_of(cell).scan < scans) continue;
+      occupied_.set(cell, false);
+      include(doubted, cell);
+    }
+  }
+  return doubted;
 }
 
 void RollingGrid::mark(const Beam& beam) noexcept {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
@@ -22,7 +24,10 @@ namespace fairway {
 ///
 /// There are two readings. In `occupied` unknown cells are free, for planning paths through them.
 /// In `not_seen_free` they are blocked, so that the robot can always stop inside what was measured.
-/// Does not allocate after construction; deterministic.
+///
+/// Occupied cells can be doubted: `occupied` then treats them as unknown until the next beam
+/// reaches them. Their evidence remains, and `not_seen_free` does not change. Does not allocate
+/// after construction; deterministic.
 class RollingGrid {
  public:
   /// Step by which the window moves [cells]: one word of a BitGrid.
@@ -42,6 +47,12 @@ class RollingGrid {
               const Eigen::Vector2d& robot,
               double body_radius) noexcept;
 
+  /// Sets the zones that both readings carry; null for none.
+  void set_zones(std::shared_ptr<const ZoneMap> zones) noexcept {
+    occupied_.set_zones(zones);
+    not_seen_free_.set_zones(std::move(zones));
+  }
+
   [[nodiscard]] const GridFrame& frame() const noexcept { return occupied_.frame(); }
   [[nodiscard]] const BitGrid& occupied() const noexcept { return occupied_; }
   [[nodiscard]] const BitGrid& not_seen_free() const noexcept { return not_seen_free_; }
@@ -60,13 +71,17 @@ class RollingGrid {
   /// the window.
   [[nodiscard]] bool would_be_new(CellIndex cell) const noexcept;
 
+  /// Doubts every occupied cell that none of the last `scans` scans has touched.
+  /// @return the cells where `occupied` changed; may be empty.
+  CellWindow doubt_unseen(int scans) noexcept;
+
  private:
   struct Cell {
     std::int8_t evidence = 0;
-    std::uint8_t scan = 0;     // the last scan that touched it; kNever if unknown
     std::uint8_t newness = 0;  // kNewScans once surely free; each hit subtracts one
+    std::uint16_t scan = 0;    // the last scan that touched it; kNever if unknown
   };
-  static constexpr std::uint8_t kNever = 255;
+  static constexpr std::uint16_t kNever = 0xFFFF;
 
   void follow(const Eigen::Vector2d& robot) noexcept;
   void roll(int blocks_x, int blocks_y) noexcept;
@@ -89,7 +104,7 @@ class RollingGrid {
   std::vector<Cell> cells_;
   BitGrid occupied_;
   BitGrid not_seen_free_;
-  std::uint8_t scan_ = 0;  // number of the present scan, 0..kNever - 1
+  std::uint16_t scan_ = 0;  // number of the present scan, 0..kNever - 1
   bool rolled_ = false;
   CellWindow changed_{.first = {.x = 0, .y = 0}, .last = {.x = -1, .y = -1}};
 };

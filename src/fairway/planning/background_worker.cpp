@@ -18,9 +18,14 @@ BackgroundWorker::~BackgroundWorker() {
 void BackgroundWorker::start(std::function<void()> job) {
   FAIRWAY_EXPECTS(idle());
   job_ = std::move(job);
+#ifdef FAIRWAY_WITHOUT_THREADS  // in a browser: the job is done at once
+  job_();
+  state_.store(State::Finished);
+#else
   state_.store(State::Running);
   state_.notify_all();
   if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+#endif
 }
 
 void BackgroundWorker::collect() noexcept {

@@ -13,6 +13,7 @@
 
 #include "fairway/map/free_space.hpp"
 #include "fairway/path/search_grid.hpp"
+#include "fairway/planning/zone_obstruction.hpp"
 
 namespace fairway {
 
@@ -257,6 +258,8 @@ std::string explain(const PreparedMap& map,
                    " of the path; try smaller values of corridor.min_overlap_area or "
                    "robot.radius"});
   }
+  if (std::optional<std::string> zones = explain_zones(map, start, plan, radius))
+    return *std::move(zones);
   const std::optional<PathObstruction> obstruction = find_obstruction(map, start, plan, radius);
   return obstruction ? sentence(*obstruction) : plan.reason();
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 
 #include "fairway/corridor/corridor_builder.hpp"
@@ -70,6 +72,46 @@ class Stopwatch {
   double start_;
 };
 
+// How deep a straight piece of a path leads into a polygon, at points 0.05 m apart; negative
+// outside [m].
+double deepest_along(const ZonePolygon& polygon, const Segment& piece) {
+  constexpr double kApart = 0.05;  // [m]
+  const double length = (piece.b - piece.a).norm();
+  const int parts = 1 + static_cast<int>(length / kApart);
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= parts; ++k) {
+    const Eigen::Vector2d point = piece.a + (piece.b - piece.a) * k / parts;
+    deepest = std::max(deepest, -polygon.signed_distance(point));
+  }
+  return deepest;
+}
+
+// Zones in which the one-way zones that a path does not enter are keep-outs for the centre; null
+// if there are none.
+std::shared_ptr<const ZoneMap> with_closed_lanes(const BitGrid& obstacles, const Path& path) {
+  const ZoneMap* zones = obstacles.zones();
+  if (zones == nullptr) return nullptr;
+  Zones closed = zones->zones();
+  bool any = false;
+  for (Zone& zone : closed) {
+    if (zone.kind != ZoneKind::OneWay) continue;
+    const ZonePolygon polygon(zone.polygon);
+    bool entered = false;
+    for (std::size_t i = 1; i < path.waypoints.size() && !entered; ++i) {
+      // What touches it from outside does not enter it.
+      constexpr double kDeep = 1e-3;  // [m]
+      const Segment piece{.a = path.waypoints[i - 1], .b = path.waypoints[i]};
+      entered = polygon.is_near(segment_rectangle(piece.a, piece.b), 0.0) &&
+                deepest_along(polygon, piece) > kDeep;
+    }
+    if (entered) continue;
+    zone.kind = ZoneKind::KeepOut;
+    zone.reference = ZoneReference::Centre;
+    any = true;
+  }
+  return any ? std::make_shared<const ZoneMap>(std::move(closed), zones->radius()) : nullptr;
+}
+
 bool depends_on_margin(PathStatus status) { return status == PathStatus::NoConnection; }
 
 }  // namespace
@@ -84,6 +126,24 @@ Plan Planner::plan(const PreparedMap& map,
                    const Goal& goal,
                    const PlannerSettings& settings,
                    const PlannerHooks& hooks) {
+  Plan plan = plan_on(map, start, goal, settings, hooks);
+  if (plan.path_status != PathStatus::Found) return plan;
+  // A rectangle beside the path may reach into a one-way zone, against its direction.
+  const std::shared_ptr<const ZoneMap> closed = with_closed_lanes(map.obstacles, plan.path);
+  if (closed == nullptr) return plan;
+  BitGrid obstacles = map.obstacles;
+  obstacles.set_zones(closed);
+  Plan around = plan_on(PreparedMap(std::move(obstacles)), start, goal, settings, hooks);
+  around.path_seconds += plan.path_seconds;
+  around.corridor_seconds += plan.corridor_seconds;
+  return around.usable() ? around : plan;
+}
+
+Plan Planner::plan_on(const PreparedMap& map,
+                      const Eigen::Vector2d& start,
+                      const Goal& goal,
+                      const PlannerSettings& settings,
+                      const PlannerHooks& hooks) {
   Plan plan;
   plan.goal = goal;
   // Input that cannot be located on the map; this form also rejects NaN.

@@ -79,6 +79,8 @@ class Planner {
   /// downwards, and returns the first complete corridor. A single fixed margin would fail in some
   /// maps.
   ///
+  /// Around a one-way zone that the path does not enter, the corridor leaves the zone out.
+  ///
   /// Always returns a plan: a start or goal that is not finite counts as outside the map, and a
   /// radius or setting that is negative or not finite gives InvalidInput.
   [[nodiscard]] Plan plan(const PreparedMap& map,
@@ -88,6 +90,11 @@ class Planner {
                           const PlannerHooks& hooks = {});
 
  private:
+  [[nodiscard]] Plan plan_on(const PreparedMap& map,
+                             const Eigen::Vector2d& start,
+                             const Goal& goal,
+                             const PlannerSettings& settings,
+                             const PlannerHooks& hooks);
   std::unique_ptr<PathPlanner> path_planner_;
 };
 

@@ -41,6 +41,9 @@ struct PredictionSettings {
   bool predict_motion = true;        ///< obstacles keep their velocity; false: they stand still
   double obstacle_growth = 0.1;      ///< growth of that distance per second ahead [m/s], 0 to 10
   double obstacle_growth_max = 0.2;  ///< greatest growth of that distance [m], 0 to 10
+  double comfort_distance = 0.3;     ///< distance that the robot prefers to keep beyond that [m]
+  double time_headway = 0.3;  ///< time by which it prefers to stay out of an obstacle's path [s]
+  double deviation_growth = 0.12;  ///< growth of the standard deviation of a prediction [m/s]
 };
 
 template <typename Settings, typename Visitor>
@@ -57,6 +60,22 @@ void visit_prediction(Settings& s, Visitor&& field) {
                     "growth of that distance per second ahead, since predictions err", 0, 10});
   field(s.obstacle_growth_max,
         SettingInfo{"obstacle_growth_max", "m", "greatest growth of that distance", 0, 10});
+  field(s.comfort_distance,
+        SettingInfo{"comfort_distance", "m",
+                    "distance that the robot prefers to keep from moving obstacles, beyond "
+                    "obstacle_margin and its braking distance; a greater value takes longer "
+                    "detours",
+                    0, 10});
+  field(s.time_headway,
+        SettingInfo{"time_headway", "s",
+                    "time by which the robot prefers to stay out of the path of a moving obstacle; "
+                    "a greater value passes behind rather than in front",
+                    0, 10});
+  field(s.deviation_growth,
+        SettingInfo{"deviation_growth", "m/s",
+                    "growth of the standard deviation of predictions per second ahead, beyond the "
+                    "controller's horizon",
+                    0, 10});
 }
 
 }  // namespace fairway

@@ -31,7 +31,8 @@ CollisionEnvironment static_environment(const BitGrid& obstacles,
   // is free a little of that may be lost on the way, but no more than is lost already. Where the
   // disc has less clearance than the margin, the margin must not forbid to turn.
   const double disc_room =
-      distance_to_blocked(obstacles, pose.position, radius + margin) - 2.0 * kFreeSpaceSkin;
+      distance_to_blocked(obstacles, pose.position, radius + margin, ZoneSubject::Body) -
+      2.0 * kFreeSpaceSkin;
   around.turning_radius = std::min(radius - settings.turn_clearance_tolerance, disc_room);
   const double turning_margin = disc_room - body.circumscribed_radius();
   if (turning_margin > 0.0) around.static_margin = std::min(around.static_margin, turning_margin);

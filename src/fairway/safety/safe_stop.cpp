@@ -39,17 +39,18 @@ void run_towards(const Twist2& current,
     command = now = limited_change(now, wanted, robot, period);
 }
 
-constexpr std::size_t kMostStanding = 64;
+constexpr std::size_t kMostStationary = 64;
 
-// Those of `moving` that stand still.
-MovingObstacles standing_among(MovingObstacles moving,
-                               std::array<MovingObstacle, kMostStanding>& standing) noexcept {
+// Those of `moving` whose speed is about zero.
+MovingObstacles stationary_among(MovingObstacles moving,
+                                 std::array<MovingObstacle, kMostStationary>& stationary) noexcept {
   constexpr double kStill = 0.1;  // [m/s]
   std::size_t count = 0;
   for (const MovingObstacle& obstacle : moving) {
-    if (obstacle.velocity.norm() < kStill && count < kMostStanding) standing[count++] = obstacle;
+    if (obstacle.velocity.norm() < kStill && count < kMostStationary)
+      stationary[count++] = obstacle;
   }
-  return {standing.data(), count};
+  return {stationary.data(), count};
 }
 
 // `wanted` itself where the limits allow it in `time`, else as near to it as they do.
@@ -137,7 +138,8 @@ bool SafeStop::take(const StopSituation& situation, std::span<const Twist2> comm
     tried = follow;
     const StopSequence stop = follow_then_brake(commands, follow, robot_, period_);
     const StopVerdict verdict = prove(situation, commands[0], stop);
-    if (verdict == StopVerdict::HitsStatic) return false;
+    refusal_ = verdict;
+    if (is_final(verdict)) return false;
     if (verdict != StopVerdict::Free) continue;
     first_ = commands[0];
     last_ = commands[0];
@@ -198,17 +200,17 @@ bool SafeStop::evade(const StopSituation& situation,
   double latest = than + period_;
   bool found = false;
   // A manoeuvre that a moving obstacle would meet is looked at no further than to there. Static
-  // obstacles and people who stand must be out of all of it, since others may do otherwise.
+  // obstacles and stationary people must be out of all of it; predictions of others may be wrong.
   StopSituation alone = situation;
-  std::array<MovingObstacle, kMostStanding> standing;
-  alone.around.moving = standing_among(situation.around.moving, standing);
+  std::array<MovingObstacle, kMostStationary> stationary;
+  alone.around.moving = stationary_among(situation.around.moving, stationary);
   alone.around.fleet = {};
   CollisionEnvironment around = situation.around;
   const auto consider = [&](std::span<const Twist2> way) {
     const StopSequence stop = follow_then_brake(way, way.size() - 1, robot_, period_);
     const StopOutcome outcome =
         follow_stop(situation.pose, manoeuvre(situation, way[0], stop), situation.hold, around);
-    if (outcome.verdict == StopVerdict::HitsStatic) return;
+    if (is_final(outcome.verdict)) return;
     const bool whole = outcome.verdict == StopVerdict::Free;
     const double time = whole ? std::numeric_limits<double>::infinity() : outcome.time;
     if (!(time > latest) || prove(alone, way[0], stop) != StopVerdict::Free) return;

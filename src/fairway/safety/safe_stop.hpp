@@ -51,6 +51,9 @@ class SafeStop {
   [[nodiscard]] bool take(const StopSituation& situation,
                           std::span<const Twist2> commands) noexcept;
 
+  /// Why the last commands given to `take` were not proven; Free if they were.
+  [[nodiscard]] StopVerdict refusal() const noexcept { return refusal_; }
+
   /// When the stop that is fallen back on touches a moving obstacle [s from now]; infinite for
   /// never within `hold`. Static obstacles were checked when it was taken. The margin of the proof
   /// does not count here.
@@ -92,6 +95,7 @@ class SafeStop {
   double ramp_;            // within which the base ramps to the command of this cycle [s]
   bool in_cycle_ = false;  // begun, and nothing taken yet
   int done_ = 0;           // commands of stop_ that were sent
+  StopVerdict refusal_ = StopVerdict::Free;
 };
 
 }  // namespace fairway

@@ -7,6 +7,7 @@
 #include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/mpc/control_problem.hpp"
+#include "fairway/safety/zone_check.hpp"
 
 namespace fairway {
 
@@ -26,7 +27,8 @@ class StopCheck {
  public:
   StopCheck(const Pose2& pose, const CollisionEnvironment& surroundings) noexcept
       : pose_(pose),
-        surroundings_(surroundings) {}
+        surroundings_(surroundings),
+        zones_(surroundings.obstacles->zones()) {}
 
   [[nodiscard]] double time() const noexcept { return time_; }
 
@@ -67,17 +69,26 @@ class StopCheck {
     const double sagitta = std::abs(mean.linear * h * mean.angular * h) / 8.0;
     const double growth = std::max(surroundings_.static_margin, piece_.aside) + sagitta;
     StopVerdict verdict = StopVerdict::Free;
-    if (!is_free(*surroundings_.obstacles, pose_.position, furthest(next), radius + growth)) {
-      verdict = StopVerdict::HitsStatic;
+    const OrientedRectangle chord = segment_rectangle(pose_.position, furthest(next));
+    if (zones_ != nullptr) {
+      verdict = check_centre(*zones_, {.chord = chord,
+                                       .aside = piece_.aside + sagitta,
+                                       .body_radius = radius,
+                                       .fastest = piece_.fastest,
+                                       .mean = {.a = pose_.position, .b = next.position}});
+      if (verdict != StopVerdict::Free) return verdict;
+    }
+    if (!is_free(*surroundings_.obstacles, chord, radius + growth, ZoneSubject::Body)) {
+      verdict = cause_of(zones_, chord, radius + growth);
     } else if (disc_meets_moving(whole, radius + sagitta)) {
       verdict = StopVerdict::HitsMoving;
     }
     if (disc_meets_fleet(whole, radius + sagitta)) return StopVerdict::HitsMoving;
     if (verdict == StopVerdict::Free || body.inscribed_radius() >= radius) return verdict;
     if (surroundings_.turning_radius > 0.0 &&
-        !is_free(*surroundings_.obstacles, pose_.position, furthest(next),
-                 surroundings_.turning_radius + sagitta)) {
-      return StopVerdict::HitsStatic;
+        !is_free(*surroundings_.obstacles, chord, surroundings_.turning_radius + sagitta,
+                 ZoneSubject::Body)) {
+      return cause_of(zones_, chord, surroundings_.turning_radius + sagitta);
     }
 
     constexpr double kTurn = 0.02;  // [rad] per part
@@ -88,7 +99,8 @@ class StopCheck {
                        .to = step(from, mean, h / parts, Integration::Midpoint),
                        .start = time_ + i * h / parts,
                        .duration = h / parts};
-      if (!body_is_free(part)) return StopVerdict::HitsStatic;
+      if (const StopVerdict touches = check_body(part); touches != StopVerdict::Free)
+        return touches;
       if (body_meets_moving(part)) return StopVerdict::HitsMoving;
       from = part.to;
     }
@@ -116,7 +128,7 @@ class StopCheck {
            std::copysign(piece_.ahead, piece_.mean.linear) * direction(pose.heading);
   }
 
-  [[nodiscard]] bool body_is_free(const Sweep& sweep) const noexcept {
+  [[nodiscard]] StopVerdict check_body(const Sweep& sweep) const noexcept {
     const Footprint& body = surroundings_.body;
     const double margin = std::max(surroundings_.static_margin,
                                    piece_.aside + body.circumscribed_radius() * piece_.turned);
@@ -132,19 +144,22 @@ class StopCheck {
       swept.min.x() -= half_way + (piece_.mean.linear < 0.0 ? piece_.ahead : 0.0);
       swept.max.x() += half_way + (piece_.mean.linear < 0.0 ? 0.0 : piece_.ahead);
       const double corner = body.circumscribed_radius() * 0.5 * sweep.turn();
-      return is_free(*surroundings_.obstacles, swept, keep(sweep.sagitta() + corner));
+      const double kept = keep(sweep.sagitta() + corner);
+      const bool free = is_free(*surroundings_.obstacles, swept, kept, ZoneSubject::Body);
+      return free ? StopVerdict::Free : cause_of(zones_, swept, kept);
     }
     for (int i = 0; i < body.num_discs(); ++i) {
       const Footprint::Disc& disc = body.disc_at(i);
       // The disc's own arc is longer than the robot's by at most its distance times the turn.
       const double more = disc.center.norm() * sweep.turn() * sweep.turn() / 8.0;
       const Pose2 last{.position = furthest(sweep.to), .heading = sweep.to.heading};
-      if (!is_free(*surroundings_.obstacles, transform(sweep.from, disc.center),
-                   transform(last, disc.center), disc.radius + keep(sweep.sagitta() + more))) {
-        return false;
-      }
+      const OrientedRectangle chord =
+          segment_rectangle(transform(sweep.from, disc.center), transform(last, disc.center));
+      const double kept = disc.radius + keep(sweep.sagitta() + more);
+      if (!is_free(*surroundings_.obstacles, chord, kept, ZoneSubject::Body))
+        return cause_of(zones_, chord, kept);
     }
-    return true;
+    return StopVerdict::Free;
   }
 
   // Where an obstacle is expected `time` seconds from now.
@@ -220,6 +235,7 @@ class StopCheck {
   StopPiece piece_;
   double time_ = 0.0;
   CollisionEnvironment surroundings_;
+  const ZoneMap* zones_;  // of the obstacles; null without
 };
 
 }  // namespace

@@ -33,7 +33,20 @@ struct CollisionEnvironment {
 };
 
 /// Why a stop is not proven.
-enum class StopVerdict : std::uint8_t { Free, HitsStatic, HitsMoving };
+enum class StopVerdict : std::uint8_t {
+  Free,
+  HitsStatic,
+  HitsMoving,
+  EntersZone,   ///< a keep-out zone
+  LeavesStrip,  ///< the union of the strips
+  TooFast,      ///< for a zone with a speed limit
+  WrongWay,     ///< against the direction of a one-way zone
+};
+
+/// Whether another manoeuvre after the same command cannot help: everything but moving obstacles.
+[[nodiscard]] constexpr bool is_final(StopVerdict verdict) noexcept {
+  return verdict != StopVerdict::Free && verdict != StopVerdict::HitsMoving;
+}
 
 /// How a stop ends.
 struct StopOutcome {
@@ -50,6 +63,10 @@ struct StopOutcome {
 /// it turns by no more than 0.02 rad, a rectangle as the exact rectangle that it covers while it
 /// moves straight, grown by as much as its furthest corner moves in half of the turn (3 mm for a
 /// corner at 0.3 m). What the family of motions deviates from the slow base is added to each.
+///
+/// The zones of the map hold for all of it: the body enters no keep-out and leaves no strip for the
+/// contour, the centre none for the centre, no base of the family is faster than a zone allows that
+/// the covering disc touches, and the centre never moves against a one-way zone.
 [[nodiscard]] StopOutcome follow_stop(const Pose2& pose,
                                       const StopManoeuvre& manoeuvre,
                                       double hold,

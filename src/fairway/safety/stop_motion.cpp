@@ -38,6 +38,7 @@ MotionFamily::MotionFamily(const StopManoeuvre& manoeuvre) noexcept : m_(manoeuv
 
 bool MotionFamily::next(StopPiece& piece) noexcept {
   if (piece_ == pieces_ && !begin_segment()) return false;
+  const BaseResponse before = response_;
   const double share = (piece_ + 0.5) / pieces_;
   Twist2 slow = between(from_, to_, share);
   Twist2 quick;
@@ -55,9 +56,25 @@ bool MotionFamily::next(StopPiece& piece) noexcept {
   }
   piece.mean = slow;
   piece.duration = h_;
+  piece.fastest = fastest_in_piece(before);
   if (m_.actuation != nullptr) deviate(quick, slow, h_, piece);
   ++piece_;
   return true;
+}
+
+// Within a piece a member changes its speed evenly, or ever more slowly; one that follows a ramp
+// late stays between its speed and the ramp.
+double MotionFamily::fastest_in_piece(const BaseResponse& before) const noexcept {
+  const auto greatest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
+  if (exact_) {
+    const double first = between(from_, to_, static_cast<double>(piece_) / pieces_).linear;
+    const double last = between(from_, to_, (piece_ + 1.0) / pieces_).linear;
+    const double slow = greatest(first, last);
+    if (m_.actuation == nullptr) return slow;
+    return std::max(slow, greatest(before.quick.linear, response_.quick.linear));
+  }
+  return std::max(greatest(before.slow.linear, response_.slow.linear),
+                  greatest(before.quick.linear, response_.quick.linear));
 }
 
 // One axis with its delay and lag: the mean speeds of both members in this piece.

@@ -28,6 +28,7 @@ struct StopManoeuvre {
 struct StopPiece {
   Twist2 mean;            ///< of the slow base
   double duration = 0.0;  ///< [s]
+  double fastest = 0.0;   ///< greatest linear speed of any base of the family, without sign [m/s]
   /// How far any base of the family can be from the slow one, up to the end of the piece.
   double ahead = 0.0;   ///< along the path, in the direction of motion [m]
   double apart = 0.0;   ///< along the path, in either direction [m]
@@ -58,6 +59,7 @@ class MotionFamily {
   [[nodiscard]] Twist2 sent_at(double time) const noexcept;
   [[nodiscard]] double next_change(double time) const noexcept;
   [[nodiscard]] Twist2 stop_command(int k) const noexcept;
+  [[nodiscard]] double fastest_in_piece(const BaseResponse& before) const noexcept;
   void deviate(const Twist2& quick, const Twist2& slow, double h, StopPiece& piece) noexcept;
 
   StopManoeuvre m_;

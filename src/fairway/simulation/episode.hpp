@@ -24,6 +24,7 @@ struct RobotResult {
   double length = 0.0;          ///< of the driven path [m]
   double min_clearance = 0.0;   ///< least distance from the body to static obstacles [m]
   double min_separation = 0.0;  ///< least distance to other bodies; infinite when alone [m]
+  ZoneBreaches zones{};         ///< how far it broke the zones, judged by the simulator
   int cycles = 0;
   std::vector<int> status_counts{};     ///< number of cycles per NavigationStatus
   std::vector<double> cycle_seconds{};  ///< computing time of each cycle, with a clock [s]
@@ -36,7 +37,7 @@ struct RobotResult {
 
 /// The result of a whole run.
 struct EpisodeResult {
-  bool success = false;  ///< every robot reached its goal and none touched anything
+  bool success = false;  ///< every robot reached its goal, touched nothing and kept the zones
   double time = 0.0;     ///< simulated [s]
   std::vector<RobotResult> robots;
   Trace trace;

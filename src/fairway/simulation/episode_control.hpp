@@ -30,6 +30,25 @@ class EpisodeControl {
   /// Removes a body; the indices after it decrease by one. @pre it exists.
   virtual void remove_body(std::size_t index) = 0;
 
+  /// Drops the goal of a robot: it brakes to a standstill. @pre robot exists.
+  virtual void cancel_goal(std::size_t robot) = 0;
+
+  /// Places a robot at standstill, and forgets its contact; it keeps its goal. @pre robot exists.
+  virtual void place_robot(std::size_t robot, const Pose2& pose) = 0;
+
+  /// Adds a robot without a goal to the running world. @pre the unicycle moves the robots.
+  virtual void add_robot(const RobotTask& task) = 0;
+
+  /// Removes a robot from the running world, or puts it back. Indices do not change.
+  /// @pre robot exists.
+  virtual void set_present(std::size_t robot, bool present) = 0;
+
+  /// Emergency stop: all bases brake and no robot is controlled, until it is released.
+  virtual void set_halted(bool halted) = 0;
+
+  /// Takes over plans that threads have finished, for a run that is paused.
+  virtual void take_plans() = 0;
+
   /// Continues with other settings. @pre validate(settings) holds.
   virtual void set_settings(const Settings& settings) = 0;
 };

@@ -67,14 +67,17 @@ class EpisodeObserver {
                              const Settings& settings,
                              std::span<const NavigatorStart> starts) = 0;
 
+  /// The robots of the running world are these from now on; `on_navigators` follows.
+  virtual void on_robots(double /*time*/, std::span<const RobotTask> /*robots*/) {}
+
   /// A robot receives a goal.
   virtual void on_goal(double /*time*/, std::size_t /*robot*/, const Goal& /*goal*/) {}
 
   /// A robot receives a scan, before its next cycle.
   virtual void on_scan(const ObservedScan& /*scan*/) {}
 
-  /// A navigator follows a new plan from now on. A robot with a lidar has made it itself, in the
-  /// cycle that `on_cycle` reports next.
+  /// A navigator follows a new plan from now on. A default Plan means that its goal was dropped. A
+  /// robot with a lidar has made it itself, in the cycle that `on_cycle` reports next.
   virtual void on_plan(double time, std::size_t robot, const Plan& plan) = 0;
 
   /// A time step begins, before the cycles of all robots that have not arrived.

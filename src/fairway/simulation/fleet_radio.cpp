@@ -30,7 +30,8 @@ const FleetRadio::Message* FleetRadio::newest(std::size_t from, std::size_t to, 
   const std::deque<Message>& told = told_[from];
   for (auto message = told.rbegin(); message != told.rend(); ++message) {
     if (message->motion.time + model_.delay > time + kSameTime) continue;
-    if (message->lost.empty() || !message->lost[to]) return &*message;
+    if (message->lost.empty() || (to < message->lost.size() && !message->lost[to]))
+      return &*message;
   }
   return told.empty() ? nullptr : &told.front();
 }

@@ -31,6 +31,12 @@ class FleetRadio {
   /// Publishes a motion to all other robots. The first message of a robot reaches all at once.
   void tell(std::size_t robot, const SharedMotion& motion);
 
+  /// Adds a robot, which has published nothing yet.
+  void add_robot() { told_.emplace_back(); }
+
+  /// Drops the messages of a robot that was removed.
+  void forget(std::size_t robot) { told_[robot].clear(); }
+
   /// The motions that robot `robot` knows at `time` [s] of the robots in range; valid until the
   /// next call of either function.
   [[nodiscard]] Fleet hear(std::size_t robot, const Eigen::Vector2d& position, double time);

@@ -4,9 +4,10 @@
 #include <functional>
 #include <memory>
 
-#include "fairway/navigation/navigator.hpp"
+#include "fairway/planning/plan.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
+#include "fairway/simulation/limit_mark.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/world.hpp"
 
@@ -44,6 +45,12 @@ class RobotDriver {
   /// @return whether it follows another plan now.
   virtual bool head_for(const Goal& goal, const World& world) = 0;
 
+  /// Drops the goal. @return whether the driver has done so; otherwise it has to be made again.
+  virtual bool cancel(const World& world) = 0;
+
+  /// Takes over a plan that a thread has finished. @return whether it follows another plan now.
+  virtual bool take_plan(const World& world) = 0;
+
   /// Handles a changed map. A robot that knows the map checks its plan at once; a robot with a
   /// lidar will see the change.
   /// @return whether it follows another plan now.
@@ -53,7 +60,11 @@ class RobotDriver {
   /// that no other robot waits for it.
   virtual void tell_standing(const World& world) = 0;
 
-  [[nodiscard]] virtual const Navigator& navigator() const = 0;
+  /// The plan being followed.
+  [[nodiscard]] virtual const Plan& plan() const = 0;
+
+  /// Where the constraint that limits a step lies.
+  [[nodiscard]] virtual LimitMark mark(const NavigationStep& step) const = 0;
 };
 
 /// What all drivers of an episode share. The pointers must outlive them.

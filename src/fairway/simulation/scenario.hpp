@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "fairway/base/error.hpp"
+#include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/planning/planner.hpp"
@@ -14,16 +16,20 @@
 #include "fairway/simulation/moving_body.hpp"
 #include "fairway/simulation/sensors/sensing.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway {
 
-/// One robot of a scenario. Its body and limits are in the settings.
+/// One robot of a scenario. Its body and limits are in the settings, unless it has a model.
 struct RobotTask {
   std::string name = "robot";
   Pose2 start;
   Goal goal;
   /// What its base really does, where that is not what the settings say.
   std::optional<UnicycleLimits> actuation{};
+  /// Its outline and base, where it is driven by a BodyNavigator.
+  std::optional<RobotModel> model{};
+  bool idle = false;  ///< has no goal until it receives one during the run; `goal` is not used
 };
 
 /// What moves the robots.
@@ -43,11 +49,24 @@ struct Scenario {
   Settings settings;  ///< of every robot
   std::vector<RobotTask> robots;
   std::vector<MovingBody> bodies;
+  Zones zones;                       ///< for every robot
   SensingModel sensing;              ///< what each robot knows of the world
   Engine engine = Engine::Unicycle;  ///< the caller of run_episode makes it (EpisodeHooks::physics)
   RadioModel radio;                  ///< how robots communicate
   double time_limit = 120.0;         ///< [s]
   std::uint64_t seed = 1;            ///< of all random numbers
 };
+
+/// Whether any robot has a model.
+[[nodiscard]] bool has_models(const Scenario& scenario) noexcept;
+
+/// Whether robots with models can be simulated as the scenario says: they know the map and move by
+/// their kinematics.
+[[nodiscard]] Expected<void> check_models(const Scenario& scenario);
+
+/// Sets the settings of the robots to what the first model is, as far as they can express it:
+/// speeds, accelerations, and discs that cover the outline, which pages and pictures draw. All
+/// robots then see each other as moving obstacles, without messages.
+void describe_models(Scenario& scenario);
 
 }  // namespace fairway

@@ -18,12 +18,14 @@ struct TraceRow {
   LimitingFactor limit = LimitingFactor::None;
   std::size_t rectangle = 0;
   double clearance =
-      0.0;  ///< from the body to the nearest static obstacle at `time`, at most 2 [m]
+      0.0;               ///< from the body to the nearest static obstacle at `time`, at most 2 [m]
+  double lateral = 0.0;  ///< actual speed to the left of an omnidirectional base [m/s]
 };
 
 /// A run, cycle by cycle; entries of one time are ordered by robot.
 struct Trace {
   std::vector<TraceRow> rows;
+  bool lateral = false;  ///< whether a base that moves sideways is among the robots
 };
 
 }  // namespace fairway

@@ -16,6 +16,14 @@ namespace {
 
 constexpr double kFarAway = 1000.0;  // [m]
 
+// Speed of something at `from` towards `to`.
+double speed_towards(const Eigen::Vector2d& from,
+                     const Eigen::Vector2d& velocity,
+                     const Eigen::Vector2d& to) noexcept {
+  const double distance = (to - from).norm();
+  return distance > 0.0 ? velocity.dot(to - from) / distance : velocity.norm();
+}
+
 double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d& other) noexcept {
   if (standing) return std::abs(robot.twist.linear);
   const Eigen::Vector2d towards = other - robot.pose.position;
@@ -29,16 +37,12 @@ double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d
 World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
     : obstacles_(scenario.map, unknown_cells(scenario.settings.map)),
       footprint_(footprint_of(scenario.settings.robot)),
+      zones_(scenario.zones),
       bodies_(scenario.bodies),
       physics_(std::move(physics)) {
-  for (const RobotTask& task : scenario.robots) {
-    robots_.push_back({.pose = task.start, .twist = {}, .limits = {}});
-    actuation_.push_back(task.actuation);
-  }
+  for (const RobotTask& task : scenario.robots)
+    append(task);
   set_robots(scenario.settings);
-  touched_.assign(robots_.size(), 0);
-  encounters_.assign(robots_.size(), {.min_clearance = kClearanceLimit,
-                                      .min_separation = std::numeric_limits<double>::infinity()});
   for (std::size_t i = 0; i < robots_.size(); ++i)
     judge(i);
 }
@@ -52,6 +56,16 @@ void World::advance(const std::vector<Twist2>& commands, double dt) {
     move(commands, dt / steps);
     for (std::size_t i = 0; i < robots_.size(); ++i)
       judge(i);
+    if (!zones_.empty()) judge_all_zones();
+  }
+}
+
+void World::judge_all_zones() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const UnicycleRobot& robot = robots_[i];
+    judge_zones(zones_, footprint_, judged_[i], robot.pose, robot.twist.linear,
+                encounters_[i].zones);
+    judged_[i] = robot.pose;
   }
 }
 
@@ -71,7 +85,55 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
     return;
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (!encounters_[i].collided) robots_[i].advance(commands[i], dt);
+    if (encounters_[i].collided || encounters_[i].absent) continue;
+    if (!models_[i]) {
+      robots_[i].advance(commands[i], dt);
+      continue;
+    }
+    models_[i]->advance(dt);
+    const PlanarTwist twist = models_[i]->twist();
+    robots_[i].pose = models_[i]->pose;
+    robots_[i].twist = {.linear = twist.linear, .angular = twist.angular};
+  }
+}
+
+void World::send(std::size_t robot, const BaseInput& input) {
+  models_.at(robot).value().sent = input;
+}
+
+const BodyRobot* World::model_of(std::size_t robot) const {
+  const std::optional<BodyRobot>& model = models_.at(robot);
+  return model ? &*model : nullptr;
+}
+
+double World::clearance(std::size_t robot) const {
+  const Pose2& pose = robots_.at(robot).pose;
+  if (models_[robot]) return clearances_[robot]->distance(pose, kClearanceLimit);
+  return footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
+}
+
+double World::body_distance(std::size_t robot, const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d local = inverse_transform(robots_[robot].pose, point);
+  return models_[robot] ? models_[robot]->model.body.distance(local) : footprint_.distance(local);
+}
+
+// Visits the discs that cover another robot and move with it.
+template <typename Visit>
+void World::visit_discs(std::size_t robot, const Visit& visit) const {
+  const UnicycleRobot& r = robots_[robot];
+  if (!models_[robot]) {
+    visit({.position = r.pose.position,
+           .velocity = r.twist.linear * direction(r.pose.heading),
+           .radius = footprint_.circumscribed_radius()});
+    return;
+  }
+  const PlanarTwist twist = models_[robot]->twist();
+  for (const Footprint::Disc& disc : models_[robot]->model.body.cover()) {
+    const Eigen::Vector2d speed(twist.linear - twist.angular * disc.center.y(),
+                                twist.lateral + twist.angular * disc.center.x());
+    visit({.position = transform(r.pose, disc.center),
+           .velocity = rotated(speed, r.pose.heading),
+           .radius = disc.radius});
   }
 }
 
@@ -80,28 +142,45 @@ void World::move(const std::vector<Twist2>& commands, double dt) {
 World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
   Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};
-  const auto look_at = [&](const Eigen::Vector2d& position, double radius) {
-    const double length = footprint_.distance(inverse_transform(pose, position)) - radius;
-    if (length < gap.length) gap = {.length = length, .position = position};
+  const auto look_at = [&](const MovingObstacle& now, Contact::With with, std::size_t other) {
+    const double length = body_distance(robot, now.position) - now.radius;
+    if (!(length < gap.length)) return;
+    gap = {.length = length,
+           .position = now.position,
+           .velocity = now.velocity,
+           .with = with,
+           .other = other};
   };
-  for (const MovingBody& body : bodies_) {
-    if (!body.is_there(time_)) continue;
-    const MovingObstacle now = body.at(time_);
-    look_at(now.position, now.radius);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].is_there(time_)) look_at(bodies_[i].at(time_), Contact::With::Body, i);
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other != robot) look_at(robots_[other].pose.position, footprint_.circumscribed_radius());
+    if (other == robot || encounters_[other].absent) continue;
+    visit_discs(other, [&](const MovingObstacle& disc) {
+      look_at(disc, Contact::With::Robot, other);
+    });
   }
   return gap;
 }
 
+void World::measure_clearance(std::size_t robot) {
+  double& least = encounters_[robot].min_clearance;
+  const Pose2& pose = robots_[robot].pose;
+  if (models_[robot]) {
+    if (clearances_[robot]->is_free(pose, std::max(least, 0.0))) return;
+    constexpr double kTouching = -1e-9;
+    const double now = clearances_[robot]->distance(pose, kClearanceLimit);
+    least = std::min(least, now > 0.0 ? now : kTouching);
+  } else if (!is_free(obstacles_, footprint_, pose, least)) {
+    least = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
+  }
+}
+
 void World::judge(std::size_t robot) {
   Encounter& met = encounters_[robot];
-  if (met.collided) return;
+  if (met.collided || met.absent) return;
   const Pose2& pose = robots_[robot].pose;
-  if (!is_free(obstacles_, footprint_, pose, met.min_clearance)) {
-    met.min_clearance = footprint_clearance(obstacles_, footprint_, pose, kClearanceLimit);
-  }
+  measure_clearance(robot);
   const Gap gap = gap_to_moving(robot);
   met.min_separation = std::min(met.min_separation, gap.length);
   const bool touches = met.min_clearance < 0.0 || met.min_separation < 0.0;
@@ -109,44 +188,14 @@ void World::judge(std::size_t robot) {
     met.collided = true;
     met.collision_time = time_;
     met.approach = approach(robots_[robot], met.min_clearance < 0.0, gap.position);
+    const bool is_static = met.min_clearance < gap.length;
+    met.contact = {.with = is_static ? Contact::With::StaticObstacle : gap.with,
+                   .other = gap.other,
+                   .other_approach =
+                       is_static ? 0.0 : speed_towards(gap.position, gap.velocity, pose.position)};
     if (!physics_) robots_[robot].twist = {};
+    if (models_[robot]) models_[robot]->input = {};
   }
-}
-
-bool World::set_blocked(CellIndex cell, bool blocked) {
-  const GridFrame& frame = obstacles_.frame();
-  if (!frame.contains(cell)) return false;
-  if (blocked) {
-    for (const UnicycleRobot& robot : robots_) {
-      const Eigen::Vector2d center = frame.to_grid(robot.pose.position);
-      const Eigen::Vector2d corner(cell.x, cell.y);
-      const Eigen::Vector2d nearest =
-          center.cwiseMax(corner).cwiseMin(Eigen::Vector2d(corner + Eigen::Vector2d::Ones()));
-      if ((nearest - center).norm() * frame.resolution <=
-          footprint_.circumscribed_radius() + kFreeSpaceSkin) {
-        return false;
-      }
-    }
-  }
-  obstacles_.set(cell, blocked);
-  return true;
-}
-
-void World::set_body(std::size_t index, const MovingBody& body) {
-  FAIRWAY_EXPECTS(index <= bodies_.size() && !body.key_frames.empty());
-  if (index == bodies_.size()) bodies_.emplace_back();
-  bodies_[index] = body;
-}
-
-void World::remove_body(std::size_t index) {
-  FAIRWAY_EXPECTS(index < bodies_.size());
-  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
-void World::set_robots(const Settings& settings) {
-  footprint_ = footprint_of(settings.robot);
-  for (std::size_t i = 0; i < robots_.size(); ++i)
-    robots_[i].limits = actuation_[i].value_or(limits_of(settings.robot));
 }
 
 void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
@@ -159,11 +208,8 @@ void World::moving_bodies(std::vector<MovingObstacle>& seen) const {
 void World::moving_around(std::size_t robot, std::vector<MovingObstacle>& seen) const {
   moving_bodies(seen);
   for (std::size_t other = 0; other < robots_.size(); ++other) {
-    if (other == robot) continue;
-    const UnicycleRobot& r = robots_[other];
-    seen.push_back({.position = r.pose.position,
-                    .velocity = r.twist.linear * direction(r.pose.heading),
-                    .radius = footprint_.circumscribed_radius()});
+    if (other == robot || encounters_[other].absent) continue;
+    visit_discs(other, [&](const MovingObstacle& disc) { seen.push_back(disc); });
   }
 }
 

@@ -60,6 +60,26 @@ struct SpeedLimits {
   }
 };
 
+// Arc length of the first corner ahead from which the path turns back within a short length; the
+// whole length without one.
+double first_reversal(const ReferencePath& path) noexcept {
+  constexpr double kBack = 2.0;    // [rad]
+  constexpr double kWithin = 0.4;  // [m]
+  constexpr double kHere = 0.08;   // [m]; a corner that near is reached
+  const auto n = static_cast<std::size_t>(path.count);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const Vector2d before = path.points[i] - path.points[i - 1];
+    if (before.norm() < kShortPiece || path.arc[i] <= kHere) continue;
+    for (std::size_t j = i; j + 1 < n && path.arc[j] < path.arc[i] + kWithin; ++j) {
+      const Vector2d after = path.points[j + 1] - path.points[j];
+      const bool long_enough = after.norm() >= kShortPiece;
+      if (long_enough && std::abs(shortest_turn(heading_of(before), heading_of(after))) > kBack)
+        return path.arc[i];
+    }
+  }
+  return path.length();
+}
+
 }  // namespace
 
 void set_timed_targets(const ReferencePath& path,
@@ -74,6 +94,7 @@ void set_timed_targets(const ReferencePath& path,
   const double change = change_max(linear_actuation(robot));
   const double braking = kBrakingShare * change;
   const double length = path.length();
+  const double end = start.waits_at_reversals ? first_reversal(path) : length;
 
   const Vector2d first_chord = path.at(chord) - path.at(0.0);
   const double first_turn = first_chord.norm() < kShortPiece
@@ -94,7 +115,8 @@ void set_timed_targets(const ReferencePath& path,
     v = std::min(v + change * dt, robot.linear_max);
     const double before_unknown = std::sqrt(2.0 * braking * std::max(0.0, start.free_length - s));
     v = std::min(v, std::max(kSlowest, std::min(limits.at(path, s, braking), before_unknown)));
-    s = std::min(s + v * moving, length);
+    if (start.speed_limits != nullptr) v = std::min(v, start.speed_limits->at(s, braking));
+    s = std::min(s + v * moving, end);
 
     const Vector2d here = path.at(s);
     const bool at_end = path.ends_at_goal && length - s < kShortPiece;
@@ -102,7 +124,7 @@ void set_timed_targets(const ReferencePath& path,
       along += shortest_turn(along, *start.goal_heading);
     } else {
       // Near the end the chord is taken backwards from the end, so that it keeps its length.
-      const double from = std::max(0.0, std::min(s, length - chord));
+      const double from = std::max(0.0, std::min(s, end - chord));
       const Vector2d ahead = path.at(from + chord) - path.at(from);
       if (ahead.norm() >= kShortPiece) along += shortest_turn(along, heading_of(ahead));
     }

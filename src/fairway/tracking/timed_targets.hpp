@@ -9,6 +9,7 @@
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 #include "fairway/tracking/tracking_settings.hpp"
+#include "fairway/tracking/zone_speeds.hpp"
 
 namespace fairway {
 
@@ -20,6 +21,11 @@ struct TargetStart {
   std::optional<double> goal_heading{};  ///< heading at the end of the path [rad]
   /// Arc length up to which the path is known to be free [m]; the robot can stop before it.
   double free_length = std::numeric_limits<double>::infinity();
+  const PathSpeedLimits* speed_limits = nullptr;  ///< of zones along the path; null for none
+  /// Whether the targets stay at a corner where the path turns back, until the robot is there. At
+  /// the tip between two strips it has no clearance to drive a curve, and targets on both sides of
+  /// the tip would hold it before it.
+  bool waits_at_reversals = false;
 };
 
 /// Sets one target per step, moving along the reference path as fast as limits and clearance allow;

@@ -22,10 +22,11 @@ enum class TargetMode : std::uint8_t {
 /// Settings for following a corridor.
 struct TrackingSettings {
   TargetMode target_mode = TargetMode::ReferencePath;  ///< method of choosing targets
-  bool step_regions = true;        ///< whether each step is constrained to its own rectangle
-  double corner_deviation = 0.15;  ///< distance by which a corner may be cut [m], 0.001 to 10
-  double corner_clearance = 0.08;  ///< distance kept from the corners of overlaps [m], 0 to 1
-  double chord_length = 0.4;       ///< look-ahead for the target heading [m], 0.01 to 10
+  bool step_regions = true;         ///< whether each step is constrained to its own rectangle
+  double corner_deviation = 0.15;   ///< distance by which a corner may be cut [m], 0.001 to 10
+  double corner_clearance = 0.08;   ///< distance kept from the corners of overlaps [m], 0 to 1
+  double chord_length = 0.4;        ///< look-ahead for the target heading [m], 0.01 to 10
+  double space_time_horizon = 6.0;  ///< time for which a path among people is planned [s]; 0: none
 };
 
 template <typename Settings, typename Visitor>
@@ -53,6 +54,11 @@ void visit_tracking(Settings& s, Visitor&& field) {
           "chord_length", "m",
           "look-ahead on the reference path for the target heading; a greater value turns earlier",
           0.01, 10});
+  field(s.space_time_horizon,
+        SettingInfo{"space_time_horizon", "s",
+                    "time for which a motion among moving obstacles is planned ahead of the "
+                    "controller; 0: the controller follows the reference path",
+                    0, 8});
 }
 
 }  // namespace fairway

@@ -34,14 +34,12 @@ Trajectory stretched(const BaseModel& base, const Trajectory& trajectory, double
   return slow;
 }
 
-}  // namespace
-
-DrivePlan plan_drive(const BodyClearance& clearance,
-                     const BaseModel& base,
-                     const Pose2& start,
-                     const Pose2& goal,
-                     double period,
-                     const DriveSettings& settings) {
+DrivePlan plan_one(const BodyClearance& clearance,
+                   const BaseModel& base,
+                   const Pose2& start,
+                   const Pose2& goal,
+                   double period,
+                   const DriveSettings& settings) {
   DrivePlan plan;
   const BaseModel planned = with_reserve(base, settings.limit_share);
   plan.path = plan_body_path(clearance, planned, start, goal, settings.path);
@@ -79,6 +77,54 @@ DrivePlan plan_drive(const BodyClearance& clearance,
   static_cast<void>(optimized(clearance, planned, goal, first, margin, settings.cost,
                               settings.iterations, judge));
   return plan;
+}
+
+}  // namespace
+
+double drive_cost(const BaseModel& base,
+                  const std::vector<TrajectoryRow>& rows,
+                  double period,
+                  const TrajectoryCost& cost) noexcept {
+  constexpr double kGearChange = 0.05;  // [s]
+  const double most_turn = is_steered(base) ? base.steering_rate_max : base.angular_acceleration;
+  double sum = 0.0;
+  double gear = 0.0;
+  BaseInput before;
+  const auto square = [](double value) { return value * value; };
+  for (const TrajectoryRow& row : rows) {
+    const BaseInput change = row.input + -1.0 * before;
+    const double linear = square(change.linear / (period * base.linear_acceleration)) +
+                          square(change.lateral / (period * base.lateral_acceleration));
+    sum += period * (1.0 + cost.linear_effort * linear +
+                     cost.turn_effort * square(change.turn / (period * most_turn)));
+    if (is_steered(base)) sum += period * cost.steering_angle * square(row.input.turn);
+    if (gear * row.input.linear < 0.0) sum += kGearChange;
+    if (std::abs(row.input.linear) > 1e-3) gear = row.input.linear;
+    before = row.input;
+  }
+  return sum;
+}
+
+DrivePlan plan_drive(const BodyClearance& clearance,
+                     const BaseModel& base,
+                     const Pose2& start,
+                     const Pose2& goal,
+                     double period,
+                     const DriveSettings& settings) {
+  DrivePlan best = plan_one(clearance, base, start, goal, period, settings);
+  if (!is_steered(base) || best.rows.empty()) return best;
+  double least = drive_cost(base, best.rows, period, settings.cost);
+  DriveSettings other = settings;
+  for (int i = 0; i < settings.alternatives; ++i) {
+    constexpr double kDearer = 3.0;
+    other.path.cusp_factor *= kDearer;
+    DrivePlan plan = plan_one(clearance, base, start, goal, period, other);
+    const double now = plan.rows.empty() ? least : drive_cost(base, plan.rows, period, other.cost);
+    if (now >= least) continue;
+    least = now;
+    best = std::move(plan);
+  }
+  return best;
 }
 
 }  // namespace fairway

@@ -17,6 +17,8 @@ struct DriveSettings {
   double knot_step = 0.25;   ///< greatest time between knots of the first trajectory [s]
   int iterations = 40;       ///< of the optimisation, at most; 0: stops between all pieces
   TrajectoryCost cost{};     ///< what is minimised besides time
+  /// Further searches with dearer cusps; the drive of least cost is taken. Steered bases only.
+  int alternatives = 0;
 };
 
 /// A drive from pose to pose, in time, proven free of contact.
@@ -32,6 +34,12 @@ struct DrivePlan {
                            const std::vector<TrajectoryRow>& rows,
                            double period,
                            double margin) noexcept;
+
+/// What a drive costs: its time and effort, and half of a tenth of a second per change of gear [s].
+[[nodiscard]] double drive_cost(const BaseModel& base,
+                                const std::vector<TrajectoryRow>& rows,
+                                double period,
+                                const TrajectoryCost& cost) noexcept;
 
 /// Plans a drive: a path by plan_body_path, then a trajectory along it.
 /// @param period  Control period [s]; @pre positive.

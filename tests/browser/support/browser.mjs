@@ -13,7 +13,7 @@ export const launch = () => chromium.launch({
 
 /** A page whose errors fail the test that checks them. */
 export async function openPage(browser, url, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const context = await browser.newContext({ viewport: { width: 1560, height: 900 }, ...options });
   // The limit is large, so that other programs do not decide a test.
   context.setDefaultTimeout(180_000);
   const page = await context.newPage();

@@ -44,6 +44,30 @@ TEST(BodyShape, RefusesWhatIsNoBody) {
   EXPECT_FALSE(BodyShape::make({}));
 }
 
+TEST(BodyShape, DistanceIsThatToTheNearestPointOfTheBody) {
+  const BodyShape body = BodyShape::rectangle(2.0, 1.0, 1.5);
+  EXPECT_EQ(body.distance({0.3, 0.2}), 0.0);
+  EXPECT_DOUBLE_EQ(body.distance({2.0, 0.1}), 0.5);
+  EXPECT_DOUBLE_EQ(body.distance({-0.8, 0.9}), 0.5);  // 0.3 and 0.4 from the rear corner
+  ConvexPart capsule;
+  capsule.count = 2;
+  capsule.vertices[1] = {1.0, 0.0};
+  capsule.radius = 0.25;
+  const Expected<BodyShape> rounded = BodyShape::make(std::array{capsule});
+  ASSERT_TRUE(rounded);
+  EXPECT_DOUBLE_EQ(rounded->distance({0.5, 1.0}), 0.75);
+  EXPECT_DOUBLE_EQ(rounded->distance({1.3, 0.4}), 0.25);
+  EXPECT_EQ(rounded->distance({0.0, 0.2}), 0.0);
+  ConvexPart grown;
+  grown.count = 3;
+  grown.vertices[1] = {1.0, 0.0};
+  grown.vertices[2] = {0.0, 1.0};
+  grown.radius = 0.1;
+  const Expected<BodyShape> triangle = BodyShape::make(std::array{grown});
+  ASSERT_TRUE(triangle);
+  EXPECT_NEAR(triangle->distance({-0.3, -0.4}), 0.4, 1e-12);  // past the corner at the origin
+}
+
 TEST(BodyShape, CoverHoldsEveryPointAndTheCoreLiesInside) {
   test::Random random(3);
   for (int trial = 0; trial < 100; ++trial) {

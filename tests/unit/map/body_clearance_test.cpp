@@ -8,6 +8,7 @@
 
 #include "support/allocation_guard.hpp"
 #include "support/random_world.hpp"
+#include "support/zone_oracle.hpp"
 
 namespace fairway {
 namespace {
@@ -231,6 +232,47 @@ TEST(BodyClearance, DoesNotAllocate) {
   any = scene.clearance.contacts(pose, 1.0, contacts) > 0 || any;
   static_cast<void>(any);
   EXPECT_EQ(guard.count(), 0U);
+}
+
+// Keep-outs against the least distance over points of the polygon and of the body.
+TEST(BodyClearance, ObeysKeepOutsExactly) {
+  int blocked = 0;
+  int free = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Random random(seed);
+    const test::Corners polygon = test::random_polygon(random, {5.0, 5.0}, 1.0);
+    BitGrid bits(OccupancyGrid({.width = 200, .height = 200, .resolution = 0.05, .origin = {}}));
+    bits.set_zones(std::make_shared<const ZoneMap>(Zones{{.polygon = polygon}}, 0.3));
+    DistanceField distances(bits);
+    const BodyShape body = random_body(random, random.uniform(0.2, 0.8));
+    const BodyClearance clearance(bits, distances, body);
+    const Pose2 pose{.position = {random.uniform(3.5, 6.5), random.uniform(3.5, 6.5)},
+                     .heading = random.uniform(-3, 3)};
+    const double wanted = random.uniform(0.0, 0.3);
+    constexpr int kPerEdge = 200;
+    double least = std::numeric_limits<double>::infinity();
+    for (const ConvexPart& part : body.parts()) {
+      for (std::size_t e = 0; e < polygon.size(); ++e) {
+        for (int k = 0; k < kPerEdge; ++k) {
+          const Vector2d& a = polygon[e];
+          const Vector2d point = a + (polygon[(e + 1) % polygon.size()] - a) * k / kPerEdge;
+          least = std::min(least, distance_to_part(part, inverse_transform(pose, point)));
+        }
+      }
+      if (test::winds_around(polygon, transform(pose, part.vertex(0)))) least = 0.0;
+    }
+    const bool is_free = clearance.is_free(pose, wanted);
+    (is_free ? free : blocked) += 1;
+    constexpr double kSpacing = 0.012;  // between points of an edge [m]
+    if (is_free) {
+      EXPECT_GT(least, wanted);
+    } else {
+      EXPECT_LT(least, wanted + kSpacing);
+    }
+  }
+  EXPECT_GT(free, 50);
+  EXPECT_GT(blocked, 50);
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "monitor_body.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/random_world.hpp"
 
@@ -16,15 +16,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Polygon box(double back, double front, double half_width) {
-  return {{back, -half_width}, {front, -half_width}, {front, half_width}, {back, half_width}};
-}
-
-// A body from -0.3 to 0.3 m that is 0.4 m wide.
-MonitorSettings plain() { return {.footprint = {box(-0.3, 0.3, 0.2)}}; }
+using test::box;
+using test::kNan;
+using test::plain;
 
 MonitorVerdict verdict_of(const MonitorSettings& settings,
                           const std::vector<Vector2d>& points,
@@ -301,65 +297,6 @@ TEST(SafetyMonitor, WhatItLetsPassStopsInTimeOnTheBase) {
       }
     }
   }
-}
-
-TEST(SafetyMonitor, HasTheseDefaults) {
-  const MonitorSettings settings;
-  EXPECT_EQ(settings.slow_speed, 0.3);
-  EXPECT_EQ(settings.linear_acceleration, 1.0);
-  EXPECT_EQ(settings.angular_acceleration, 2.0);
-  EXPECT_EQ(settings.delay, 0.0);
-  EXPECT_EQ(settings.hold, 0.15);
-  EXPECT_EQ(settings.margin, 0.01);
-  EXPECT_EQ(settings.max_age, 0.5);
-}
-
-TEST(MonitorSettings, HaveTheirNumbersInRange) {
-  struct Range {
-    double MonitorSettings::*number;
-    double least;
-    double most;
-  };
-  for (const Range& range :
-       {Range{&MonitorSettings::slow_speed, 0.01, 10.0},
-        Range{&MonitorSettings::linear_acceleration, 0.2, 20.0},
-        Range{&MonitorSettings::angular_acceleration, 0.2, 100.0},
-        Range{&MonitorSettings::delay, 0.0, 1.0}, Range{&MonitorSettings::hold, 0.01, 1.0},
-        Range{&MonitorSettings::margin, 0.0, 1.0}, Range{&MonitorSettings::max_age, 0.01, 10.0}}) {
-    MonitorSettings settings = plain();
-    const auto is_valid_at = [&](double value) {
-      settings.*range.number = value;
-      return validate(settings).has_value();
-    };
-    EXPECT_TRUE(is_valid_at(range.least) && is_valid_at(range.most)) << range.most;
-    EXPECT_FALSE(is_valid_at(range.least - 1e-6)) << range.most;
-    EXPECT_FALSE(is_valid_at(range.most + 1e-6)) << range.most;
-    EXPECT_FALSE(is_valid_at(kNan)) << range.most;
-  }
-}
-
-TEST(MonitorSettings, HavePolygonsThatCanBeOnes) {
-  const auto is_valid_with = [](const Polygon& polygon) {
-    MonitorSettings body = plain();
-    body.footprint = {polygon};
-    MonitorSettings stop = plain();
-    stop.stop_zone = polygon;
-    MonitorSettings slow = plain();
-    slow.slow_zone = polygon;
-    EXPECT_EQ(validate(stop).has_value(), validate(slow).has_value());
-    EXPECT_TRUE(polygon.empty() || validate(stop).has_value() == validate(body).has_value());
-    return validate(stop).has_value();
-  };
-  EXPECT_TRUE(is_valid_with({}));
-  EXPECT_TRUE(is_valid_with({{0, 0}, {1, 0}, {0, 1}}));
-  EXPECT_TRUE(is_valid_with({{0, 0}, {100, 0}, {0, -100}}));
-  EXPECT_FALSE(is_valid_with({{0, 0}, {100.1, 0}, {0, 1}}));
-  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}}));
-  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}, {1, 0}, {0, 1}}));
-  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}, {0, 1}, {0, 0}}));
-  EXPECT_FALSE(is_valid_with({{0, 0}, {1, 0}, {0, kNan}}));
-  EXPECT_FALSE(validate(MonitorSettings{}));
-  EXPECT_THROW(SafetyMonitor{MonitorSettings{}}, std::invalid_argument);
 }
 
 }  // namespace

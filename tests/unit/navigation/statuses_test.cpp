@@ -2,11 +2,13 @@
 // Provokes statuses and limiting factors of the navigator: one situation each. Those of bad inputs
 // are in safe_contract_test.cpp, those of the facades in map_navigator_border_test.cpp.
 #include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "fairway/navigation/navigator.hpp"
+#include "fairway/navigation/status_label.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 
 namespace fairway {
@@ -139,16 +141,6 @@ TEST_F(Statuses, StoppingOutsideTheCorridorAsksForAPlan) {
   EXPECT_TRUE(step.wants_plan);
 }
 
-TEST_F(Statuses, RecoveringTurnsTowardsThePathWhenARobotIsAtStandstill) {
-  settings_.navigation.stall_timeout = 0.5;
-  start({.position = {5.2, 1.1}, .heading = 2.5}, kBehindTheDoor);
-  obstacles_ = {{.position = {6.0, 0.8}, .velocity = {}, .radius = 0.3},
-                {.position = {6.0, 1.4}, .velocity = {}, .radius = 0.3}};
-  run(20.0);
-  EXPECT_TRUE(statuses_.contains(Recovering));
-  EXPECT_LT(std::abs(robot_.pose.heading), 0.5);
-}
-
 // A solver that has no answer, as for a problem whose numbers contradict each other.
 class NoAnswer final : public ControlSolver {
  public:
@@ -173,6 +165,33 @@ TEST_F(Statuses, InfeasibleWhenTheSolverHasNoAnswer) {
   EXPECT_EQ(step.command.angular, 0.0);
 }
 
+// A solver that always prefers to stay.
+class Stays final : public ControlSolver {
+ public:
+  const MpcSolution& solve(const ControlProblem& problem,
+                           const InitialGuess& /*guess*/) noexcept override {
+    solution_ = MpcSolution{};
+    solution_.status = SolveStatus::Solved;
+    solution_.horizon = problem.horizon;
+    solution_.poses.fill(problem.start);
+    return solution_;
+  }
+
+ private:
+  MpcSolution solution_;
+};
+
+TEST_F(Statuses, RecoveringTurnsTowardsThePathWhenARobotIsAtStandstill) {
+  Stays solver;
+  for (const double heading : {2.5, -2.5, 1.0}) {
+    statuses_.clear();
+    start({.position = {3.0, 1.1}, .heading = heading}, kBehindTheDoor, &solver);
+    run(20.0);
+    EXPECT_TRUE(statuses_.contains(Recovering)) << heading;
+    EXPECT_LT(std::abs(robot_.pose.heading), 0.5) << heading;
+  }
+}
+
 TEST_F(Statuses, NoPlanForARobotThatIsLargerThanThePlan) {
   start(kStart, {5.0, 1.1});
   Plan plan = navigator_->plan();
@@ -190,6 +209,22 @@ TEST_F(Statuses, NoPlanWithoutAGoal) {
   const NavigationStep step = cycle();
   EXPECT_EQ(step.status, NoPlan);
   EXPECT_EQ(step.limit, LimitingFactor::NoPath);
+}
+
+// The pages and the tool show these names, so every one must say something of its own.
+TEST(StatusLabels, NameEachStatusAndLimitingFactorDifferently) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < kNavigationStatuses; ++i)
+    names.insert(label_of(static_cast<NavigationStatus>(i)));
+  EXPECT_EQ(names.size(), kNavigationStatuses);
+  EXPECT_FALSE(names.contains("Unknown"));
+  names.clear();
+  for (std::size_t i = 0; i < kLimitingFactors; ++i)
+    names.insert(label_of(static_cast<LimitingFactor>(i)));
+  EXPECT_EQ(names.size(), kLimitingFactors);
+  EXPECT_FALSE(names.contains("Unknown"));
+  EXPECT_STREQ(label_of(NavigationStatus::Degraded), "Driving (limited)");
+  EXPECT_STREQ(label_of(LimitingFactor::StopNotProven), "No verified stopping trajectory");
 }
 
 }  // namespace

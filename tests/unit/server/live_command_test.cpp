@@ -25,7 +25,13 @@ TEST(LiveCommand, ReadsEachKind) {
   EXPECT_EQ(goal.goal.position, Eigen::Vector2d(1.5, -2.0));
   EXPECT_NEAR(*goal.goal.heading, 7.0 - 2.0 * std::numbers::pi, 1e-12);
   EXPECT_FALSE(parsed<GoalCommand>(R"({"do":"goal","robot":0,"x":1,"y":1})").goal.heading);
-  EXPECT_EQ(parsed<StartCommand>(R"({"do":"start","robot":1,"x":1,"y":2,"heading":0})").robot, 1U);
+  EXPECT_EQ(parsed<PoseCommand>(R"({"do":"pose","robot":1,"x":1,"y":2,"heading":0})").robot, 1U);
+  EXPECT_EQ(parsed<CancelCommand>(R"({"do":"cancel","robot":2})").robot, 2U);
+  EXPECT_EQ(parsed<ResetRobotCommand>(R"({"do":"reset_robot","robot":2})").robot, 2U);
+  EXPECT_TRUE(parsed<HaltCommand>(R"({"do":"halt","halted":true})").halted);
+  EXPECT_FALSE(parsed<UndoCommand>(R"({"do":"undo"})").redo);
+  EXPECT_TRUE(parsed<UndoCommand>(R"({"do":"redo"})").redo);
+  static_cast<void>(parsed<RevertCommand>(R"({"do":"revert"})"));
   EXPECT_EQ(parsed<AddRobotCommand>(R"({"do":"add_robot","x":4,"y":2,"heading":1})").pose.heading,
             1.0);
   EXPECT_EQ(parsed<RemoveRobotCommand>(R"({"do":"remove_robot","robot":2})").robot, 2U);
@@ -36,7 +42,11 @@ TEST(LiveCommand, ReadsEachKind) {
   EXPECT_FALSE(parsed<WalkCommand>(R"({"do":"walk","x":1,"y":1})").body);
   EXPECT_EQ(parsed<WalkCommand>(R"({"do":"walk","body":4,"x":1,"y":1})").body, 4U);
   EXPECT_EQ(parsed<RemoveBodyCommand>(R"({"do":"remove_body","body":1})").body, 1U);
-  EXPECT_EQ(parsed<SettingCommand>(R"({"do":"set","assignment":"a.b=1"})").assignment, "a.b=1");
+  EXPECT_EQ(parsed<SettingCommand>(R"({"do":"set","assignment":"a.b=1"})").assignments,
+            std::vector<std::string>{"a.b=1"});
+  EXPECT_EQ(
+      parsed<SettingCommand>(R"({"do":"set","assignments":["a.b=1","a.c=2"]})").assignments.size(),
+      2U);
   EXPECT_EQ(parsed<ChooseMapCommand>(R"({"do":"map","index":1})").index, 1U);
 }
 

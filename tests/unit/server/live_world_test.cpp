@@ -95,11 +95,11 @@ TEST(LiveWorld, GoesOnWithEverySettingAtTheEndOfItsRange) {
   world.ask(PauseCommand{.paused = true});
   world.ask(SenseCommand{.sensing = Sensing::Lidar, .noise = SensorNoise::None});
   for (const std::string& end : ends) {
-    world.ask(SettingCommand{.assignment = end});
+    world.ask(SettingCommand{.assignments = {end}});
     world.ask(StepCommand{});
     static_cast<void>(downloaded(world, LiveWorld::Download::Scenario));
     const std::string name = end.substr(0, end.find('='));
-    world.ask(SettingCommand{.assignment = name + "=" + default_of(name)});
+    world.ask(SettingCommand{.assignments = {name + "=" + default_of(name)}});
   }
   EXPECT_FALSE(downloaded(world, LiveWorld::Download::Scenario).empty());
 }
@@ -162,7 +162,7 @@ TEST(LiveWorld, ItsChangesReplayToTheBit) {
   steps(20);
   world.ask(PaintCommand{.from = {6.0, 2.0}, .to = {8.0, 9.0}, .radius = 0.2, .blocked = true});
   steps(20);
-  world.ask(SettingCommand{.assignment = "robot.linear_max=0.6"});
+  world.ask(SettingCommand{.assignments = {"robot.linear_max=0.6"}});
   steps(20);
   world.ask(WalkCommand{.body = {}, .target = {9.0, 10.0}});
   world.ask(WalkCommand{.body = 0, .target = {5.0, 9.0}});

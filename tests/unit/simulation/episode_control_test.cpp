@@ -103,5 +103,104 @@ TEST(EpisodeControl, ContinuesWithOtherSettings) {
   EXPECT_LT(fastest, 0.3 + 1e-9);
 }
 
+TEST(EpisodeControl, ARobotWhoseGoalIsCancelledStops) {
+  double speed = 1.0;
+  const EpisodeResult result = played(hall(), [&](EpisodeControl& control, int cycle) {
+    if (cycle == 15) control.cancel_goal(0);
+    speed = control.world().robots()[0].twist.linear;
+    return cycle < 60;
+  });
+  EXPECT_NEAR(speed, 0.0, 1e-6);
+  EXPECT_FALSE(result.robots[0].reached);
+}
+
+TEST(EpisodeControl, APlacedRobotContinuesToItsGoalFromThere) {
+  const EpisodeResult result = played(hall(), [](EpisodeControl& control, int cycle) {
+    if (cycle == 15) {
+      control.place_robot(0, {.position = {3.0, 1.0}, .heading = 1.0});
+      EXPECT_EQ(control.world().robots()[0].pose.position, Eigen::Vector2d(3.0, 1.0));
+    }
+    return cycle < 250;
+  });
+  EXPECT_TRUE(result.robots[0].reached);
+}
+
+TEST(EpisodeControl, PlacingARobotForgetsItsContact) {
+  static_cast<void>(played(hall(), [](EpisodeControl& control, int cycle) {
+    const MovingBody body{.name = "person",
+                          .radius = 0.3,
+                          .key_frames = {{.time = 0.0, .position = {1.0, 3.0}}},
+                          .loop = false};
+    if (cycle == 0) control.set_body(0, body);
+    if (cycle == 2) {
+      const Encounter& met = control.world().encounters()[0];
+      EXPECT_TRUE(met.collided);
+      EXPECT_EQ(met.contact.with, Contact::With::Body);
+      EXPECT_EQ(met.contact.other, 0U);
+      control.place_robot(0, {.position = {5.0, 5.0}, .heading = 0.0});
+    }
+    if (cycle == 20) EXPECT_GT(control.world().robots()[0].twist.linear, 0.1);
+    return cycle < 20;
+  }));
+}
+
+TEST(EpisodeControl, RobotsAreAddedAndRemovedWithoutANewRun) {
+  const EpisodeResult result = played(hall(), [](EpisodeControl& control, int cycle) {
+    if (cycle == 10) {
+      control.add_robot({.name = "second",
+                         .start = {.position = {5.0, 5.0}, .heading = 0.0},
+                         .goal = {},
+                         .idle = true});
+    }
+    if (cycle == 12) control.set_goal(1, {.position = {8.0, 5.0}, .heading = {}});
+    if (cycle == 100) {
+      control.set_present(0, false);
+      EXPECT_TRUE(control.world().encounters()[0].absent);
+    }
+    if (cycle == 110) control.set_present(0, true);
+    return cycle < 250;
+  });
+  ASSERT_EQ(result.robots.size(), 2U);
+  EXPECT_TRUE(result.robots[1].reached);
+  EXPECT_FALSE(result.robots[0].collided);
+}
+
+TEST(EpisodeControl, AnAbsentRobotIsNoObstacle) {
+  const EpisodeResult result = played(hall(), [](EpisodeControl& control, int cycle) {
+    if (cycle == 0) {
+      control.add_robot({.name = "second",
+                         .start = {.position = {5.0, 3.0}, .heading = 0.0},
+                         .goal = {},
+                         .idle = true});
+      control.set_present(1, false);
+    }
+    return cycle < 150;
+  });
+  EXPECT_TRUE(result.robots[0].reached);
+  EXPECT_FALSE(result.robots[0].collided);
+}
+
+TEST(EpisodeControl, AnEmergencyStopHoldsAllRobotsUntilItIsReleased) {
+  const EpisodeResult result = played(hall(), [](EpisodeControl& control, int cycle) {
+    if (cycle == 15) control.set_halted(true);
+    if (cycle == 50) {
+      EXPECT_NEAR(control.world().robots()[0].twist.linear, 0.0, 1e-9);
+      control.set_halted(false);
+    }
+    return cycle < 300;
+  });
+  EXPECT_TRUE(result.robots[0].reached);
+}
+
+TEST(EpisodeControl, APausedWorldTakesOverPlansOfThreads) {
+  Scenario scenario = hall();
+  scenario.settings.planning.background = true;
+  const EpisodeResult result = played(scenario, [](EpisodeControl& control, int cycle) {
+    control.take_plans();
+    return cycle < 400;
+  });
+  EXPECT_TRUE(result.robots[0].reached);
+}
+
 }  // namespace
 }  // namespace fairway

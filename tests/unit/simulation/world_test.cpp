@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/simulation/world.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace fairway {
@@ -27,6 +29,39 @@ TEST(World, ARobotThatDrivesIntoAWallTouchesItAndStops) {
   EXPECT_LT(world.encounters()[0].min_clearance, 0.0);
 }
 
+// Of a body of 2 m x 0.2 m only the front touches, and a disc beside it does not.
+TEST(World, ContactOfARobotWithAModelIsJudgedByItsTrueBody) {
+  Scenario scenario = open_floor();
+  scenario.map.set({130, 100}, CellState::Occupied);  // [1.5, 1.55] x [0, 0.05]
+  RobotModel model{.body = BodyShape::rectangle(2.0, 0.2, 1.0), .base = {}};
+  scenario.robots = {{.name = "a", .start = {{0, 0.025}, 0}, .goal = {}, .model = model}};
+  MovingBody person;
+  person.radius = 0.3;
+  person.key_frames = {{0.0, {0.0, 0.6}}};
+  scenario.bodies = {person};
+  World world(scenario);
+  world.send(0, {.linear = 1.0});
+  for (int i = 0; i < 30; ++i)
+    world.advance({{}}, 0.1);
+  EXPECT_TRUE(world.encounters()[0].collided);
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.5, 1.0 * World::kFineStep + 1e-9);
+  EXPECT_NEAR(world.encounters()[0].min_separation, 0.6 - 0.025 - 0.1 - 0.3, 1e-9);
+}
+
+TEST(World, ARobotWithAModelMovesSidewaysWithinItsLimits) {
+  Scenario scenario = open_floor();
+  RobotModel model{.body = BodyShape::rectangle(1.0, 0.5, 0.5), .base = {}};
+  model.base.kind = BaseKind::Omni;
+  model.base.lateral_acceleration = 0.5;
+  scenario.robots = {{.name = "a", .start = {{0, 0}, 0}, .goal = {}, .model = model}};
+  World world(scenario);
+  world.send(0, {.lateral = 0.4});
+  world.advance({{}}, 0.4);
+  EXPECT_NEAR(world.robots()[0].pose.position.y(), 0.5 * 0.5 * 0.4 * 0.4, 1e-9);
+  EXPECT_NEAR(world.model_of(0)->twist().lateral, 0.2, 1e-12);
+  EXPECT_EQ(world.clearance(0), World::kClearanceLimit);
+}
+
 TEST(World, TwoRobotsThatMeetHaveBothCollided) {
   Scenario scenario = open_floor();
   scenario.robots = {{.name = "a", .start = {{-1, 0}, 0}, .goal = {}},
@@ -36,6 +71,21 @@ TEST(World, TwoRobotsThatMeetHaveBothCollided) {
     world.advance({{1.0, 0.0}, {1.0, 0.0}}, 0.1);
   EXPECT_TRUE(world.encounters()[0].collided);
   EXPECT_TRUE(world.encounters()[1].collided);
+}
+
+TEST(World, PutsARobotOnlyWhereItTouchesNothing) {
+  Scenario scenario = open_floor();
+  scenario.map.set({130, 100}, CellState::Occupied);  // [1.5, 1.55] x [0, 0.05]
+  scenario.robots = {{.name = "a", .start = {{-1, 0}, 0}, .goal = {}},
+                     {.name = "b", .start = {{-3, 0}, 0}, .goal = {}}};
+  World world(scenario);
+  world.advance({{1.0, 0.0}, {}}, 0.5);
+  EXPECT_FALSE(world.try_place(0, {{1.4, 0.0}, 0.0}));
+  EXPECT_FALSE(world.try_place(0, {{-3.2, 0.0}, 0.0}));
+  EXPECT_FALSE(world.try_place(0, {{std::nan(""), 0.0}, 0.0}));
+  EXPECT_TRUE(world.try_place(0, {{1.0, 2.0}, 1.0}));
+  EXPECT_EQ(world.robots()[0].pose.position, Eigen::Vector2d(1.0, 2.0));
+  EXPECT_EQ(world.robots()[0].twist.linear, 0.0);
 }
 
 TEST(World, ReportsTheRobotsOwnSpeedAtAContact) {

@@ -46,7 +46,7 @@ export function separation(frame: Frame, robot: number, body: Footprint): number
     gap = Math.min(gap, distance(body, me, other) - other.radius);
   }
   frame.robots.forEach((other, i) => {
-    if (i !== robot) gap = Math.min(gap, distance(body, me, other) - around);
+    if (i !== robot && !other.absent) gap = Math.min(gap, distance(body, me, other) - around);
   });
   return gap;
 }

@@ -29,8 +29,21 @@ export interface Cycle {
   believed: Body[];
 }
 
+/** What a robot touched: nothing known, a static obstacle, a body, or another robot. */
+export interface Contact {
+  with: 'nothing' | 'obstacle' | 'body' | 'robot';
+  other: number;
+  time: number;
+  /** Speeds of the robot and of the other towards each other; not above 0 when they separate. */
+  approach: number;
+  otherApproach: number;
+}
+
 export interface RobotFrame extends Pose {
   collided: boolean;
+  /** It was removed from the running world. */
+  absent: boolean;
+  contact: Contact | null;
   plan: Plan | null;
   cycle: Cycle | null;
   /** The pose of the frame of a robot with a lidar, in which all its estimates are given. */
@@ -61,10 +74,20 @@ export interface Goal extends Point {
   heading: number | null;
 }
 
+/** What closes every route: its place, its size, and the size that the robot needs. */
+export interface Obstruction extends Point {
+  kind: 'start' | 'goal' | 'gap' | 'closed';
+  found: number;
+  needed: number;
+}
+
 export interface Plan {
   robot: number;
   time: number;
   usable: boolean;
+  /** The robot's goal was dropped. */
+  dropped: boolean;
+  obstruction: Obstruction | null;
   goal: Goal;
   reason: string;
   path: Point[];

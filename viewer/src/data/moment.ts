@@ -60,6 +60,7 @@ export function robotAt(moment: Moment, p: Point, radius: number, reach: number)
   let best: number | null = null;
   let least = radius + reach;
   moment.poses.forEach((pose, i) => {
+    if (moment.frame.robots[i]?.absent) return;
     const distance = Math.hypot(pose.x - p.x, pose.y - p.y);
     if (distance < least) [least, best] = [distance, i];
   });

@@ -13,12 +13,32 @@ export interface Setting {
   min?: number;
   max?: number;
   choices?: string[];
+  /** The value of an untouched program. */
+  default?: number | boolean | string;
+}
+
+/** What a status or a limiting factor means, as `fairway statuses` prints it. */
+export interface Guide {
+  label: string;
+  meaning: string;
+  causes: string;
+  remedy: string;
 }
 
 export interface RobotTask {
   name: string;
   start: [number, number, number];
   goal: number[];
+  idle?: boolean;
+}
+
+/** A region of the floor with a rule. */
+export interface Zone {
+  kind: 'keep_out' | 'speed_limit' | 'penalty' | 'preferred' | 'strip' | 'one_way';
+  name: string;
+  polygon: [number, number][];
+  speed: number;
+  direction: number;
 }
 
 /** The constant data from the beginning of a run. */
@@ -33,6 +53,9 @@ export interface Begin {
   statuses: string[];
   limits: string[];
   rows: string[];
+  zones?: Zone[];
+  status_guides?: Guide[];
+  limit_guides?: Guide[];
   settings: Setting[];
 }
 
@@ -46,11 +69,21 @@ export class Run {
   grids: Grid[][] = [[]];
   settings: Setting[];
 
-  constructor(readonly begin: Begin) {
+  constructor(public begin: Begin) {
     this.plans = begin.robots.map(() => []);
     this.goals = begin.robots.map(() => null);
     this.scans = begin.robots.map(() => null);
     this.settings = begin.settings;
+  }
+
+  /** The robots of the running world, of which there are more from now on. */
+  setRobots(robots: RobotTask[]): void {
+    this.begin = { ...this.begin, robots };
+    while (this.plans.length < robots.length) {
+      this.plans.push([]);
+      this.goals.push(null);
+      this.scans.push(null);
+    }
   }
 
   get duration(): number {

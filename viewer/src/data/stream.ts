@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import { beliefFrame } from './belief';
 import { Fields } from './bytes';
-import type { Body, Cycle, Goal, Mark, Plan, Scan } from './frame';
+import type { Body, Contact, Cycle, Goal, Mark, Obstruction, Plan, Scan } from './frame';
 import type { Point } from './geometry';
 import type { GridFrame } from './grid';
-import { type Begin, Run, type Setting } from './run';
+import { type Begin, type RobotTask, Run, type Setting } from './run';
 
 // The kinds of records, numbered as in C++'s RunStream.
-const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6, Scan = 7, Goal = 8 }
+const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6, Scan = 7, Goal = 8, Robots = 9 }
 
 const point = (fields: Fields): Point => ({ x: fields.millis(), y: fields.millis() });
 
@@ -79,7 +79,6 @@ function plan(fields: Fields): Plan {
   const robot = fields.count();
   const time = fields.millis();
   const { flags, goal } = goalOf(fields);
-  const reason = fields.text();
   const path = steps(fields, fields.count());
   const rectangles: Point[][] = [];
   let seed: Point = { x: 0, y: 0 };
@@ -93,7 +92,24 @@ function plan(fields: Fields): Plan {
     rectangles.push([[min.x, min.y], [max.x, min.y], [max.x, max.y], [min.x, max.y]].map(
       ([x, y]) => ({ x: sx + c * x! - s * y!, y: sy + s * x! + c * y! })));
   }
-  return { robot, time, usable: (flags & 1) !== 0, goal, reason, path, rectangles };
+  const reason = fields.text();
+  return {
+    robot, time, usable: (flags & 1) !== 0, dropped: (flags & 4) !== 0, goal, reason, path, rectangles,
+    obstruction: obstruction(fields),
+  };
+}
+
+function obstruction(fields: Fields): Obstruction | null {
+  const kind = (['start', 'goal', 'gap', 'closed'] as const)[fields.count() - 1];
+  if (!kind) return null;
+  return { kind, ...point(fields), found: fields.millis(), needed: fields.millis() };
+}
+
+function contact(fields: Fields): Contact {
+  return {
+    with: (['nothing', 'obstacle', 'body', 'robot'] as const)[fields.count()] ?? 'nothing',
+    other: fields.count(), time: fields.millis(), approach: fields.millis(), otherApproach: fields.millis(),
+  };
 }
 
 function mark(fields: Fields): Mark | null {
@@ -158,6 +174,10 @@ export class StreamReader {
     else if (kind === Kind.Tuning) {
       const { settings } = JSON.parse(new TextDecoder().decode(content)) as { settings: Setting[] };
       run.settings = settings;
+      // Robots with a lidar have new navigators, which receive their goals again.
+      if (run.lidar) run.goals = run.goals.map(() => null);
+    } else if (kind === Kind.Robots) {
+      run.setRobots((JSON.parse(new TextDecoder().decode(content)) as { robots: RobotTask[] }).robots);
     }
   }
 
@@ -206,10 +226,11 @@ export class StreamReader {
     for (let n = fields.count(), i = 0; i < n; ++i) {
       const { x, y } = point(fields);
       const heading = fields.angle();
-      const collided = fields.count() !== 0;
+      const flags = fields.count();
+      const collided = (flags & 1) !== 0;
       const plan = run.plans[i]?.at(-1) ?? null;
       robots.push({
-        x, y, heading, collided, plan, cycle: null, status: before?.[i]?.status ?? null,
+        x, y, heading, collided, absent: (flags & 2) !== 0, contact: collided ? contact(fields) : null, plan, cycle: null, status: before?.[i]?.status ?? null,
         belief: before?.[i]?.belief ?? null, scan: run.scans[i] ?? null, goal: run.goals[i] ?? null,
         slots: before?.[i]?.slots ?? { known: 0, occupied: 0 },
       });

@@ -32,10 +32,13 @@ export function drawBody(pen: Pen, body: Body, velocity: boolean): void {
   pen.stroke(color, 1.25, 0.6, [3, 3]);
 }
 
-/** Draws a body where a robot estimates it. */
+const RESTING = 0.1; // a tracked object that is slower is shown small [m/s]
+
+/** Draws a tracked object where a robot estimates it; the size of one at rest means little. */
 export function drawBelieved(pen: Pen, body: Body): void {
-  pen.disc(body, body.radius);
-  pen.stroke(pen.theme.believed, 2, 0.9, [2, 3]);
+  const resting = Math.hypot(body.vx, body.vy) < RESTING;
+  pen.disc(body, resting ? Math.min(body.radius, 4 / pen.camera.scale) : body.radius);
+  pen.stroke(pen.theme.tracked, 2, 0.9, [2, 3]);
 }
 
 /** Draws a robot with its outline and an arrow for its heading. */
@@ -44,7 +47,8 @@ export function drawRobot(pen: Pen, pose: Pose, robot: RobotFrame, index: number
   // On a large map it is enlarged so that it is visible.
   const radius = Math.max(run.radius, LEAST_ROBOT / pen.camera.scale);
   const color = robotColor(index, theme);
-  const fill = robot.collided ? theme.limit : color;
+  if (robot.absent) return;
+  const fill = robot.collided ? theme.fault : color;
   const { length, width, discs } = run.body;
   if (discs.length > 0 && radius === run.radius) {
     pen.disc(pose, radius);

@@ -9,8 +9,6 @@ export class Camera {
   scale = 20; // pixels per metre
   width = 1;
   height = 1;
-  /** Height of the covered top of the canvas; a fitted map stays below it. */
-  insetTop = 0;
   private least = 1;
   private fitted: { frame: GridFrame; automatic: boolean } | null = null;
 
@@ -44,10 +42,8 @@ export class Camera {
     this.x = (minX + maxX) / 2;
     this.y = (minY + maxY) / 2;
     const margin = 16;
-    const room = (pixels: number) => Math.max(pixels - 2 * margin, 10);
-    const height = room(this.height - this.insetTop);
-    this.scale = Math.min(room(this.width) / (maxX - minX), height / (maxY - minY));
-    this.y += this.insetTop / 2 / this.scale;
+    const inside = (pixels: number) => Math.max(pixels - 2 * margin, 10);
+    this.scale = Math.min(inside(this.width) / (maxX - minX), inside(this.height) / (maxY - minY));
     this.least = this.scale / 3;
     this.fitted = { frame, automatic: true };
   }
@@ -59,6 +55,18 @@ export class Camera {
     const now = this.toWorld(at);
     this.x += fixed.x - now.x;
     this.y += fixed.y - now.y;
+    this.byHand();
+  }
+
+  /** Shows a part of the world: the point in the middle, and pixels per metre. */
+  look(x: number, y: number, scale: number): void {
+    [this.x, this.y, this.scale] = [x, y, scale];
+    this.byHand();
+  }
+
+  /** Moves a world point to the middle. */
+  center(p: Point): void {
+    [this.x, this.y] = [p.x, p.y];
     this.byHand();
   }
 

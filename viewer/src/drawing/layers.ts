@@ -5,12 +5,14 @@ export const layerNames = {
   path: 'Path',
   corridor: 'Corridor',
   prediction: 'Prediction',
-  trail: 'Way driven',
-  limit: 'What limits',
+  trail: 'Trail',
+  limit: 'Active constraint',
   velocity: 'Velocities',
-  seen: 'Map it has seen',
-  scan: 'Lidar',
+  zones: 'Zones',
+  seen: 'Local map',
+  scan: 'Lidar points',
   names: 'Names',
+  reasons: 'Reasons',
 } as const;
 export type Layer = keyof typeof layerNames;
 export type Layers = Record<Layer, boolean>;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Pose } from '../data/geometry';
+import type { RobotFrame } from '../data/frame';
+import type { Point, Pose } from '../data/geometry';
 import type { Run } from '../data/run';
 import { LEAST_ROBOT } from './bodies';
 import type { Pen } from './pen';
@@ -7,21 +8,27 @@ import type { Pen } from './pen';
 const LABEL = '600 12px system-ui, sans-serif';
 
 /** Draws names. Where they would overlap, the selected robot's comes first, then low numbers. */
-export function drawNames(pen: Pen, poses: Pose[], run: Run, selected: number): void {
+export function drawNames(pen: Pen, poses: Pose[], robots: RobotFrame[], run: Run, selected: number): void {
   const { context, camera } = pen;
-  const taken: { x: number; y: number; half: number }[] = [];
+  // Names cover no robot.
+  const taken: { x: number; y: number; half: number }[] = poses.map((pose) => ({
+    ...camera.toScreen(pose), half: Math.max(pen.pixels(run.radius), LEAST_ROBOT) - 2 }));
   const order = [selected, ...poses.keys()].filter((i, at) => at === 0 || i !== selected);
   context.font = LABEL;
   for (const i of order) {
     const pose = poses[i];
-    if (!pose) continue;
+    if (!pose || robots[i]?.absent) continue;
     const name = run.begin.robots[i]!.name;
     const p = camera.toScreen(pose);
-    const spot = { x: p.x, y: p.y - Math.max(pen.pixels(run.radius), LEAST_ROBOT) - 9, half: context.measureText(name).width / 2 + 3 };
-    const covered = taken.some((t) => Math.abs(t.x - spot.x) < t.half + spot.half && Math.abs(t.y - spot.y) < 15);
-    if (covered) continue;
-    taken.push(spot);
-    label(pen, name, spot.x, spot.y);
+    const away = Math.max(pen.pixels(run.radius), LEAST_ROBOT) + 9;
+    const half = context.measureText(name).width / 2 + 3;
+    // Above, below, right or left of the robot: where no other name or robot is.
+    const spots = [[0, -away], [0, away], [away + half - 4, 0], [4 - away - half, 0]]
+      .map(([dx, dy]) => ({ x: p.x + dx!, y: p.y + dy!, half }));
+    const free = spots.find((spot) => !taken.some((t) => Math.abs(t.x - spot.x) < t.half + spot.half && Math.abs(t.y - spot.y) < 15));
+    if (!free) continue;
+    taken.push(free);
+    label(pen, name, free.x, free.y);
   }
 }
 
@@ -34,6 +41,31 @@ function label({ context, theme }: Pen, text: string, x: number, y: number): voi
   context.strokeText(text, x, y);
   context.fillStyle = theme.ink;
   context.fillText(text, x, y);
+}
+
+/** Draws a note with a background at a point of the world; long notes have several lines. */
+export function drawNote(pen: Pen, text: string, at: Point, tone: 'note' | 'fault' = 'note'): void {
+  const { context, camera, theme } = pen;
+  context.font = '600 12px system-ui, sans-serif';
+  const lines = text.split('\n');
+  const width = Math.max(...lines.map((line) => context.measureText(line).width)) + 14;
+  const height = 16 * lines.length + 6;
+  const p = camera.toScreen(at);
+  const x = Math.min(Math.max(p.x + 12, 4), Math.max(camera.width - width - 4, 4));
+  const above = p.y - height - 12;
+  const y = Math.min(above < 4 ? p.y + 12 : above, camera.height - height - 4);
+  context.save();
+  context.globalAlpha = 0.94;
+  context.fillStyle = tone === 'fault' ? theme.fault : theme.note;
+  context.beginPath();
+  context.rect(x, y, width, height);
+  context.fill();
+  context.globalAlpha = 1;
+  context.fillStyle = theme.noteInk;
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  lines.forEach((line, i) => context.fillText(line, x + 7, y + 11 + 16 * i));
+  context.restore();
 }
 
 /** Draws a scale bar in metres at the lower left. */

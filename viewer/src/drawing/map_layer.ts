@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Pose } from '../data/geometry';
+import type { Point, Pose } from '../data/geometry';
 import type { Grid } from '../data/grid';
 import type { Camera } from './camera';
 import type { Theme } from './theme';
@@ -40,6 +40,16 @@ export class MapLayer {
     context.imageSmoothingEnabled = pixels * devicePixelRatio < 1;
     context.drawImage(this.canvas, 0, 0);
     context.restore();
+  }
+
+  /** The value of the cell that contains a point, as last drawn. */
+  cellAt(p: Point): number | null {
+    if (!this.grid) return null;
+    const { origin, resolution, width, height } = this.grid.frame;
+    const [dx, dy] = [p.x - origin.x, p.y - origin.y];
+    const [c, s] = [Math.cos(origin.heading), Math.sin(origin.heading)];
+    const [i, j] = [Math.floor((c * dx + s * dy) / resolution), Math.floor((c * dy - s * dx) / resolution)];
+    return i >= 0 && j >= 0 && i < width && j < height ? this.cells[j * width + i] ?? null : null;
   }
 
   private bring(grid: Grid, time: number, theme: Theme): void {

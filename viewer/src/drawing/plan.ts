@@ -18,12 +18,13 @@ export function drawCorridor(pen: Pen, { plan, cycle }: RobotFrame): void {
 /** Draws the planned path, if requested, and its goal. */
 export function drawWay(pen: Pen, robot: RobotFrame, index: number, selected: boolean, path: boolean): void {
   const { plan } = robot;
-  if (!plan) return;
+  if (!plan || plan.dropped || robot.absent) return;
   const { theme } = pen;
   if (path && plan.path.length > 1) {
     pen.trace(plan.path);
     pen.stroke(theme.path, selected ? 1.75 : 1, selected ? 0.95 : 0.4, [7, 5]);
   }
+  if (robot.collided) return;
   drawGoal(pen, robot.goal ?? plan.goal, robotColor(index, theme), plan.usable);
 }
 
@@ -64,12 +65,13 @@ export function drawLimit(pen: Pen, robot: RobotFrame): void {
   const { theme } = pen;
   if (mark.shape === 'side') {
     pen.trace([mark.a, mark.b]);
-    pen.stroke(theme.halo, 7, 0.7);
+    pen.stroke(theme.ink, 6.5, 0.85);
     pen.trace([mark.a, mark.b]);
     pen.stroke(theme.limit, 3.5);
   } else {
     pen.disc(mark.a, mark.radius);
-    pen.fill(theme.limit, 0.12);
+    pen.fill(theme.limit, 0.15);
+    pen.stroke(theme.ink, 4, 0.6);
     pen.stroke(theme.limit, 2.5);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { RobotFrame } from '../data/frame';
+import type { Point } from '../data/geometry';
 import { type Moment, gridAt } from '../data/moment';
 import type { Run } from '../data/run';
 import { drawBelieved, drawBody, drawRobot } from './bodies';
@@ -9,15 +10,23 @@ import { drawNames, drawScaleBar } from './lettering';
 import { MapLayer } from './map_layer';
 import { Pen } from './pen';
 import { drawCorridor, drawLimit, drawPrediction, drawWay } from './plan';
+import { drawReasons } from './reasons';
 import { SeenMap, drawScan } from './seen';
 import { type Theme, robotColor } from './theme';
 import { Trails } from './trails';
+import { drawZones } from './zones';
 
 /** Draws a moment of a run, from the lowest layer to the highest. */
 export class Scene {
   private readonly map = new MapLayer((theme) => [theme.free, theme.occupied, theme.unknown]);
+  private readonly walls = new MapLayer((theme) => [`${theme.occupied}00`, `${theme.occupied}a0`, `${theme.occupied}00`]);
   private readonly seen = new SeenMap();
   private readonly trails = new Trails();
+
+  /** What the true map contains at a point, as last drawn; empty outside. */
+  cellName(p: Point): string {
+    return ['free', 'obstacle', 'unknown'][this.map.cellAt(p) ?? -1] ?? '';
+  }
 
   /** @param selected the robot whose corridor is shown. */
   draw(
@@ -33,8 +42,11 @@ export class Scene {
     context.fillRect(0, 0, camera.width, camera.height);
     const grid = gridAt(run, 0, moment.time);
     if (grid) this.map.draw(context, camera, grid, moment.time, theme);
+    if (layers.zones) drawZones(pen, run);
     if (layers.seen) this.seen.draw(pen, run, moment, chosen);
     if (chosen && layers.corridor) asBelieved(chosen, () => drawCorridor(pen, chosen));
+    // A corridor of a robot with a lidar may cross walls that it has not seen yet.
+    if (grid && run.lidar) this.walls.draw(context, camera, grid, moment.time, theme);
     if (layers.trail) {
       const colors = robots.map((_, i) => robotColor(i, theme));
       this.trails.draw(context, camera, run, moment.index, colors);
@@ -49,11 +61,12 @@ export class Scene {
     robots.forEach((robot, i) => asBelieved(robot, () => {
       if (i === selected && layers.scan) drawScan(pen, robot);
       if (i === selected) robot.cycle?.believed.forEach((body) => drawBelieved(pen, body));
-      if (layers.prediction) drawPrediction(pen, robot, i, run.radius);
+      if (layers.prediction && !robot.absent) drawPrediction(pen, robot, i, run.radius);
     }));
     moment.poses.forEach((pose, i) => drawRobot(pen, pose, robots[i]!, i, run, i === selected));
-    if (layers.names && robots.length > 1) drawNames(pen, moment.poses, run, selected);
+    if (layers.names && robots.length > 1) drawNames(pen, moment.poses, robots, run, selected);
     if (chosen && layers.limit) asBelieved(chosen, () => drawLimit(pen, chosen));
+    if (layers.reasons) drawReasons(pen, run, moment, selected);
     drawScaleBar(pen);
   }
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { Tone } from '../data/words';
+import { recalled, remember } from '../page/memory';
 
 /** Colours of the canvases; those of the page around them are in page.css. */
 export interface Theme {
@@ -16,59 +18,58 @@ export interface Theme {
   prediction: string;
   body: string;
   believed: string;
+  tracked: string;
   scan: string;
   fog: string; // over unknown cells, with its opacity
   limit: string;
+  fault: string;
   halo: string;
+  note: string; // background of labels on the map
+  noteInk: string;
 }
 
-// The palette of Okabe and Ito, which people with colour-vision deficiency can distinguish.
+// Blue is the corridor, orange are people, magenta is the prediction, gold is the active constraint;
+// red is for faults only. Robots have colours between these.
 const light: Theme = {
   dark: false,
   outside: '#e9ecef', free: '#ffffff', occupied: '#39424c', unknown: '#d3d8dd',
-  ink: '#1b232b', faint: '#6a7682', grid: '#e3e7eb',
+  ink: '#1b232b', faint: '#5d6975', grid: '#e3e7eb',
   path: '#596673', corridor: '#56b4e9', current: '#0072b2', prediction: '#b0478a',
-  body: '#d55e00', believed: '#a8741a', scan: '#8a2be2', fog: '#39424c30',
-  limit: '#d11f2f', halo: '#ffffff',
+  body: '#d55e00', believed: '#a8741a', tracked: '#00707a', scan: '#8a2be2', fog: '#39424c30',
+  limit: '#e0a800', fault: '#c8102e', halo: '#ffffff', note: '#1b232b', noteInk: '#ffffff',
 };
 
 const dark: Theme = {
   dark: true,
   outside: '#12161a', free: '#1f262d', occupied: '#93a1ae', unknown: '#171c21',
-  ink: '#e6ebf0', faint: '#93a0ac', grid: '#2b343c',
+  ink: '#e6ebf0', faint: '#9aa7b3', grid: '#2b343c',
   path: '#aab6c1', corridor: '#56b4e9', current: '#6cc3f5', prediction: '#e291c3',
-  body: '#ff8a3d', believed: '#d9a648', scan: '#c79bff', fog: '#00000088',
-  limit: '#ff5c68', halo: '#12161a',
+  body: '#ff8a3d', believed: '#d9a648', tracked: '#4fd0dc', scan: '#c79bff', fog: '#00000088',
+  limit: '#ffd24a', fault: '#ff5c68', halo: '#12161a', note: '#e6ebf0', noteInk: '#12161a',
 };
 
-const robots = {
-  light: ['#0072b2', '#d55e00', '#009e73', '#a54a85', '#b97d00', '#2e86c1', '#5a3c14'],
-  dark: ['#5fb8f0', '#ff8a3d', '#35cfa2', '#e291c3', '#f0b83c', '#9fd3f7', '#c9a878'],
-};
-
+/**
+ * The colour of a robot: hues by the golden angle, so that no two are alike, without the oranges of
+ * people and the blues of corridors.
+ */
 export const robotColor = (index: number, theme: Theme): string => {
-  const list = theme.dark ? robots.dark : robots.light;
-  return list[index % list.length]!;
+  const share = (0.28 + index * 0.618034) % 1;
+  const hue = share < 0.5 ? 75 + share * 2 * 110 : 232 + (share - 0.5) * 2 * 118;
+  const step = Math.floor(index / 6) % 3;
+  return theme.dark ? `hsl(${hue.toFixed(0)} 65% ${66 + 6 * step}%)` : `hsl(${hue.toFixed(0)} 70% ${30 + 5 * step}%)`;
 };
 
-export type StatusTone = 'good' | 'warn' | 'bad' | 'done' | 'idle';
-
-/** The colour of a status, by its number in NavigationStatus. */
-export function statusTone(status: number): StatusTone {
-  const tones: StatusTone[] = [
-    'good', 'warn', 'bad', 'bad', 'warn', 'bad', 'bad', 'bad', 'idle', 'done'];
-  return tones[status] ?? 'idle';
-}
-
-const toneColors: Record<StatusTone, [string, string]> = {
-  good: ['#2f9e6e', '#3bbf88'],
-  warn: ['#d99a00', '#f0b83c'],
-  bad: ['#d11f2f', '#ff5c68'],
-  done: ['#0072b2', '#5fb8f0'],
+const toneColors: Record<Tone, [string, string]> = {
+  good: ['#2a8f62', '#3bbf88'],
+  slow: ['#b98500', '#f0b83c'],
+  wait: ['#8a6d00', '#c9a84a'],
+  brake: ['#b5540a', '#ff9d57'],
+  bad: ['#c8102e', '#ff5c68'],
+  done: ['#4a5560', '#c3ccd4'],
   idle: ['#98a3ad', '#5c6873'],
 };
 
-export const toneColor = (tone: StatusTone, theme: Theme): string =>
+export const toneColor = (tone: Tone, theme: Theme): string =>
   toneColors[tone][theme.dark ? 1 : 0];
 
 /** The current theme: the user's choice, else the system's. */
@@ -78,6 +79,8 @@ export class Themes {
   private readonly listeners: (() => void)[] = [];
 
   constructor() {
+    const chosen = recalled('theme');
+    if (chosen === 'dark' || chosen === 'light') document.documentElement.dataset.theme = chosen;
     this.system.addEventListener('change', () => this.apply());
     this.apply();
   }
@@ -89,6 +92,7 @@ export class Themes {
   toggle(): void {
     const next = this.current.dark ? 'light' : 'dark';
     document.documentElement.dataset.theme = next;
+    remember('theme', next);
     this.apply();
   }
 

@@ -13,10 +13,18 @@ const base64 = async (file: File): Promise<string> => {
 };
 
 const senses = [
-  { title: 'the map', sensing: 'map', noise: 'none' },
-  { title: 'their lidar', sensing: 'lidar', noise: 'none' },
-  { title: 'lidar with errors', sensing: 'lidar', noise: 'standard' },
+  { title: 'Known map', sensing: 'map', noise: 'none' },
+  { title: 'Lidar', sensing: 'lidar', noise: 'none' },
+  { title: 'Noisy lidar + odometry', sensing: 'lidar', noise: 'standard' },
 ];
+
+/** What people read for "name:2: resolution: expected ..., found ..." of the program. */
+export function uploadRefusal(text: string): string {
+  const found = /^(.*?):(\d+): ([\w ]+): expected (.*), found (.*)$/s.exec(text.trim());
+  if (!found) return text;
+  const [, file, row, key, expected, got] = found;
+  return `${file}${/\.\w+$/.test(file!) ? '' : '.yaml'} line ${row}: ${key} must be ${expected!.replace(/^an? /, 'a ')} (got ${got}).`;
+}
 
 const isYaml = (file: File): boolean => /\.ya?ml$/i.test(file.name);
 
@@ -26,8 +34,9 @@ export class Files {
   private readonly picker = make('input', { type: 'file', id: 'map-files', accept: '.pgm,.png,.yaml,.yml', multiple: '', hidden: '' });
   private readonly dialog = make('dialog', { id: 'resolution-dialog' });
   private readonly resolution = make('input', { type: 'number', id: 'resolution', min: '0.001', max: '10', step: 'any', value: '0.05' });
-  private readonly senses = make('select', { id: 'senses', 'aria-label': 'What the robots know' },
+  private readonly senses = make('select', { id: 'senses', 'aria-label': 'Sensing' },
     ...senses.map(({ title }) => make('option', {}, title)));
+  private readonly revert = make('button', { type: 'button', id: 'revert', title: 'Begin again with the map and the robots as they were before your changes' }, 'Discard edits');
   private names: string[] = [];
 
   constructor(send: Send, private readonly tell: Tell) {
@@ -44,12 +53,14 @@ export class Files {
       send({ do: 'sense', sensing, noise });
     });
     this.picker.addEventListener('change', () => void this.upload([...this.picker.files ?? []]));
+    this.revert.addEventListener('click', () => send({ do: 'revert' }));
     this.askResolution();
     const root = element('files');
-    root.append(this.maps, make('label', { class: 'senses', title: 'What the robots know; a choice begins a new run' }, 'Robots know ', this.senses),
-      button('upload', 'A map of your own: PGM or PNG, with or without its YAML file', 'Upload', () => this.picker.click()),
-      button('restart', 'Begin again', 'Restart', () => send({ do: 'restart' })),
-      make('button', { type: 'button', id: 'save', 'aria-expanded': 'false', 'aria-controls': 'saves' }, 'Save'),
+    root.append(this.maps, make('label', { class: 'senses', title: 'What the robots know; another choice begins a new run' }, 'Sensing: ', this.senses),
+      button('upload', 'A map of your own: PGM or PNG, with or without its YAML file', 'Upload map', () => this.picker.click()),
+      button('restart', 'Begin a new run with the present map, robots and people', 'Reset run', () => send({ do: 'restart' })),
+      this.revert,
+      make('button', { type: 'button', id: 'save', 'aria-expanded': 'false', 'aria-controls': 'saves' }, 'Export'),
       this.picker, this.dialog);
     root.hidden = false;
     element('saves').append(make('table', {},
@@ -59,7 +70,8 @@ export class Files {
     popover('save', 'saves');
   }
 
-  show(maps: string[], index: number): void {
+  show(maps: string[], index: number, edited: boolean): void {
+    this.revert.hidden = !edited;
     if (maps.join('\n') !== this.names.join('\n')) {
       this.names = maps;
       this.maps.replaceChildren(...maps.map((name) => make('option', {}, name)));
@@ -74,8 +86,9 @@ export class Files {
 
   private askResolution(): void {
     const form = make('form', { method: 'dialog' },
-      make('label', {}, 'Metres per pixel ', this.resolution),
-      make('button', { class: 'primary', id: 'resolution-ok', value: 'ok' }, 'Use the map'));
+      make('label', {}, 'Map resolution [m/px] ', this.resolution),
+      make('button', { class: 'primary', id: 'resolution-ok', value: 'ok' }, 'Load map'),
+      make('button', { id: 'resolution-cancel', value: 'cancel', formnovalidate: '' }, 'Cancel'));
     this.dialog.append(form);
   }
 
@@ -83,7 +96,7 @@ export class Files {
     this.picker.value = '';
     const yaml = files.find(isYaml);
     const image = files.find((file) => !isYaml(file));
-    if (!image) return this.tell('Choose the map\'s picture too: a PGM or PNG file');
+    if (!image) return this.tell('Also select the map image (PGM or PNG).');
     if (!yaml && !(await this.resolutionGiven())) return;
     const body = {
       name: image.name.replace(/\.\w+$/, ''),
@@ -93,7 +106,7 @@ export class Files {
     const answer = await fetch('/map', {
       method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body),
     }).catch(() => null);
-    if (!answer?.ok) this.tell(answer ? await answer.text() : 'The map did not arrive');
+    if (!answer?.ok) this.tell(answer ? uploadRefusal(await answer.text()) : 'Upload failed: server not reachable.');
   }
 
   private resolutionGiven(): Promise<boolean> {

@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 import { element, make } from '../page/dom';
+import { recalled, remember } from '../page/memory';
 import { type Action, closePopovers, popover } from '../page/popovers';
 import type { Viewer } from '../view/viewer';
 import type { Transport } from './playback';
+import { connectShare } from './share';
+import type { Toolbar } from './toolbar';
 
 const help: [string, string][] = [
   ['Space', 'play or pause'], ['← →', 'one step'], ['Shift ← →', 'one second'],
   ['Home End', 'start, end'], ['+ −', 'zoom'], ['F', 'show the whole map'],
-  ['W A S D', 'move the map'], ['1 to 9', 'choose a robot'], ['L', 'layers'],
-  ['T', 'light or dark'], ['?', 'this list'],
+  ['W A S D', 'move the map'], ['C', 'follow the robot'], ['1 to 9', 'choose a robot'], ['L', 'layers'],
+  ['T', 'light or dark'], ['?', 'this list'], ['Escape', 'close, cancel, pan'],
+  ['↑ ↓ ← →', 'on the map: move the cursor (Shift: finely)'], ['Enter', 'on the map: click at the cursor'],
+  ['Shift Enter', 'on the map: begin or end a drag'],
   ['wheel pinch', 'zoom'], ['drag', 'move the map'], ['click', 'choose a robot, or a time'],
 ];
 
 /** All keys of both pages. */
 export function listenToKeys(
-  viewer: Viewer, transport: Transport, extra: Record<string, Action> = {}, extraHelp: [string, string][] = [],
+  viewer: Viewer, transport: Transport, toolbar: Toolbar,
 ): void {
+  const extraHelp = toolbar.help;
+  const extra = toolbar.keys;
   const rows = [...help, ...extraHelp];
   element('help').append(make('table', {}, ...rows.map(([key, what]) =>
     make('tr', {}, make('td', {}, ...key.split(' ').flatMap((k) => [make('kbd', {}, k), ' '])),
       make('td', {}, what)))));
+  const letters = make('input', { type: 'checkbox', id: 'letters' });
+  letters.checked = recalled('letters') !== 'off';
+  letters.addEventListener('change', () => remember('letters', letters.checked ? 'on' : 'off'));
+  element('help').prepend(make('label', {}, letters, 'Single-key shortcuts'));
   const toggleHelp = popover('show-help', 'help');
   const toggleLayers = popover('show-layers', 'layers');
   const redraw = (change: Action): Action => () => { change(); viewer.invalidate(); };
@@ -41,17 +52,20 @@ export function listenToKeys(
     l: toggleLayers,
     t: () => viewer.themes.toggle(),
     '?': toggleHelp,
-    Escape: closePopovers,
+    c: () => viewer.setFollow(!viewer.follow),
+    Escape: () => { if (!closePopovers()) toolbar.escape(); },
     ...extra,
   };
   addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as HTMLElement;
     const types = target.matches('input:not([type=range]):not([type=checkbox]), select, textarea');
+    if (types && event.key === 'Escape') return target.blur();
     if (types || (event.key === ' ' && target.matches('button, summary'))) return;
     // The time slider's own keys would move it too little.
     const moves = event.key.startsWith('Arrow') || event.key === 'Home' || event.key === 'End';
     if (moves && target.matches('input[type=range]') && target.id !== 'time') return;
+    if (event.key.length === 1 && event.key !== ' ' && !letters.checked) return;
     const digit = Number(event.key);
     if (digit >= 1 && viewer.run && digit <= viewer.run.begin.robots.length) viewer.select(digit - 1);
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -68,8 +82,16 @@ export function connectButtons(viewer: Viewer): void {
   element('zoom-in').addEventListener('click', zoom(1.3));
   element('zoom-out').addEventListener('click', zoom(1 / 1.3));
   element('fit').addEventListener('click', () => viewer.fit());
+  element('follow').addEventListener('click', () => viewer.setFollow(!viewer.follow));
+  connectShare(viewer);
+  popover('show-menu', 'menu');
   element('theme').addEventListener('click', () => viewer.themes.toggle());
   const panel = element('panel');
+  const plots = element('show-plots');
+  plots.addEventListener('click', () => {
+    const hidden = document.body.classList.toggle('no-plots');
+    plots.setAttribute('aria-expanded', `${!hidden}`);
+  });
   element('show-panel').addEventListener('click', (event) => {
     panel.hidden = !panel.hidden;
     (event.currentTarget as HTMLElement).setAttribute('aria-expanded', `${!panel.hidden}`);

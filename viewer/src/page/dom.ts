@@ -19,7 +19,18 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** Formats lengths and similar values: fixed digits, "far" for large ones. */
+/** Formats a number with fixed digits. */
 export const shown = (value: number, digits = 2): string =>
   // Adding zero turns a negative zero into a positive one.
   Number.isFinite(value) ? (Number(value.toFixed(digits)) + 0).toFixed(digits) : '–';
+
+/** A small picture from the path of an SVG of 16 x 16 units. */
+export function icon(path: string): SVGElement {
+  const space = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(space, 'svg');
+  for (const [name, value] of [['class', 'icon'], ['viewBox', '0 0 16 16'], ['aria-hidden', 'true']]) svg.setAttribute(name!, value!);
+  const shape = document.createElementNS(space, 'path');
+  shape.setAttribute('d', path);
+  svg.append(shape);
+  return svg;
+}

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-import { separation } from '../data/footprint';
 import type { Run } from '../data/run';
-import { type Theme, robotColor, statusTone, toneColor } from '../drawing/theme';
+import type { Theme } from '../drawing/theme';
+import { robotWords } from '../data/words';
+import { type PlotName, type PlotRow, plotRows, valueText } from './plot_rows';
+import { drawRibbon, statusPieces } from './ribbon';
 
 /** Space left and right of the plots for axes; the time slider above them has the same. */
 export const plotGutter = { left: 46, right: 14 };
 
-const RIBBON = 10;
-const GAP = 13;
+const RIBBON = 16;
+const GAP = 16;
 const AXIS = 18;
 const LEAST_ROW = 16;
-const FAR = 2; // largest measured clearance [m]
 
-interface Row {
+interface Band {
+  row: PlotRow;
   top: number;
   height: number;
-  min: number;
-  max: number;
 }
 
 const niceStep = (span: number, count: number): number => {
@@ -26,15 +26,23 @@ const niceStep = (span: number, count: number): number => {
   return unit * power;
 };
 
-/** Status, speed and distances of one robot over time. */
+/** Status and curves of one robot over time. */
 export class Plots {
+  /** The plots that are shown below the status. */
+  names: PlotName[] = ['speed', 'clearance'];
   private readonly still = document.createElement('canvas'); // everything except the cursor
   private key = '';
   private width = 0; // of the drawn plots
   private from = 0;
   private to = 1;
+  private bands: Band[] = [];
 
   constructor(private readonly canvas: HTMLCanvasElement) {}
+
+  /** The height that the chosen plots need [CSS pixels]. */
+  height(each: number): number {
+    return RIBBON + AXIS + this.names.length * (each + GAP);
+  }
 
   /** The time under a pixel column. */
   timeAt(x: number): number {
@@ -52,7 +60,7 @@ export class Plots {
     if (width < 100 || height < RIBBON + AXIS) return;
     this.width = width;
     [this.from, this.to] = [from, Math.max(to, from + 1e-3)];
-    const key = [width, height, ratio, run.frames.length, robot, from, to, theme.dark].join();
+    const key = [width, height, ratio, run.frames.length, run.duration, robot, from, to, theme.dark, this.names].join();
     if (key !== this.key) {
       this.key = key;
       this.still.width = Math.round(width * ratio);
@@ -70,6 +78,7 @@ export class Plots {
     context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     context.drawImage(this.still, 0, 0);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.planned(context, run, robot, time, theme);
     const x = this.column(time);
     context.strokeStyle = theme.ink;
     context.lineWidth = 1.5;
@@ -77,6 +86,18 @@ export class Plots {
     context.moveTo(x, 0);
     context.lineTo(x, height - AXIS);
     context.stroke();
+  }
+
+  /** All values at a time, as text: for the pointer, and instead of the picture. */
+  describe(run: Run, robot: number, time: number): string[] {
+    const index = run.frameIndex(time);
+    const frame = run.frames[index];
+    if (!frame) return [];
+    const lines = [`${frame.time.toFixed(1)} s: ${robotWords(run, frame, robot).label}`];
+    for (const { row } of this.bands) {
+      lines.push(`${row.title}: ${row.curves.map((curve) => `${curve.name} ${valueText(row, curve.value(index))}`).join(', ')}`);
+    }
+    return lines;
   }
 
   private room(): number {
@@ -88,61 +109,49 @@ export class Plots {
   }
 
   private drawStill(
-    context: CanvasRenderingContext2D, run: Run, robot: number, width: number, height: number,
-    theme: Theme,
+    context: CanvasRenderingContext2D, run: Run, robot: number, width: number, height: number, theme: Theme,
   ): void {
     context.clearRect(0, 0, width, height);
-    const each = (height - AXIS - RIBBON - 2 * GAP) / 2;
-    this.ribbon(context, run, robot, theme);
+    drawRibbon(context, statusPieces(run, robot, this.from, this.to), (time) => this.column(time),
+      { left: plotGutter.left, right: plotGutter.left + this.room(), height: RIBBON }, theme);
     this.times(context, height - AXIS, theme);
-    if (each < LEAST_ROW) return; // a small screen has space for the status only
-    const most = run.setting('robot', 'linear_max') || 1;
-    const least = Math.min(0, run.setting('robot', 'linear_min') || 0);
-    const speed: Row = { top: RIBBON + GAP, height: each, min: least * 1.1, max: most * 1.15 };
-    const room: Row = { top: RIBBON + 2 * GAP + each, height: each, min: 0, max: FAR };
-    const name = (text: string, row: Row): void => this.frame(context, row, text, theme);
-    name('speed [m/s]', speed);
-    name('room [m]', room);
-    const color = robotColor(robot, theme);
-    this.level(context, speed, most, theme.limit);
-    this.level(context, room, run.setting('prediction', 'obstacle_margin'), theme.body);
-    const { body } = run;
-    const cycle = (i: number) => run.frames[i]!.robots[robot]?.cycle;
-    this.curve(context, run, speed, theme.faint, 1, (i) => cycle(i)?.commandLinear ?? null);
-    this.curve(context, run, speed, color, 1.75, (i) => cycle(i)?.linear ?? null);
-    this.curve(context, run, room, color, 1.75, (i) => cycle(i)?.clearance ?? null);
-    this.curve(context, run, room, theme.body, 1.5, (i) => {
-      const gap = separation(run.frames[i]!, robot, body);
-      return gap <= FAR ? gap : null;
-    });
+    // A small screen has space for some of the plots, or for the status only.
+    const rows = plotRows(run, robot, theme, this.names);
+    let each = 0;
+    for (; rows.length > 0; rows.pop()) {
+      each = (height - AXIS - RIBBON) / rows.length - GAP;
+      if (each >= LEAST_ROW) break;
+    }
+    this.bands = rows.map((row, i) => ({ row, top: RIBBON + GAP + i * (each + GAP), height: each }));
+    for (const band of this.bands) {
+      this.frame(context, band, theme);
+      for (const level of band.row.levels) this.level(context, band, level.value, level.color);
+      for (const curve of band.row.curves) this.curve(context, run, band, curve.color, curve.width, curve.value);
+    }
   }
 
-  private ribbon(context: CanvasRenderingContext2D, run: Run, robot: number, theme: Theme): void {
-    context.fillStyle = theme.grid;
-    context.fillRect(plotGutter.left, 0, this.room(), RIBBON);
-    const { frames } = run;
-    // Adjacent frames of one colour are one rectangle, because seams between them would be visible.
-    let piece = null as { color: string; from: number; to: number } | null;
-    const finish = (): void => {
-      if (!piece) return;
-      const x = Math.max(this.column(piece.from), plotGutter.left);
-      context.fillStyle = piece.color;
-      context.fillRect(x, 0, Math.min(this.column(piece.to), this.column(this.to)) - x, RIBBON);
-    };
-    for (let i = run.frameIndex(this.from); i < frames.length; ++i) {
-      const frame = frames[i]!;
-      if (frame.time > this.to) break;
-      const me = frame.robots[robot];
-      if (!me || (me.status === null && !me.collided)) continue;
-      const color = me.collided ? theme.limit : toneColor(statusTone(me.status!), theme);
-      const end = frames[i + 1]?.time ?? frame.time;
-      if (piece?.color === color) piece.to = end;
-      else {
-        finish();
-        piece = { color, from: frame.time, to: end };
-      }
+  // The speed that the controller plans from `time` on.
+  private planned(context: CanvasRenderingContext2D, run: Run, robot: number, time: number, theme: Theme): void {
+    const band = this.bands.find(({ row }) => row.title === 'Speed');
+    const points = run.frames[run.frameIndex(time)]?.robots[robot]?.cycle?.prediction ?? [];
+    const step = run.setting('mpc', 'step_length');
+    if (!band || points.length < 2 || !(step > 0)) return;
+    context.save();
+    context.beginPath();
+    context.rect(plotGutter.left, 0, this.room() + plotGutter.right, band.top + band.height);
+    context.clip();
+    context.strokeStyle = theme.prediction;
+    context.lineWidth = 2;
+    context.setLineDash([5, 3]);
+    context.beginPath();
+    for (let k = 0; k + 1 < points.length; ++k) {
+      const v = Math.hypot(points[k + 1]!.x - points[k]!.x, points[k + 1]!.y - points[k]!.y) / step;
+      const y = this.heightOf(band, v);
+      if (k === 0) context.moveTo(this.column(time), y);
+      context.lineTo(this.column(time + (k + 0.5) * step), y);
     }
-    finish();
+    context.stroke();
+    context.restore();
   }
 
   private times(context: CanvasRenderingContext2D, top: number, theme: Theme): void {
@@ -157,40 +166,60 @@ export class Plots {
       context.fillStyle = theme.faint;
       const text = `${+t.toFixed(2)} s`;
       const half = context.measureText(text).width / 2;
-      context.fillText(text, Math.min(x, this.width - half - 2), top + 4);
+      context.fillText(text, Math.min(x, this.width - half - 6), top + 4);
     }
   }
 
-  private frame(context: CanvasRenderingContext2D, row: Row, text: string, theme: Theme): void {
+  // The axis, and the title with the names of the curves above the plot.
+  private frame(context: CanvasRenderingContext2D, band: Band, theme: Theme): void {
+    const { row, top } = band;
     context.font = '11px system-ui, sans-serif';
     context.textAlign = 'right';
     context.textBaseline = 'middle';
-    const step = niceStep(row.max - row.min, row.height / 24);
+    const step = niceStep(row.max - row.min, band.height / 24);
     for (let v = Math.ceil(row.min / step - 1e-9) * step; v <= row.max + 1e-9; v += step) {
-      const y = this.height(row, v);
+      const y = this.heightOf(band, v);
       context.fillStyle = theme.grid;
       context.fillRect(plotGutter.left, y - 0.5, this.room(), 1);
       context.fillStyle = theme.faint;
       context.fillText(`${+v.toFixed(2)}`, plotGutter.left - 6, y);
     }
-    if (context.measureText(text).width > row.height + GAP) return;
-    context.save();
-    context.translate(9, row.top + row.height / 2);
-    context.rotate(-Math.PI / 2);
-    context.textAlign = 'center';
-    context.fillStyle = theme.faint;
-    context.fillText(text, 0, 0);
-    context.restore();
+    context.textAlign = 'left';
+    let x = plotGutter.left;
+    const y = top - 7;
+    const word = (text: string, color: string): void => {
+      context.fillStyle = color;
+      context.fillText(text, x, y);
+      x += context.measureText(text).width + 8;
+    };
+    word(`${row.title} [${row.unit}]`, theme.ink);
+    const key = (name: string, color: string, dash: number[]): void => {
+      if (x + 40 + context.measureText(name).width > this.width) return;
+      context.save();
+      context.strokeStyle = color;
+      context.lineWidth = 2;
+      context.setLineDash(dash);
+      context.beginPath();
+      context.moveTo(x, y);
+      context.lineTo(x + 16, y);
+      context.stroke();
+      context.restore();
+      x += 20;
+      word(name, theme.faint);
+    };
+    for (const { name, color } of row.curves) key(name, color, []);
+    for (const { name, value, color } of row.levels) if (Number.isFinite(value)) key(name, color, [4, 4]);
+    if (row.title === 'Speed') key('planned', theme.prediction, [5, 3]);
   }
 
-  private height(row: Row, value: number): number {
+  private heightOf({ row, top, height }: Band, value: number): number {
     const share = (Math.min(Math.max(value, row.min), row.max) - row.min) / (row.max - row.min);
-    return row.top + (1 - share) * row.height;
+    return top + (1 - share) * height;
   }
 
-  private level(context: CanvasRenderingContext2D, row: Row, value: number, color: string): void {
+  private level(context: CanvasRenderingContext2D, band: Band, value: number, color: string): void {
     if (!Number.isFinite(value)) return;
-    const y = this.height(row, value);
+    const y = this.heightOf(band, value);
     context.save();
     context.strokeStyle = color;
     context.globalAlpha = 0.7;
@@ -203,7 +232,7 @@ export class Plots {
   }
 
   private curve(
-    context: CanvasRenderingContext2D, run: Run, row: Row, color: string, width: number,
+    context: CanvasRenderingContext2D, run: Run, band: Band, color: string, width: number,
     value: (index: number) => number | null,
   ): void {
     context.strokeStyle = color;
@@ -219,7 +248,7 @@ export class Plots {
         drawing = false;
         continue;
       }
-      const [x, y] = [this.column(time), this.height(row, v)];
+      const [x, y] = [this.column(time), this.heightOf(band, v)];
       if (drawing) context.lineTo(x, y);
       else context.moveTo(x, y);
       drawing = true;

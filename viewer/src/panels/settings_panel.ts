@@ -1,136 +1,120 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Setting } from '../data/run';
+import { friendlyRefusal } from '../data/refusal';
+import { capitalised } from '../data/words';
 import { make } from '../page/dom';
+import { type SettingRow, settingRow } from './setting_row';
 
-type Change = (group: string, name: string, value: number | boolean | string) => void;
+/** Receives settings that change together, as "group.name=value". */
+export type Change = (assignments: string[]) => void;
 
 const groupNames: Record<string, string> = {
   mpc: 'Controller',
 };
 
-const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+const AT_ONCE = 20; // most assignments of one change
 
-/** A slider covers the useful part of its range; ranges like 0 to 1e6 would be unusable. */
-function sliderRange(setting: Setting): { min: number; max: number; step: number } {
-  const value = setting.value as number;
-  const reach = value === 0 ? 1 : 4 * Math.abs(value);
-  const low = setting.min ?? -reach;
-  const high = setting.max ?? reach;
-  const max = Math.max(Math.min(high, reach), value);
-  const min = Math.min(Math.max(low, -reach), value);
-  const span = max - min;
-  const step = setting.kind === 'integer' ? 1 : 10 ** Math.floor(Math.log10(span / 100));
-  return { min, max, step };
-}
-
-/** All settings with their units: a table on the replay page, controls on the live page. */
+/** The settings with search; on the live page they can be changed. */
 export class SettingsPanel {
   private list: Setting[] | null = null;
-  private readonly defaults = new Map<string, Setting['value']>();
-  private readonly setters = new Map<string, (value: Setting['value']) => void>();
+  private readonly rows = new Map<string, SettingRow>();
+  private readonly search = make('input', { type: 'search', id: 'setting-search', placeholder: 'Search settings', 'aria-label': 'Search settings' });
+  private readonly only = make('input', { type: 'checkbox', id: 'settings-changed' });
+  private readonly reset = make('button', { type: 'button', id: 'settings-reset' }, 'Reset all');
+  private readonly body = make('div');
+  private wanted: Record<string, unknown> = {}; // the values that were sent last
 
   /** @param change the action of a control; without it the settings are read-only. */
-  constructor(
-    private readonly root: HTMLElement,
-    private readonly change: Change | null,
-  ) {}
+  constructor(root: HTMLElement, private readonly change: Change | null, before: HTMLElement | null = null) {
+    this.search.addEventListener('input', () => this.filter());
+    this.only.addEventListener('change', () => this.filter());
+    this.reset.addEventListener('click', () => this.resetAll());
+    this.reset.hidden = !change;
+    root.append(...(before ? [before] : []),
+      make('div', { class: 'setting-tools' }, this.search, make('label', {}, this.only, ' Changed only'), this.reset), this.body);
+  }
 
-  show(list: Setting[]): void {
-    if (list === this.list) return;
+  /** The present settings. All earlier refusals are history. @return whether they are new. */
+  show(list: Setting[]): boolean {
+    if (list === this.list) return false;
     const fresh = this.list === null || this.list.length !== list.length;
     this.list = list;
     if (fresh) this.rebuild(list);
-    for (const setting of list) this.setters.get(`${setting.group}.${setting.name}`)?.(setting.value);
+    for (const setting of list) {
+      const row = this.rows.get(`${setting.group}.${setting.name}`);
+      row?.show(setting.value);
+      row?.accept();
+    }
+    this.filter();
+    return true;
   }
 
-  /** Rebuilds the panel with sliders around other values. */
-  reset(): void {
-    this.list = null;
+  /** Shows at these settings why they were refused. @return whether one of them is shown. */
+  refuse(names: string[], text: string): boolean {
+    const why = friendlyRefusal(text, this.list ?? [], this.wanted);
+    // The setting that the text is about comes first; otherwise all that were sent.
+    const about = names.filter((name) => text.startsWith(`${name}:`));
+    let found = false;
+    for (const name of about.length > 0 ? about : names) {
+      const setting = this.list?.find((s) => `${s.group}.${s.name}` === name);
+      const row = this.rows.get(name);
+      if (!setting || !row) continue;
+      row.refuse(why, setting.value);
+      found = true;
+    }
+    for (const name of names) {
+      const setting = this.list?.find((s) => `${s.group}.${s.name}` === name);
+      if (setting && !about.includes(name) && about.length > 0) this.rows.get(name)?.show(setting.value);
+    }
+    return found;
+  }
+
+  /** Sends settings that are valid together only. */
+  send(values: Record<string, Setting['value']>): void {
+    this.wanted = values;
+    this.change?.(Object.entries(values).map(([key, value]) => `${key}=${value}`));
+  }
+
+  private resetAll(): void {
+    const changed = (this.list ?? []).filter((s) => this.rows.get(`${s.group}.${s.name}`)?.changed);
+    for (let i = 0; i < changed.length; i += AT_ONCE) {
+      this.send(Object.fromEntries(changed.slice(i, i + AT_ONCE).map((s) => [`${s.group}.${s.name}`, s.default!])));
+    }
   }
 
   private rebuild(list: Setting[]): void {
-    this.setters.clear();
+    this.rows.clear();
     const groups = new Map<string, HTMLDetailsElement>();
     for (const setting of list) {
       const key = `${setting.group}.${setting.name}`;
-      if (!this.defaults.has(key)) this.defaults.set(key, setting.value);
       let details = groups.get(setting.group);
       if (!details) {
         details = make('details', { 'data-group': setting.group },
           make('summary', {}, groupNames[setting.group] ?? capitalised(setting.group)));
         groups.set(setting.group, details);
       }
-      details.append(this.row(setting, key));
+      const row = settingRow(setting, this.change ? (value) => this.send({ [key]: value }) : null);
+      this.rows.set(key, row);
+      details.append(row.root);
     }
-    const kept = new Set([...this.root.querySelectorAll('details[open]')]
-      .map((d) => (d as HTMLElement).dataset.group));
+    const kept = new Set([...this.body.querySelectorAll('details[open]')].map((d) => (d as HTMLElement).dataset.group));
     for (const [name, details] of groups) details.open = kept.has(name);
-    this.root.replaceChildren(make('h2', {}, 'Settings'), ...groups.values());
+    this.body.replaceChildren(...groups.values());
   }
 
-  private row(setting: Setting, key: string): HTMLElement {
-    const unit = make('span', { class: 'unit' }, setting.unit.replaceAll('^2', '²'));
-    // Long names may break after an underscore.
-    const parts = setting.name.split('_').flatMap((part, i) => (i === 0 ? [part] : ['_', make('wbr'), part]));
-    const name = make('span', { class: 'name' }, ...parts);
-    const head = make('div', { class: 'row' }, name);
-    const row = make('div', { class: 'setting', title: setting.meaning, 'data-setting': key }, head);
-    const changed = (value: Setting['value']): void => {
-      row.classList.toggle('changed', value !== this.defaults.get(key));
-    };
-    if (!this.change) {
-      const text = make('span');
-      head.append(make('span', {}, text, ' ', unit));
-      this.setters.set(key, (value) => { text.textContent = `${value}`; changed(value); });
-      return row;
+  // A search opens the groups in which it finds something, and hides the others.
+  private filter(): void {
+    const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const searching = words.length > 0 || this.only.checked;
+    for (const details of this.body.querySelectorAll<HTMLDetailsElement>('details')) {
+      let some = false;
+      for (const element of details.querySelectorAll<HTMLElement>('.setting')) {
+        const row = this.rows.get(element.dataset.setting!)!;
+        element.hidden = !row.matches(words) || (this.only.checked && !row.changed);
+        some ||= !element.hidden;
+      }
+      details.hidden = !some;
+      if (searching && some) details.open = true;
     }
-    const send = (value: Setting['value']): void => this.change!(setting.group, setting.name, value);
-    if (setting.kind === 'switch') {
-      const box = make('input', { type: 'checkbox', 'aria-label': key });
-      box.addEventListener('change', () => send(box.checked));
-      head.append(box);
-      this.setters.set(key, (value) => { box.checked = value === true; changed(value); });
-    } else if (setting.kind === 'choice') {
-      const box = make('select', { 'aria-label': key },
-        ...(setting.choices ?? []).map((choice) => make('option', { value: choice }, choice)));
-      box.addEventListener('change', () => send(box.value));
-      head.append(box);
-      this.setters.set(key, (value) => { box.value = `${value}`; changed(value); });
-    } else if (setting.kind === 'discs') {
-      const box = make('input', { type: 'text', class: 'wide', 'aria-label': key, placeholder: '[[x, y, radius], ...]', spellcheck: 'false' });
-      box.addEventListener('change', () => send(box.value));
-      row.append(box);
-      this.setters.set(key, (value) => { if (document.activeElement !== box) box.value = `${value}`; changed(value); });
-    } else {
-      this.number(setting, key, row, head, unit, send, changed);
-    }
-    return row;
-  }
-
-  private number(
-    setting: Setting, key: string, row: HTMLElement, head: HTMLElement, unit: HTMLElement,
-    send: (value: number) => void, changed: (value: Setting['value']) => void,
-  ): void {
-    const { min, max, step } = sliderRange(setting);
-    const bounds: Record<string, string> = {};
-    if (setting.min !== undefined) bounds.min = `${setting.min}`;
-    if (setting.max !== undefined) bounds.max = `${setting.max}`;
-    const box = make('input', { type: 'number', step: 'any', 'aria-label': `${key} [${setting.unit}]`, ...bounds });
-    const slider = make('input', {
-      type: 'range', min: `${min}`, max: `${max}`, step: `${step}`, 'aria-label': key });
-    slider.addEventListener('input', () => {
-      box.value = slider.value;
-      send(slider.valueAsNumber);
-    });
-    box.addEventListener('change', () => {
-      if (Number.isFinite(box.valueAsNumber) && box.checkValidity()) send(box.valueAsNumber);
-    });
-    head.append(make('span', {}, box, ' ', unit));
-    row.append(slider);
-    this.setters.set(key, (value) => {
-      if (document.activeElement !== box) box.value = `${+(value as number).toPrecision(6)}`;
-      if (document.activeElement !== slider) slider.value = `${value}`;
-      changed(value);
-    });
   }
 }

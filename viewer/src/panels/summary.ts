@@ -2,6 +2,7 @@
 import { separation } from '../data/footprint';
 import type { Run } from '../data/run';
 import { make, shown } from '../page/dom';
+import { FAR } from './plot_rows';
 
 interface Facts {
   name: string;
@@ -17,7 +18,7 @@ function facts(run: Run, robot: number): Facts {
   const { body } = run;
   const reached = run.begin.statuses.indexOf('goal reached');
   const result: Facts = {
-    name: run.begin.robots[robot]!.name, outcome: 'not there', tone: 'warn', time: run.duration,
+    name: run.begin.robots[robot]!.name, outcome: 'Not reached', tone: 'wait', time: run.duration,
     length: 0, room: Infinity, gap: Infinity,
   };
   let arrived: number | null = null;
@@ -32,11 +33,11 @@ function facts(run: Run, robot: number): Facts {
     if (me.cycle && me.cycle.status !== reached) arrived = null;
     if (me.cycle && me.cycle.status === reached) arrived ??= frame.time;
     if (me.collided) {
-      Object.assign(result, { outcome: 'contact', tone: 'bad', time: frame.time });
+      Object.assign(result, { outcome: 'Collision', tone: 'bad', time: frame.time });
       return result;
     }
   }
-  if (arrived !== null) Object.assign(result, { outcome: 'arrived', tone: 'good', time: arrived });
+  if (arrived !== null) Object.assign(result, { outcome: 'Goal reached', tone: 'good', time: arrived });
   return result;
 }
 
@@ -49,12 +50,12 @@ export function showSummary(root: HTMLElement, run: Run): void {
       list.append(make('dt', {}, title), make('dd', {}, text));
     };
     add('Time', `${shown(fact.time, 1)} s`);
-    add('Way driven', `${shown(fact.length, 1)} m`);
+    add('Distance travelled', `${shown(fact.length, 1)} m`);
     add('Mean speed', `${shown(fact.length / Math.max(fact.time, 1e-9))} m/s`);
-    add('Least room to walls', `${shown(fact.room, 3)} m`);
-    if (Number.isFinite(fact.gap)) add('Least room to others', `${shown(fact.gap, 3)} m`);
+    add('Min. obstacle clearance', fact.room >= FAR - 1e-6 ? `> ${FAR} m` : `${shown(fact.room, 3)} m`);
+    if (Number.isFinite(fact.gap)) add('Min. clearance to people/robots', `${shown(fact.gap, 3)} m`);
     return make('section', { class: 'card' },
-      make('span', { class: 'head' }, make('span', {}, `Whole run: ${fact.name}`),
+      make('span', { class: 'head' }, make('span', {}, `Run summary: ${fact.name}`),
         make('span', { class: 'space' }), make('span', { class: `pill ${fact.tone}` }, fact.outcome)),
       list);
   });

@@ -24,6 +24,7 @@ export class Gestures {
     private readonly camera: Camera,
     private readonly changed: () => void,
     private readonly clicked: (at: Point) => void,
+    private readonly panned: () => void,
   ) {
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
@@ -65,7 +66,10 @@ export class Gestures {
     }
     if (this.pointers.size === 1) {
       this.moved += Math.hypot(now.x - before.x, now.y - before.y);
-      if (this.moved > CLICK) this.camera.pan(now.x - before.x, now.y - before.y);
+      if (this.moved > CLICK) {
+        this.panned();
+        this.camera.pan(now.x - before.x, now.y - before.y);
+      }
     } else if (this.pointers.size === 2) {
       this.moved = Infinity;
       const other = [...this.pointers].find(([id]) => id !== event.pointerId)![1];

@@ -1,59 +1,83 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Point } from '../data/geometry';
+import { explanationOf } from '../data/explanation';
 import { type Moment, gridAt, momentAt, robotAt } from '../data/moment';
 import type { Run } from '../data/run';
+import { robotWords } from '../data/words';
 import { Camera } from '../drawing/camera';
-import { type Layer, type Layers, layerNames } from '../drawing/layers';
+import { type Layers } from '../drawing/layers';
+import { drawNote } from '../drawing/lettering';
+import { Pen } from '../drawing/pen';
 import { Scene } from '../drawing/scene';
 import { Themes } from '../drawing/theme';
-import { element, make, shown } from '../page/dom';
+import { element, shown } from '../page/dom';
 import { Plots } from '../panels/plots';
 import { RobotPanel } from '../panels/robot_panel';
 import { Gestures } from './gestures';
+import { MapCursor } from './map_cursor';
+import { listenToPlots } from './plot_pointer';
 
 /** Draws on the map after everything else, for example the preview of a tool. */
 export type Overlay = (context: CanvasRenderingContext2D, camera: Camera) => void;
 
 const paper: [number, number] = [703, 446]; // size of the map on paper [CSS pixels]
-const PAPER_PLOTS = 168; // height of the plots on paper
+const PAPER_PLOTS = 190; // height of the plots on paper
+const DESCRIBED = 250; // least time between two texts for screen readers [ms]
+const FLASH = 5000; // how long a message is shown on the map [ms]
 
 /** The map, the plots and the robots' cards at one time of a run. Other modules change the time. */
 export class Viewer {
   readonly camera = new Camera();
   readonly themes = new Themes();
   readonly gestures: Gestures;
+  readonly cursor: MapCursor;
   readonly map = element<HTMLCanvasElement>('map');
   readonly slider = element<HTMLInputElement>('time');
   readonly layers: Layers = {
     path: true, corridor: true, prediction: true, trail: true, limit: true, velocity: true, seen: true,
-    scan: true, names: true,
+    scan: true, names: true, reasons: true, zones: true,
   };
+  readonly plots = new Plots(element<HTMLCanvasElement>('plots'));
+  readonly panel = new RobotPanel(element('robots'), (robot) => this.select(robot));
   run: Run | null = null;
   time = 0;
   selected = 0;
   moment: Moment | null = null;
   overlay: Overlay = () => {};
+  /** The camera stays on the selected robot. */
+  follow = false;
   /** Position of the pointer on the map. */
   hover: Point | null = null;
   /** The time span of the plots and the slider. */
   span: () => [number, number] = () => [0, this.run?.duration ?? 1];
   /** The user selected a time. */
   onSeek: (time: number) => void = () => {};
+  /** After each picture. */
+  onDrawn: () => void = () => {};
+  /** The layers or the theme have changed. */
+  onLook: () => void = () => {};
   /** Number of pictures drawn, for measurements. */
   drawn = 0;
   firstDrawn = 0; // time of the first picture since the page was requested [ms]
 
   private readonly scene = new Scene();
-  private readonly plots = new Plots(element<HTMLCanvasElement>('plots'));
-  private readonly panel = new RobotPanel(element('robots'), (robot) => this.select(robot));
   private dirty = true;
+  private described = 0; // when [ms]
+  private later = 0; // timer of the next description
   private shownTo = 0; // end of the slider
+  private flash: { at: Point; text: string; until: number } | null = null;
 
   constructor() {
-    this.gestures = new Gestures(this.map, this.camera, () => this.invalidate(), (at) => {
+    const pick = (at: Point): void => {
       if (!this.moment || !this.run) return;
       const robot = robotAt(this.moment, at, this.run.radius, 12 / this.camera.scale);
       if (robot !== null) this.select(robot);
+    };
+    this.gestures = new Gestures(this.map, this.camera, () => this.invalidate(), pick, () => { this.setFollow(false); });
+    this.cursor = new MapCursor(this.map, this.camera, () => this.gestures.tool, pick, (at, text) => {
+      this.hover = at;
+      if (text) this.say(text);
+      this.invalidate();
     });
     this.map.addEventListener('pointermove', (event) => {
       const box = this.map.getBoundingClientRect();
@@ -61,13 +85,11 @@ export class Viewer {
       this.invalidate();
     });
     this.map.addEventListener('pointerleave', () => { this.hover = null; this.invalidate(); });
-    new ResizeObserver(() => this.resize()).observe(element('stage'));
+    new ResizeObserver(() => this.resize()).observe(this.map.parentElement!);
     new ResizeObserver(() => this.invalidate()).observe(element('plots'));
-    this.themes.onChange(() => { this.legend(); this.invalidate(); });
+    this.themes.onChange(() => { this.onLook(); this.invalidate(); });
     this.slider.addEventListener('input', () => this.onSeek(this.slider.valueAsNumber));
-    this.listenToPlots(element('plots'));
-    this.layerSwitches();
-    this.legend();
+    listenToPlots(this, element<HTMLCanvasElement>('plots'));
     this.resize();
   }
 
@@ -75,9 +97,7 @@ export class Viewer {
     this.run = run;
     this.selected = Math.min(this.selected, Math.max(run.begin.robots.length - 1, 0));
     if (!keepView) this.fit();
-    this.legend();
-    // Only a robot with a lidar has these layers.
-    element('layers').querySelector('[data-layer="scan"]')!.closest('label')!.hidden = !run.lidar;
+    this.onLook();
     this.invalidate();
   }
 
@@ -86,10 +106,31 @@ export class Viewer {
     this.invalidate();
   }
 
+  setFollow(follow: boolean): void {
+    if (follow === this.follow) return;
+    this.follow = follow;
+    element('follow').setAttribute('aria-pressed', `${follow}`);
+    this.invalidate();
+  }
+
   fit(): void {
+    this.setFollow(false);
     const grid = this.run && gridAt(this.run, 0, this.time);
     if (grid) this.camera.fit(grid.frame);
     this.invalidate();
+  }
+
+  /** Shows a message at a place on the map for some seconds, for example why a click had no effect. */
+  tellAt(at: Point, text: string): void {
+    this.flash = { at, text, until: performance.now() + FLASH };
+    this.say(text);
+    setTimeout(() => this.invalidate(), FLASH + 50);
+    this.invalidate();
+  }
+
+  /** Shows a message below the map; screen readers read it. */
+  say(text: string): void {
+    element('hint').textContent = text;
   }
 
   invalidate(): void {
@@ -102,6 +143,12 @@ export class Viewer {
     this.dirty = false;
     this.moment = momentAt(this.run, this.time);
     if (!this.moment) return;
+    // A robot that was removed cannot be selected.
+    if (this.moment.frame.robots[this.selected]?.absent) {
+      this.selected = Math.max(this.moment.frame.robots.findIndex((robot) => !robot.absent), 0);
+    }
+    const pose = this.moment.poses[this.selected];
+    if (this.follow && pose) this.camera.center(pose);
     this.drawMap(devicePixelRatio);
     const [from, to] = this.span();
     this.plots.draw(this.run, this.selected, this.time, from, to, this.themes.current);
@@ -110,7 +157,9 @@ export class Viewer {
     if (to !== this.shownTo) this.slider.max = `${(this.shownTo = to)}`;
     this.slider.valueAsNumber = this.time;
     this.slider.setAttribute('aria-valuetext', `${shown(this.time, 1)} seconds`);
-    element('clock').textContent = `${shown(this.time, 1)} of ${shown(this.run.duration, 1)} s`;
+    element('clock').textContent = `${shown(this.time, 1)} / ${shown(this.run.duration, 1)} s`;
+    this.describe();
+    this.onDrawn();
     if (this.drawn++ === 0) this.firstDrawn = performance.now();
   }
 
@@ -137,57 +186,51 @@ export class Viewer {
       this.map.width = width!;
       this.map.height = height!;
     }
+    const theme = this.themes.current;
     const context = this.map.getContext('2d', { alpha: false })!;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.scene.draw(context, this.camera, this.themes.current, this.layers, this.run!, this.moment!,
-      this.selected);
+    this.scene.draw(context, this.camera, theme, this.layers, this.run!, this.moment!, this.selected);
     this.overlay(context, this.camera);
+    this.cursor.draw(context, theme.ink, theme.halo);
+    if (this.flash && performance.now() > this.flash.until) this.flash = null;
+    if (this.flash) drawNote(new Pen(context, this.camera, theme), this.flash.text, this.flash.at, 'fault');
+  }
+
+  // The text alternatives of both canvases, and the coordinates below the map.
+  private describe(): void {
+    const { run, moment, selected } = this;
+    if (!run || !moment) return;
+    const name = run.begin.robots[selected]?.name ?? 'robot';
+    const why = explanationOf(run, moment.frame, selected);
+    const lead = why.lead ? `${why.lead}: ` : '';
+    this.coordinates();
+    // Screen readers need no 60 descriptions a second.
+    const now = performance.now();
+    if (now < this.described + DESCRIBED && this.drawn > 0) {
+      this.later ||= window.setTimeout(() => { this.later = 0; this.invalidate(); }, DESCRIBED);
+      return;
+    }
+    this.described = now;
+    this.map.setAttribute('aria-label', `Map with ${moment.frame.robots.length} robots and ${moment.frame.bodies.length} people. `
+      + `${name} at ${shown(moment.poses[selected]?.x ?? NaN)}, ${shown(moment.poses[selected]?.y ?? NaN)} m: `
+      + `${robotWords(run, moment.frame, selected).label}. ${lead}${why.reason}. ${why.detail}`);
+    const plots = this.plots.describe(run, selected, this.time).join('. ');
+    element('plots').setAttribute('aria-label', `${name} over time. At ${plots}`);
+  }
+
+  // The coordinates and the cell under the pointer, below the map.
+  private coordinates(): void {
+    let where = '';
+    if (this.hover) {
+      const cell = this.scene.cellName(this.hover);
+      where = `x ${shown(this.hover.x)}, y ${shown(this.hover.y)} m${cell ? ` · ${cell}` : ''}`;
+    }
+    element('where').textContent = where;
   }
 
   private resize(): void {
-    const stage = element('stage');
-    this.camera.resize(Math.max(stage.clientWidth, 1), Math.max(stage.clientHeight, 1));
+    const { clientWidth, clientHeight } = this.map.parentElement!;
+    this.camera.resize(Math.max(clientWidth, 1), Math.max(clientHeight, 1));
     this.invalidate();
-  }
-
-  private listenToPlots(canvas: HTMLElement): void {
-    const seek = (event: PointerEvent): void => {
-      const box = canvas.getBoundingClientRect();
-      this.onSeek(this.plots.timeAt(event.clientX - box.left));
-    };
-    canvas.addEventListener('pointerdown', (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      seek(event);
-    });
-    canvas.addEventListener('pointermove', (event) => {
-      if (canvas.hasPointerCapture(event.pointerId)) seek(event);
-    });
-  }
-
-  private layerSwitches(): void {
-    const root = element('layers');
-    for (const [layer, title] of Object.entries(layerNames)) {
-      const box = make('input', { type: 'checkbox', 'data-layer': layer });
-      box.checked = this.layers[layer as Layer];
-      box.addEventListener('change', () => {
-        this.layers[layer as Layer] = box.checked;
-        this.invalidate();
-      });
-      root.append(make('label', {}, box, title));
-    }
-  }
-
-  private legend(): void {
-    const theme = this.themes.current;
-    const entries: [string, string][] = [
-      ['path', theme.path], ['rectangle it is in', theme.current], ['prediction', theme.prediction],
-      ['moving, and room to it', theme.body], ['what limits', theme.limit]];
-    if (this.run?.lidar) entries.push(['lidar', theme.scan], ['seen as occupied, or moving', theme.believed]);
-    element('legend').replaceChildren(...entries.map(([text, color]) => {
-      const mark = make('i');
-      mark.style.borderTopColor = color;
-      mark.classList.toggle('dashed', text === 'path');
-      return make('span', {}, mark, text);
-    }));
   }
 }

@@ -8,17 +8,18 @@
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
 #include "fairway/navigation/status_guide.hpp"
+#include "fairway/navigation/status_label.hpp"
 
 namespace fairway::app {
 
 namespace {
 
-// Calls visit(text, guide) for every value of an enumeration that begins with 0.
+// Calls visit(text, label, guide) for every value of an enumeration that begins with 0.
 template <typename Enumeration, typename Visit>
 void for_each(std::size_t count, Visit&& visit) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto value = static_cast<Enumeration>(i);
-    visit(to_text(value), guide_of(value));
+    visit(to_text(value), label_of(value), guide_of(value));
   }
 }
 
@@ -34,12 +35,14 @@ void for_each_limit(Visit&& visit) {
 
 std::string markdown() {
   std::string text;
-  const auto row = [&](const char* name, const StatusGuide& guide) {
-    text +=
-        fmt::format("| `{}` | {} | {} | {} |\n", name, guide.meaning, guide.causes, guide.remedy);
+  const auto row = [&](const char* name, const char* label, const StatusGuide& guide) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, label, guide.meaning, guide.causes,
+                        guide.remedy);
   };
   const auto head = [&](const char* what) {
-    text += fmt::format("| {} | meaning | usual causes | what to do |\n|---|---|---|---|\n", what);
+    text += fmt::format(
+        "| {} | on the pages | meaning | usual causes | what to do |\n|---|---|---|---|---|\n",
+        what);
   };
   head("status");
   for_each_status(row);
@@ -53,8 +56,9 @@ std::string as_json() {
   Json statuses = Json::array();
   Json limits = Json::array();
   const auto add_to = [](Json& list) {
-    return [&list](const char* name, const StatusGuide& guide) {
+    return [&list](const char* name, const char* label, const StatusGuide& guide) {
       list.push_back({{"name", name},
+                      {"label", label},
                       {"meaning", guide.meaning},
                       {"causes", guide.causes},
                       {"remedy", guide.remedy}});
@@ -88,11 +92,12 @@ Expected<std::string> StatusesCommand::text() const {
   if (markdown) return app::markdown();
   std::string found;
   std::string names;
-  const auto show = [&](const char* one, const StatusGuide& guide) {
+  const auto show = [&](const char* one, const char* label, const StatusGuide& guide) {
     names += fmt::format("  {:<26}{}\n", one, guide.meaning);
-    if (name == one) {
-      found = fmt::format("{}\n  meaning: {}\n  causes:  {}\n  remedy:  {}\n", one, guide.meaning,
-                          guide.causes, *guide.remedy == '\0' ? "none is needed" : guide.remedy);
+    if (name == one || name == label) {
+      found = fmt::format("{} ({})\n  meaning: {}\n  causes:  {}\n  remedy:  {}\n", one, label,
+                          guide.meaning, guide.causes,
+                          *guide.remedy == '\0' ? "none is needed" : guide.remedy);
     }
   };
   names += "statuses\n";

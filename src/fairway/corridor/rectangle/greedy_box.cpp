@@ -55,7 +55,7 @@ struct Axis {
   }
 };
 
-struct Side {
+struct BoxSide {
   std::size_t axis;
   float sign;
   double place = 0.0;  // distance from the origin [cells]
@@ -70,9 +70,9 @@ struct Side {
   }
 };
 
-class Growth {
+class BoxGrowth {
  public:
-  Growth(const ObstaclePoints& points,
+  BoxGrowth(const ObstaclePoints& points,
          const Eigen::Vector2d& along,
          const GreedySteps& steps) noexcept
       : count_(points.size()) {
@@ -86,7 +86,7 @@ class Growth {
     }
     axes_[0].start(count_, steps, 3.0F, 1.0F);
     axes_[1].start(count_, steps, 0.0F, 2.0F);
-    for (Side& side : sides_) {
+    for (BoxSide& side : sides_) {
       side.place = steps.start;
       side.step = steps.step;
     }
@@ -113,7 +113,7 @@ class Growth {
   // Performs all turns before `turn`, at which the side to move is blocked.
   void advance_to(float turn) noexcept {
     const auto number = static_cast<unsigned>(turn);
-    Side& side = sides_[number % 4U];
+    BoxSide& side = sides_[number % 4U];
     const double round = number / 4U;
     side.place += side.step * (round - 1.0 - side.round);
     side.step = side.step > 1.0 ? 1.0 : 0.0;
@@ -130,7 +130,7 @@ class Growth {
   std::size_t count_;
   std::array<Axis, 2> axes_;
   // The sides in the order in which Algorithm 1 advances them: top, left, bottom, right.
-  std::array<Side, 4> sides_{Side{1, 1.0F}, Side{0, -1.0F}, Side{1, -1.0F}, Side{0, 1.0F}};
+  std::array<BoxSide, 4> sides_{BoxSide{1, 1.0F}, BoxSide{0, -1.0F}, BoxSide{1, -1.0F}, BoxSide{0, 1.0F}};
 };
 
 }  // namespace
@@ -138,7 +138,7 @@ class Growth {
 std::optional<Box> greedy_box(const ObstaclePoints& points,
                               const Eigen::Vector2d& along,
                               const GreedySteps& steps) noexcept {
-  Growth growth(points, along, steps);
+  BoxGrowth growth(points, along, steps);
   if (growth.first_met() < 4.0F) return std::nullopt;
   while (true) {
     const float turn = std::min(growth.first_met(), growth.first_limited(steps.limit));

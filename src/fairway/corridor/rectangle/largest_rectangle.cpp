@@ -9,6 +9,7 @@
 
 #include "fairway/base/contract.hpp"
 #include "fairway/corridor/rectangle/largest_box.hpp"
+#include "fairway/corridor/rectangle/zone_points.hpp"
 
 namespace fairway {
 
@@ -109,7 +110,7 @@ void RectangleSearch::test(const BitGrid& obstacles, Candidate& candidate) noexc
   std::array<CellIndex, kMaxFound> found;
   const BlockedCells blocked =
       find_blocked_cells(obstacles, frame.region(candidate.box), radius_, origin_, found);
-  if (blocked.count == 0 && !blocked.outside_map) {
+  if (blocked.count == 0 && !blocked.outside_map && !blocked.in_zone) {
     best_area_ = candidate.box.area();
     best_angle_ = candidate.angle;
     best_ = {.frame = frame, .box = candidate.box};
@@ -119,9 +120,10 @@ void RectangleSearch::test(const BitGrid& obstacles, Candidate& candidate) noexc
   const std::span<const CellIndex> cells(found.data(), blocked.count);
   learn(repair, candidate.box, cells);
   if (blocked.outside_map) repair.add_outside_points(candidate.box, points_);
+  if (blocked.in_zone) learn_zones(obstacles, frame, candidate.box, radius_, points_);
   // A box shrunk to avoid all of them may be free and large enough.
   Box pulled = candidate.box;
-  bool possible = !blocked.outside_map || repair.pull_into_map(pulled);
+  bool possible = !blocked.in_zone && (!blocked.outside_map || repair.pull_into_map(pulled));
   for (std::size_t i = 0; i < cells.size() && possible; ++i)
     possible = repair.pull_from(cells[i], pulled) && pulled.area() > best_area_;
   if (possible) accept_if_free(obstacles, candidate, pulled);
@@ -164,10 +166,12 @@ std::optional<RectangleSearch::Found> RectangleSearch::find(const BitGrid& obsta
   if (!is_free(obstacles, TurnedBox{.origin = origin_}, radius_)) return std::nullopt;
 
   points_.look_around(obstacles, origin_, radius_, longest_);
+  look_at_zones(obstacles, origin_, radius_, longest_, points_);
   double spacing = kQuarterTurn / settings.num_orientations;
   for (int k = 0; k < settings.num_orientations; ++k)
     try_angle(k * spacing);
   if (hint) try_angle(*hint);
+  if (const auto zone = direction_of_nearest_zone(obstacles, origin_, longest_)) try_angle(*zone);
   exhaust(obstacles);
   // A maze may exhaust the tests before an orientation is found that contains all anchors.
   for (std::size_t i = num_candidates_; i-- > 0 && best_area_ < 0.0;)

@@ -9,6 +9,7 @@
 
 #include "fairway/corridor/rectangle/box_repair.hpp"
 #include "fairway/corridor/rectangle/greedy_box.hpp"
+#include "fairway/corridor/rectangle/zone_points.hpp"
 
 namespace fairway {
 
@@ -101,7 +102,9 @@ class Growth {
         origin_(origin),
         radius_(radius),
         steps_(steps) {
-    points_.look_around(obstacles, origin, radius, std::numbers::sqrt2 * steps.limit);
+    const double reach = std::numbers::sqrt2 * steps.limit;
+    points_.look_around(obstacles, origin, radius, reach);
+    look_at_zones(obstacles, origin, radius, reach, points_);
   }
 
   // Returns the free box grown with its x-axis along `along`; none if the start is not free.
@@ -114,7 +117,8 @@ class Growth {
       std::array<CellIndex, 4> found;  // NOLINT(*-member-init): filled as far as it is read
       const BlockedCells blocked =
           find_blocked_cells(obstacles_, frame.region(*box), radius_, origin_, found);
-      if (blocked.count == 0 && !blocked.outside_map) return box;
+      if (blocked.count == 0 && !blocked.outside_map && !blocked.in_zone) return box;
+      if (blocked.in_zone) learn_zones(obstacles_, frame, *box, radius_, points_);
       learn(frame, *box, std::span(found).first(blocked.count), blocked.outside_map);
     }
     StepwiseGrowth growth(obstacles_, frame, radius_);

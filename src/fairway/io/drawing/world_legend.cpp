@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fairway/io/drawing/map_raster.hpp"
+#include "fairway/io/drawing/zone_shapes.hpp"
 
 namespace fairway::io {
 
@@ -55,6 +56,7 @@ RobotColors colors_of(std::size_t robot, std::size_t count) {
 std::vector<LegendEntry> world_legend(const WorldDrawing& world, const Box& region) {
   std::vector<LegendEntry> entries;
   if (world.map != nullptr) add_map_entries(entries, *world.map, region);
+  add_zone_entries(entries, world.zones);
   const Color grey = palette::kGrey;
   const RobotColors colors =
       world.robots.size() > 1

@@ -8,6 +8,7 @@
 #include "fairway/io/drawing/map_raster.hpp"
 #include "fairway/io/drawing/plot_axes.hpp"
 #include "fairway/io/drawing/world_legend.hpp"
+#include "fairway/io/drawing/zone_shapes.hpp"
 
 namespace fairway::io {
 
@@ -228,6 +229,7 @@ Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format
     canvas.box(area, kUnknownColor, nullptr);  // the area beyond the map is unknown
     draw_map(canvas, axes, *world.map);
   }
+  draw_zones(canvas, axes, world.zones);
   draw_robots(canvas, axes, world);
   canvas.end_clip();
   axes.draw(canvas, "x [m]", "y [m]", false);

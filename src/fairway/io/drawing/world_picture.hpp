@@ -10,6 +10,7 @@
 #include "fairway/io/drawing/canvas.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/path/path.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway::io {
 
@@ -35,6 +36,7 @@ struct WorldDrawing {
   const OccupancyGrid* map = nullptr;  ///< none: open space
   std::vector<RobotDrawing> robots;
   std::vector<BodyDrawing> bodies;
+  Zones zones{};
 };
 
 /// The part of the world that is shown: all robots' motion, with a margin, within the map.

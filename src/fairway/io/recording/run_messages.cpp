@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact_zones.hpp"
 #include "fairway/io/recording/fairway_schema.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_text.hpp"
+#include "fairway/io/recording/robots_json.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -70,9 +72,9 @@ void RunMessages::write(std::uint16_t channel, double time, const std::string& m
   sink_.write(channel, nanoseconds(time), message);
 }
 
-void RunMessages::add_robots(const Scenario& scenario) {
-  for (std::size_t i = robots_.size(); i < scenario.robots.size(); ++i) {
-    Robot robot{.name = topic_part(scenario.robots[i].name)};
+void RunMessages::add_robots(std::span<const RobotTask> tasks) {
+  for (std::size_t i = robots_.size(); i < tasks.size(); ++i) {
+    Robot robot{.name = topic_part(tasks[i].name)};
     const bool taken = robot.name == "fairway" || robot.name == "map" || robot.name == "tf" ||
                        std::any_of(robots_.begin(), robots_.end(),
                                    [&](const Robot& other) { return other.name == robot.name; });
@@ -86,7 +88,7 @@ void RunMessages::add_robots(const Scenario& scenario) {
     robot.scene = own("/scene", "foxglove.SceneUpdate");
     robot.way = own("/way", "foxglove.SceneUpdate");
     robot.frame = foxglove::kMapFrame;
-    if (scenario.sensing.sensing == Sensing::Lidar) {
+    if (lidar_) {
       robot.goal = own("/goal", "fairway.Goal");
       robot.scan = own("/scan", "foxglove.LaserScan");
       robot.lidar = own("/lidar", "fairway.Scan");
@@ -97,9 +99,18 @@ void RunMessages::add_robots(const Scenario& scenario) {
   }
 }
 
+// Robots that are added to a running world: the scenario again, with all of them.
+void RunMessages::on_robots(double time, std::span<const RobotTask> robots) {
+  add_robots(robots);
+  plans_.resize(robots.size());
+  scenario_json_["robots"] = robots_json(robots);
+  scenario_json_["time"] = exact::to_json(time);
+  write(scenario_, time, dumped(scenario_json_));
+}
+
 void RunMessages::on_start(const Scenario& scenario) {
   lidar_ = scenario.sensing.sensing == Sensing::Lidar;
-  add_robots(scenario);
+  add_robots(scenario.robots);
   plans_.assign(scenario.robots.size(), Plan{});
   tracker_.clear();
   body_ = scenario.settings.robot;
@@ -108,12 +119,6 @@ void RunMessages::on_start(const Scenario& scenario) {
   shown_time_ = 0.0;
   write(map_, 0.0, dumped(foxglove::grid(0, scenario.map.frame(), shown_cells_)));
 
-  Json robots = Json::array();
-  for (const RobotTask& task : scenario.robots) {
-    robots.push_back({{"name", task.name},
-                      {"start", exact::to_json(task.start)},
-                      {"goal", exact::to_json(task.goal)}});
-  }
   Json bodies = Json::array();
   for (const MovingBody& body : scenario.bodies) {
     Json frames = Json::array();
@@ -125,17 +130,18 @@ void RunMessages::on_start(const Scenario& scenario) {
                       {"passing", body.passing},
                       {"key_frames", std::move(frames)}});
   }
-  write(scenario_, 0.0,
-        dumped({{"version", 1},
-                {"name", scenario.name},
-                {"frame", exact::to_json(scenario.map.frame())},
-                {"robots", std::move(robots)},
-                {"bodies", std::move(bodies)},
-                {"time_limit", exact::to_json(scenario.time_limit)},
-                {"seed", scenario.seed},
-                {"sensing", sensing_json(scenario.sensing)},
-                {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
-                {"settings", settings_yaml(scenario.settings)}}));
+  scenario_json_ = {{"version", 1},
+                    {"name", scenario.name},
+                    {"frame", exact::to_json(scenario.map.frame())},
+                    {"robots", robots_json(scenario.robots)},
+                    {"bodies", std::move(bodies)},
+                    {"time_limit", exact::to_json(scenario.time_limit)},
+                    {"seed", scenario.seed},
+                    {"sensing", sensing_json(scenario.sensing)},
+                    {"physics", scenario.engine == Engine::Mujoco ? "mujoco" : "unicycle"},
+                    {"settings", settings_yaml(scenario.settings)}};
+  if (!scenario.zones.empty()) scenario_json_["zones"] = exact::to_json(scenario.zones);
+  write(scenario_, 0.0, dumped(scenario_json_));
 }
 
 void RunMessages::on_navigators(double time,
@@ -233,6 +239,7 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
             {"seconds", exact::to_json(cycle.seconds)},
             {"mark", exact::to_json(cycle.mark)}};
   if (cycle.input.planning) json["input"]["planning"] = true;
+  if (cycle.input.hold) json["input"]["hold"] = true;
   if (cycle.occupied != nullptr) json["occupied"] = tell_cells(time, *cycle.occupied);
   if (step.plan != nullptr) json["prediction"] = exact::to_json(*step.plan);
   write(robot.cycle, time, dumped(json));
@@ -249,9 +256,12 @@ void RunMessages::on_world(const WorldView& world) {
     bodies.push_back(exact::to_json(body));
   Json robots = Json::array();
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    const Encounter& met = world.encounters[i];
     robots.push_back({{"pose", exact::to_json(world.robots[i].pose)},
                       {"twist", exact::to_json(world.robots[i].twist)},
-                      {"collided", world.encounters[i].collided}});
+                      {"collided", met.collided}});
+    if (met.absent) robots.back()["absent"] = true;
+    if (met.collided) robots.back()["contact"] = contact_json(met);
   }
   write(world_, world.time,
         dumped({{"time", exact::to_json(world.time)},
@@ -266,7 +276,7 @@ void RunMessages::on_world(const WorldView& world) {
                {.red = 0.84, .green = 0.37, .blue = 0.0, .opacity = 0.9});
   }
   for (std::size_t i = 0; i < world.robots.size(); ++i)
-    show_robot(scene, robots_.at(i).name, world.robots[i].pose);
+    if (!world.encounters[i].absent) show_robot(scene, robots_.at(i).name, world.robots[i].pose);
   write(scene_, world.time, dumped(scene.json()));
 }
 

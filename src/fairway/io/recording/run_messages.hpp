@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "fairway/io/recording/cell_tracker.hpp"
 #include "fairway/io/recording/fleet_ledger.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
@@ -28,6 +30,7 @@ class RunMessages final : public EpisodeObserver {
   void on_navigators(double time,
                      const Settings& settings,
                      std::span<const NavigatorStart> starts) override;
+  void on_robots(double time, std::span<const RobotTask> robots) override;
   void on_goal(double time, std::size_t robot, const Goal& goal) override;
   void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;
@@ -52,7 +55,7 @@ class RunMessages final : public EpisodeObserver {
   };
 
   std::uint16_t channel(const std::string& topic, const std::string& schema);
-  void add_robots(const Scenario& scenario);
+  void add_robots(std::span<const RobotTask> tasks);
   void write(std::uint16_t channel, double time, const std::string& message);
   int tell_cells(double time, const BitGrid& grid);
   void show_robot(foxglove::Scene& scene, const std::string& name, const Pose2& pose) const;
@@ -70,6 +73,7 @@ class RunMessages final : public EpisodeObserver {
   std::uint16_t cells_;
   std::uint16_t world_;
   std::vector<Robot> robots_;
+  nlohmann::json scenario_json_;  // as last written
   std::vector<Plan> plans_;
   std::vector<Pose2> true_poses_;  // in the current time step
   bool lidar_ = false;

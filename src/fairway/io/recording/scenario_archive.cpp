@@ -8,6 +8,8 @@
 
 #include "fairway/io/mcap/mcap_format.hpp"
 #include "fairway/io/number_text.hpp"
+#include "fairway/io/recording/exact_zones.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -55,6 +57,14 @@ std::string indented(const std::string& text) {
   return result;
 }
 
+std::string zones_text(const Zones& zones) {
+  std::string text = zones.empty() ? "" : "zones:\n";
+  for (const Zone& zone : zones) {
+    text += "  - {" + exact::zone_fields(zone) + "}\n";
+  }
+  return text;
+}
+
 std::string scenario_text(const Scenario& scenario) {
   std::string text = "name: " + quoted(scenario.name) + "\n";
   text += "map: map.yaml\ntime_limit: " + number_text(scenario.time_limit) + "\n";
@@ -71,6 +81,7 @@ std::string scenario_text(const Scenario& scenario) {
                                 : list({to.x(), to.y()})) +
             "\n";
     if (robot.actuation) text += actuation_text(*robot.actuation);
+    if (robot.model) text += "    robot:\n" + robot_model_yaml(*robot.model, 6);
   }
   if (!scenario.bodies.empty()) text += "obstacles:\n";
   for (const MovingBody& body : scenario.bodies) {
@@ -81,6 +92,7 @@ std::string scenario_text(const Scenario& scenario) {
     for (const MovingBody::KeyFrame& frame : body.key_frames)
       text += "      - " + list({frame.time, frame.position.x(), frame.position.y()}) + "\n";
   }
+  text += zones_text(scenario.zones);
   return text + "settings:\n" + indented(settings_yaml(scenario.settings));
 }
 

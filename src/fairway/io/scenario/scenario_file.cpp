@@ -12,7 +12,10 @@
 #include "fairway/geometry/angle.hpp"
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/io/number_text.hpp"
+#include "fairway/io/scenario/people_reader.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/tracks_file.hpp"
+#include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml/settings_mapping.hpp"
 #include "fairway/io/yaml/yaml_document.hpp"
@@ -109,9 +112,28 @@ void assume_actuation(Scenario& scenario) {
   }
 }
 
+// The robot's own body and base: its keys, or `file`, which holds them.
+std::optional<RobotModel> read_model(YamlMapping& robot,
+                                     const std::filesystem::path& folder,
+                                     FileNotes* notes) {
+  std::optional<YamlMapping> mapping = robot.mapping("robot");
+  if (!mapping) return {};
+  if (!mapping->has("file")) return read_robot_model(*mapping);
+  const std::filesystem::path path = mapping->text("file");
+  mapping->finish();
+  const std::string file = (path.is_absolute() ? path : folder / path).string();
+  if (notes != nullptr) notes->files.push_back(file);
+  const Expected<RobotModel> model = read_robot_model(file);
+  if (model) return *model;
+  mapping->complain("file", model.error().message);
+  return {};
+}
+
 std::vector<RobotTask> read_robots(YamlMapping& root,
                                    const OccupancyGrid& map,
-                                   const RobotSettings& settings) {
+                                   const RobotSettings& settings,
+                                   const std::filesystem::path& folder,
+                                   FileNotes* notes) {
   std::vector<RobotTask> robots;
   std::set<std::string> names;
   if (!root.has("robots")) root.complain("robots", "expected a list of robots, found no such key");
@@ -121,6 +143,7 @@ std::vector<RobotTask> read_robots(YamlMapping& root,
     const std::vector<double> start = mapping.numbers("start", 3, 3);
     const std::vector<double> goal = mapping.numbers("goal", 2, 3);
     robot.actuation = read_actuation(mapping, settings);
+    robot.model = read_model(mapping, folder, notes);
     mapping.finish();
     if (start.size() == 3) {
       robot.start = {.position = {start[0], start[1]}, .heading = start[2]};
@@ -252,13 +275,19 @@ Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes) {
   }
   read_models(root, scenario);
   read_radio(root, scenario.radio);
-  scenario.robots = read_robots(root, scenario.map, scenario.settings.robot);
+  scenario.robots = read_robots(root, scenario.map, scenario.settings.robot, folder, notes);
   assume_actuation(scenario);
+  describe_models(scenario);
   if (const Expected<void> valid = validate(scenario.settings); !file.error && !valid) {
     root.complain("robots", "actuation: " + valid.error().message);
   }
   scenario.bodies = read_bodies(root);
+  scenario.zones = read_zones(root);
+  if (const Expected<void> fits = check_models(scenario); !fits)
+    root.complain("robots", fits.error().message);
   if (!file.error) add_pedestrians(root, folder, scenario, notes);
+  for (MovingBody& person : read_people(root, scenario.time_limit))
+    scenario.bodies.push_back(std::move(person));
   root.finish();
   if (file.error) return tl::unexpected(*file.error);
   if (notes != nullptr) {

@@ -19,9 +19,13 @@ namespace fairway::io {
 ///     settings: {preset: paper, robot: {radius: 0.3}}    # as in a settings file
 ///     robots:
 ///       - {name: amr, start: [0, 0, 1.57], goal: [5, 3]}     # the goal's heading is optional
+///         # robot: {kind: car, ...}: its own body and base, see io/scenario/robot_model_file.hpp,
+///         # or {file: robots/car.yaml}
 ///     obstacles:                                             # moving obstacles
 ///       - {name: person, radius: 0.3, loop: true, key_frames: [[0, 1, 2], [5, 4, 2]]}  # t, x, y
 ///       # `passing: true`: present only from its first key frame to its last
+///     zones:                                                 # see io/scenario/zones_file.hpp
+///       - {kind: keep_out, polygon: [[2, 1], [4, 1], [4, 3]]}
 ///     radio: {on: true, delay: 0.0, loss: 0.0, range: 15.0}  # communication [-, s, -, m]
 ///     pedestrians:                                           # recorded people
 ///       tracks: ../people.obsmat.txt   # relative to this file; format: io/tracks_file.hpp

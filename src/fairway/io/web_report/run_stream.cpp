@@ -7,6 +7,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/web_report/plan_fields.hpp"
 #include "fairway/io/web_report/run_fields.hpp"
 #include "fairway/io/web_report/run_texts.hpp"
 
@@ -20,6 +21,14 @@ void append_record(std::string& bytes, RunStream::Kind kind, const std::string& 
   bytes.push_back(static_cast<char>(kind));
   CompactFields(bytes).count(fields.size());
   bytes.append(fields);
+}
+
+bool same_cells(const BitGrid& a, const BitGrid& b) {
+  if (!same_frame(a.frame(), b.frame())) return false;
+  for (int y = 0; y < a.frame().height; ++y) {
+    if (!std::ranges::equal(a.row(y), b.row(y))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -36,6 +45,7 @@ std::string RunStream::beginning(double time) const {
     append_record(bytes, Kind::Cells,
                   seen_map_fields(static_cast<std::uint64_t>(slot) + 1, time, told));
   });
+  if (!robots_.empty()) append_record(bytes, Kind::Robots, robots_);
   if (!tuning_.empty()) append_record(bytes, Kind::Tuning, tuning_);
   for (const std::string& plan : plans_) {
     if (!plan.empty()) append_record(bytes, Kind::Plan, plan);
@@ -57,6 +67,11 @@ void RunStream::on_start(const Scenario& scenario) {
   lidar_ = scenario.sensing.sensing == Sensing::Lidar;
   shown_ = BitGrid(scenario.map, unknown_cells(scenario.settings.map));
   states_.assign(scenario.map.cells().begin(), scenario.map.cells().end());
+  radius_ = scenario.settings.robot.radius;
+  robots_at_.clear();
+  for (const RobotTask& task : scenario.robots)
+    robots_at_.push_back(task.start.position);
+  robots_.clear();
   begin_ = begin_text(scenario);
   add(Kind::Begin, begin_);
   add(Kind::Cells, true_map_fields(0.0));
@@ -70,10 +85,25 @@ std::string RunStream::true_map_fields(double time) const {
   return fields;
 }
 
+void RunStream::on_robots(double time, std::span<const RobotTask> robots) {
+  for (std::size_t i = robots_at_.size(); i < robots.size(); ++i)
+    robots_at_.push_back(robots[i].start.position);
+  plans_.resize(robots.size());
+  goals_.resize(robots.size());
+  scans_.resize(robots.size());
+  robots_ = robots_text(time, robots);
+  add(Kind::Robots, robots_);
+}
+
 void RunStream::on_navigators(double time,
                               const Settings& settings,
                               std::span<const NavigatorStart> /*starts*/) {
-  if (lidar_) tracker_.clear();  // they have new maps
+  if (lidar_) {
+    tracker_.clear();  // they have new maps
+    for (std::string& goal : goals_)
+      goal.clear();  // and no goals yet
+  }
+  radius_ = settings.robot.radius;
   tuning_ = tuning_text(time, settings);
   add(Kind::Tuning, tuning_);
 }
@@ -127,21 +157,11 @@ void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
   CompactFields out(fields);
   out.count(robot);
   out.time(time);
-  append_goal(out, plan.goal, plan.usable() ? 1U : 0U);
-  out.text(plan.usable() ? "" : plan.reason());
-  out.count(plan.path.waypoints.size());
-  PointDeltas points(out);
-  for (const Eigen::Vector2d& waypoint : plan.path.waypoints)
-    points.append(waypoint);
-  out.count(plan.corridor.rectangles.size());
-  PointDeltas seeds(out);
-  for (std::size_t i = 0; i < plan.corridor.rectangles.size(); ++i) {
-    const OrientedRectangle rectangle = plan.corridor.admissible(i);
-    seeds.append(rectangle.seed);
-    out.angle(rectangle.orientation);
-    out.point(rectangle.min);
-    out.point(rectangle.max);
-  }
+  append_plan(out, plan);
+  const bool known = !lidar_ && robot < robots_at_.size();
+  append_obstruction(out, plan,
+                     known ? explainer_.explain(shown_, robots_at_[robot], plan, radius_)
+                           : PlanExplanation{.text = plan.reason(), .obstruction = {}});
   add(Kind::Plan, fields);
   plans_.at(robot) = std::move(fields);
 }
@@ -149,6 +169,8 @@ void RunStream::on_plan(double time, std::size_t robot, const Plan& plan) {
 // Returns the number of a robot's map, and writes the map first if it is new or has changed.
 std::uint64_t RunStream::tell_cells(double time, const BitGrid* grid) {
   if (grid == nullptr || grid == true_map_) return kWorldSlot;
+  // A robot that plans in a thread has a copy of the true map.
+  if (!lidar_ && same_cells(*grid, shown_)) return kWorldSlot;
   const CellTracker::Look look = tracker_.look(*grid);
   const auto slot = static_cast<std::uint64_t>(look.slot) + 1;
   if (!look.whole && !look.changed) return slot;
@@ -234,6 +256,9 @@ void RunStream::on_world(const WorldView& world) {
     true_positions_.push_back(body.position);
   for (const UnicycleRobot& robot : world.robots)
     true_positions_.push_back(robot.pose.position);
+  robots_at_.clear();
+  for (const UnicycleRobot& robot : world.robots)
+    robots_at_.push_back(robot.pose.position);
   std::string fields;
   CompactFields out(fields);
   out.time(world.time);
@@ -242,7 +267,7 @@ void RunStream::on_world(const WorldView& world) {
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     out.point(world.robots[i].pose.position);
     out.angle(wrap_to_pi(world.robots[i].pose.heading));
-    out.count(world.encounters[i].collided ? 1 : 0);
+    append_encounter(out, world.encounters[i]);
   }
   add(Kind::World, fields);
   newest_.clear();

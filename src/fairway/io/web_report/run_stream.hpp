@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fairway/io/recording/cell_tracker.hpp"
+#include "fairway/io/web_report/plan_fields.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
 namespace fairway::io {
@@ -27,9 +28,11 @@ class RunStream final : public EpisodeObserver {
     Tuning = 6,  ///< JSON: other settings from now on
     Scan = 7,    ///< the lidar scan of a robot
     Goal = 8,    ///< a goal of a robot with a lidar; its plans may end at other places first
+    Robots = 9,  ///< JSON: the robots from now on, when one is added to a running world
   };
 
   void on_start(const Scenario& scenario) override;
+  void on_robots(double time, std::span<const RobotTask> robots) override;
   void on_navigators(double time,
                      const Settings& settings,
                      std::span<const NavigatorStart> starts) override;
@@ -64,9 +67,13 @@ class RunStream final : public EpisodeObserver {
   std::vector<CellState> states_;  // of its cells; unknown cells are drawn differently
   std::string begin_;              // as last written, like the next two
   std::string tuning_;
-  std::vector<std::string> plans_;  // by robot
-  std::vector<std::string> goals_;  // by robot with a lidar
-  std::vector<std::string> scans_;  // by robot: the newest, until it is written
+  std::string robots_;  // empty while they are those of begin_
+  PlanExplainer explainer_;
+  double radius_ = 0.0;                     // of the robots [m]
+  std::vector<Eigen::Vector2d> robots_at_;  // true positions
+  std::vector<std::string> plans_;          // by robot
+  std::vector<std::string> goals_;          // by robot with a lidar
+  std::vector<std::string> scans_;          // by robot: the newest, until it is written
   bool lidar_ = false;
   std::string newest_;  // records of the newest time step
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -16,6 +17,9 @@ namespace fairway::io {
 
 /// JSON that begins a run in `RunStream`.
 [[nodiscard]] std::string begin_text(const Scenario& scenario);
+
+/// JSON that announces the robots of a running world.
+[[nodiscard]] std::string robots_text(double time, std::span<const RobotTask> robots);
 
 /// JSON that announces changed settings.
 [[nodiscard]] std::string tuning_text(double time, const Settings& settings);

@@ -22,7 +22,7 @@ LocalPlanning::LocalPlanning(const Settings& settings, const BitGrid& seen) : se
                          std::max(settings_.path.comfort_distance, cell) + kMore * cell;
   if (matters <= DistanceField::kMostReach * cell) map_.distances.set_reach(matters);
   map_.obstacles = seen;
-  map_.distances.update(map_.obstacles);
+  map_.measure();
 }
 
 double LocalPlanning::corridor_length(const Settings& settings) noexcept {
@@ -66,6 +66,7 @@ void LocalPlanning::make() {
       made_->goal = reachable_goal(request_.position, request_.goal);
       made_->plan = find_path(request_.position, made_->goal, request_.margin);
     }
+    if (request_.find_opening && !made_->plan.usable()) find_opening();
   } catch (const std::exception&) {  // out of memory: no plan, and another attempt later
     made_->plan = Plan{};
   }
@@ -156,6 +157,17 @@ Plan LocalPlanning::find_path(const Vector2d& position, const Goal& goal, double
                   .heading = {}};
   }
   return found;
+}
+
+void LocalPlanning::find_opening() {
+  made_->opening = openings_.find(map_, request_.position, request_.goal.position,
+                                  settings_.robot.radius, request_.tried);
+  if (!made_->opening) return;
+  const Vector2d ahead = made_->opening->blocked_at - made_->opening->viewpoint;
+  made_->to_opening = find_path(
+      request_.position,
+      {.position = made_->opening->viewpoint, .heading = std::atan2(ahead.y(), ahead.x())},
+      request_.margin);
 }
 
 }  // namespace fairway

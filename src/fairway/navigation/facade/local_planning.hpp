@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fairway/corridor/fewest_rectangles.hpp"
+#include "fairway/navigation/facade/opening_search.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/planning/background_worker.hpp"
 #include "fairway/planning/path_plan.hpp"
@@ -17,7 +18,9 @@ struct LocalRequest {
   Goal goal;
   std::optional<GivenPath> along{};  ///< a path to follow; the goal is then its end
   double margin = 0.0;               ///< desired clearance beyond the robot's radius [m]
-  bool narrow = false;  ///< whether only a shorter path with less clearance is of interest
+  bool narrow = false;        ///< whether only a shorter path with less clearance is of interest
+  bool find_opening = false;  ///< whether to search an opening where there is no path
+  TriedOpenings tried{};      ///< openings that were examined before
 };
 
 /// A plan, and the place that it leads to: the goal, or the free place nearest to it.
@@ -25,6 +28,8 @@ struct LocalPlan {
   Plan plan;
   Goal goal;
   LocalRequest request;
+  std::optional<Opening> opening{};  ///< where a path would most probably open; only on request
+  Plan to_opening{};                 ///< to the opening's viewpoint, turned towards it
 };
 
 /// Plans on the local map of a robot without a map, in the control cycle or in a thread.
@@ -63,11 +68,13 @@ class LocalPlanning {
   [[nodiscard]] Goal reachable_goal(const Eigen::Vector2d& position,
                                     const Goal& goal) const noexcept;
   [[nodiscard]] Plan find_path(const Eigen::Vector2d& position, const Goal& goal, double margin);
+  void find_opening();
 
   Settings settings_;
   PreparedMap map_;
   Planner planner_;
   FewestRectangles corridor_;
+  OpeningSearch openings_;
   CellWindow changed_ = kNoCells;
   LocalRequest request_;
   std::optional<LocalPlan> made_;

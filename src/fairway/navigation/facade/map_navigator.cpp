@@ -37,6 +37,7 @@ void MapNavigator::set_map(const OccupancyGrid& map) {
 void MapNavigator::set_map(const BitGrid& obstacles) {
   const bool moved = !state_->map || !same_frame(obstacles.frame(), state_->map->frame());
   state_->map = obstacles;
+  state_->map->set_zones(state_->zones);
   state_->change(all_cells(obstacles.frame()), moved);
 }
 
@@ -77,6 +78,11 @@ void MapNavigator::cancel() {
   state_->task.end();
   state_->navigator->cancel();
 }
+
+void MapNavigator::set_zones(const Zones& zones) { state_->set_zones(zones); }
+void MapNavigator::hold() noexcept { state_->hold = true; }
+void MapNavigator::resume() noexcept { state_->hold = false; }
+bool MapNavigator::on_hold() const noexcept { return state_->hold; }
 
 void MapNavigator::reset(const Twist2& actual) noexcept { state_->navigator->reset(actual); }
 

@@ -11,6 +11,7 @@
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"
 #include "fairway/planning/plan.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway {
 
@@ -93,6 +94,18 @@ class MapNavigator {
 
   /// Drops the goal: the robot brakes to a standstill.
   void cancel();
+
+  /// Replaces the zones; an empty list removes them. They hold from the next cycle on: it makes a
+  /// plan that obeys them, and every command is proven against them. A robot that stands where a
+  /// zone forbids it stays there (LimitingFactor::KeepOutZone or Strip) until it may drive again.
+  /// @throws std::invalid_argument unless validate(zones) holds, and for a navigator on a map of
+  ///         the caller, who then sets the zones of the map (PreparedMap::set_zones).
+  void set_zones(const Zones& zones);
+
+  /// Stops the robot along its corridor and keeps it there, until `resume`. Goal and plan are kept.
+  void hold() noexcept;
+  void resume() noexcept;
+  [[nodiscard]] bool on_hold() const noexcept;
 
   /// Sets the actual twist of the robot. Call it before the first cycle of a moving robot, and
   /// after the robot was held or moved by other means.

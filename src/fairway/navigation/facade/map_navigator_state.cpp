@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "fairway/map/free_space.hpp"
@@ -13,6 +14,12 @@
 namespace fairway {
 
 namespace {
+
+// The poses on a map are those of the map's localisation, which scans do not correct.
+PerceptionSettings on_a_map(PerceptionSettings settings) noexcept {
+  settings.match_scans = false;
+  return settings;
+}
 
 // Returns the cells of `map` under the window of another grid.
 CellWindow window_under(const GridFrame& window, const GridFrame& map) noexcept {
@@ -52,15 +59,33 @@ void MapNavigator::State::make_navigator() {
 
 void MapNavigator::State::set_settings(const Settings& given) {
   settings = checked(given);
+  if (zones) use_zones(Zones(zones->zones()));
   make_navigator();
   navigator->reset(sent_);
   planning->set_settings(settings);  // a plan that is being made ends first, and is not used
   const Eigen::Vector2d& here = input.pose.position;
   if (perception) {
-    perception.emplace(settings.perception,
+    perception.emplace(on_a_map(settings.perception),
                        is_plausible(here) ? here : Eigen::Vector2d(Eigen::Vector2d::Zero()));
   }
   if (task.task()) set_task(NavigationTask(*task.task()));
+}
+
+void MapNavigator::State::set_zones(const Zones& given) {
+  if (const Expected<void> valid = validate(given); !valid)
+    throw std::invalid_argument(valid.error().message);
+  if (shared_map_ != nullptr)
+    throw std::invalid_argument("set_zones: expected a navigator with a map of its own");
+  use_zones(given);
+}
+
+void MapNavigator::State::use_zones(const Zones& given) {
+  zones = given.empty() ? nullptr : std::make_shared<const ZoneMap>(given, settings.robot.radius);
+  zones_changed_ = true;
+  if (!map) return;
+  map->set_zones(zones);
+  seen_.set_zones(zones);
+  map_changed_ = true;
 }
 
 void MapNavigator::State::set_task(NavigationTask given) {
@@ -81,9 +106,9 @@ void MapNavigator::State::change(const CellWindow& window, bool moved) {
 bool MapNavigator::State::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
   scan_refused_ = !is_plausible(scan, position);
   if (scan_refused_ && !perception)
-    perception.emplace(settings.perception, Eigen::Vector2d::Zero());
+    perception.emplace(on_a_map(settings.perception), Eigen::Vector2d::Zero());
   if (scan_refused_) return false;
-  if (!perception) perception.emplace(settings.perception, position);
+  if (!perception) perception.emplace(on_a_map(settings.perception), position);
   perception->observe(scan, position, settings.robot.radius);
   scans_changed_ = true;
   if (map) overlay_scans();
@@ -139,6 +164,7 @@ bool MapNavigator::State::needs_plan(const Measurements& m, bool at_once) {
   if (!task.can_be_done() || planning->busy() || obstacles() == nullptr) return false;
   if (task_is_new_) return true;
   check_plan();
+  if (zones_changed_) return true;
   if (blocked_by_map_ && navigator->plan().usable()) return true;
   const bool just_tried = time - plan_time_ < settings.planning.retry_period && time >= plan_time_;
   if (just_tried && !at_once) return false;
@@ -156,7 +182,11 @@ void MapNavigator::State::start_plan(const Measurements& m) {
   tight_start_ = !has_clearance(m.pose.position);
   asked_number_ = task_number_;
   plan_time_ = m.time;
+  // The plan to a new goal is made on the map as it is: earlier changes need no other one.
+  if (task_is_new_) map_changed_ = map_moved_ = scans_changed_ = false;
   task_is_new_ = false;
+  asked_ = asked_ || zones_changed_;
+  zones_changed_ = false;
   planned = true;
   planning->start(
       *obstacles(),
@@ -197,6 +227,8 @@ void MapNavigator::State::follow(Plan plan) {
 void MapNavigator::State::set_input(const Measurements& m) {
   input = input_of(m);
   input.map = obstacles();
+  input.hold = hold;
+  input.entrances = m.entrances;
   input.planning = task.task() && !plan_is_current && planning->busy();
   if (!perception) return;
   input.map_time = std::min(input.map_time, std::max(kNeverMeasured, perception->time()));

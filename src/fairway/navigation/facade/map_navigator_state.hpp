@@ -21,6 +21,7 @@ struct MapNavigator::State {
 
   void set_settings(const Settings& given);
   void set_task(NavigationTask given);
+  void set_zones(const Zones& given);
   [[nodiscard]] bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
 
   /// Records that the map has changed inside a window. @param moved  Whether its frame has changed.
@@ -37,6 +38,8 @@ struct MapNavigator::State {
   std::unique_ptr<Navigator> navigator;
   std::unique_ptr<MapPlanning> planning;
   std::optional<BitGrid> map;
+  std::shared_ptr<const ZoneMap> zones;  // of the map; null without
+  bool hold = false;
   std::optional<Perception> perception;  // since the first scan
   TaskStatus task;
   NavigationInput input;  // input of the last cycle
@@ -47,6 +50,7 @@ struct MapNavigator::State {
 
  private:
   void make_navigator();
+  void use_zones(const Zones& given);
   void overlay_scans();
   [[nodiscard]] bool pose_is_known(const Measurements& measurements) const noexcept;
   [[nodiscard]] bool needs_plan(const Measurements& measurements, bool at_once);
@@ -73,6 +77,7 @@ struct MapNavigator::State {
   bool task_is_new_ = false;     // no plan was requested for the task yet
   bool map_moved_ = false;       // since the last check of the plan
   bool map_changed_ = false;     // since the last check of the plan
+  bool zones_changed_ = false;   // since the last plan was requested
   bool scans_changed_ = false;   // since the last check of the plan
   bool blocked_ = false;         // the plan is blocked
   bool blocked_by_map_ = false;  // by the map, and not only by scans, which may be wrong

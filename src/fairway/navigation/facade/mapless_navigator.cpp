@@ -38,6 +38,11 @@ void MaplessNavigator::cancel() {
   state_->navigator.cancel();
 }
 
+void MaplessNavigator::set_zones(const Zones& zones) { state_->set_zones(zones); }
+void MaplessNavigator::hold() noexcept { state_->hold = true; }
+void MaplessNavigator::resume() noexcept { state_->hold = false; }
+bool MaplessNavigator::on_hold() const noexcept { return state_->hold; }
+
 void MaplessNavigator::reset(const Twist2& actual) noexcept { state_->navigator.reset(actual); }
 
 void MaplessNavigator::set_settings(const Settings& settings) {
@@ -65,6 +70,13 @@ const Plan& MaplessNavigator::plan() const noexcept { return state_->navigator.p
 bool MaplessNavigator::plan_is_current() const noexcept { return state_->plan_is_current; }
 bool MaplessNavigator::planned() const noexcept { return state_->planned; }
 bool MaplessNavigator::follows_new_plan() const noexcept { return state_->follows_new_plan; }
+Pose2 MaplessNavigator::corrected(const Pose2& odometry) const noexcept {
+  return state_->perception.corrected(odometry);
+}
+std::optional<Eigen::Matrix3d> MaplessNavigator::pose_covariance() const noexcept {
+  const PoseCertainty* const certainty = state_->perception.certainty();
+  return certainty != nullptr ? std::optional(certainty->covariance) : std::nullopt;
+}
 MovingObstacles MaplessNavigator::tracked() const noexcept {
   return state_->perception.tracker().obstacles();
 }

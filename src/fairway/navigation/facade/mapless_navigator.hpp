@@ -9,6 +9,7 @@
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"
 #include "fairway/planning/plan.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway {
 
@@ -55,6 +56,15 @@ class MaplessNavigator {
   /// Drops the goal: the robot brakes to a standstill, and stays stopped without a goal.
   void cancel();
 
+  /// Replaces the zones, as MapNavigator::set_zones does; they are in the frame of the poses.
+  /// @throws std::invalid_argument unless validate(zones) holds.
+  void set_zones(const Zones& zones);
+
+  /// Stops along the corridor, and drives on, as MapNavigator does.
+  void hold() noexcept;
+  void resume() noexcept;
+  [[nodiscard]] bool on_hold() const noexcept;
+
   /// Sets the actual twist, as MapNavigator::reset does.
   void reset(const Twist2& actual = {}) noexcept;
 
@@ -65,8 +75,8 @@ class MaplessNavigator {
   /// Runs one control cycle: plans if needed, then drives, as MapNavigator::update does.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
 
-  /// Repeats a cycle of a recorded run whose plans were made in a thread: takes over `plan` if the
-  /// recorded cycle did, makes no plan itself, and drives as `update` does.
+  /// Repeats a cycle of a recorded run, whose pose is already the one corrected by scans. Plans
+  /// that were made in a thread are not made again: `plan` is taken over if the recorded cycle did.
   [[nodiscard]] NavigationStep replay(const NavigationInput& recorded, std::optional<Plan> plan);
 
   /// Returns the message to the other robots, as MapNavigator::share does.
@@ -84,6 +94,14 @@ class MaplessNavigator {
 
   /// Returns whether the last cycle started to follow another plan.
   [[nodiscard]] bool follows_new_plan() const noexcept;
+
+  /// Returns the robot's pose in the frame of goal and local map, for a pose by odometry. They
+  /// differ only with `perception.match_scans`.
+  [[nodiscard]] Pose2 corrected(const Pose2& odometry) const noexcept;
+
+  /// Returns the covariance of a corrected pose, of (x, y, heading) [m, rad]; none without
+  /// `perception.match_scans`.
+  [[nodiscard]] std::optional<Eigen::Matrix3d> pose_covariance() const noexcept;
 
   /// Moving obstacles that the lidar tracks.
   [[nodiscard]] MovingObstacles tracked() const noexcept;

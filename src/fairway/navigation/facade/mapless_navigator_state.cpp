@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -41,6 +43,14 @@ double reach_of_horizon(const Settings& settings) noexcept {
   return settings.mpc.horizon * settings.mpc.step_length * settings.robot.linear_max;
 }
 
+// Returns the part of a full turn that a scan does not cover [rad]; a small part counts as none.
+double blind_angle(const LidarScan& scan) noexcept {
+  constexpr double kSmall = 0.1;  // [rad]
+  const double covered = std::abs(scan.angle_step) * static_cast<double>(scan.ranges.size());
+  const double left = 2.0 * std::numbers::pi - covered;
+  return left > kSmall ? left : 0.0;
+}
+
 }  // namespace
 
 MaplessNavigator::State::State(const Settings& given,
@@ -61,12 +71,27 @@ void MaplessNavigator::State::set_task(NavigationTask given) {
   search_narrow_ = false;
   path_length_ = kInfinity;
   plan_time_ = -kInfinity;
+  lost_.reset();
+  tried_.clear();
+  search_opening_ = false;
   if (!task.can_be_done()) navigator.cancel();
+}
+
+void MaplessNavigator::State::set_zones(const Zones& given) {
+  if (const Expected<void> valid = validate(given); !valid)
+    throw std::invalid_argument(valid.error().message);
+  zones = given;
+  perception.set_zones(given.empty() ? nullptr
+                                     : std::make_shared<const ZoneMap>(given, wider.robot.radius));
+  asked_for_plan_ = true;
+  plan_time_ = -kInfinity;  // at once
 }
 
 // The thread of a plan that is being made ends on its own: nothing waits for it here.
 void MaplessNavigator::State::continue_from(State& older) {
   navigator.reset(older.sent);
+  hold = older.hold;
+  if (!older.zones.empty()) set_zones(older.zones);
   ending_ = std::move(older.ending_);
   ending_.push_back(std::move(older.planning));
   if (older.task.task()) set_task(*older.task.task());
@@ -76,6 +101,8 @@ bool MaplessNavigator::State::observe(const LidarScan& scan, const Vector2d& pos
   scan_refused_ = !is_plausible(scan, position);
   if (scan_refused_) return false;
   perception.observe(scan, position, wider.robot.radius);
+  ++scans_;
+  blind_angle_ = blind_angle(scan);
   rolled_ = rolled_ || perception.grid().rolled();
   planning->note_change(perception.grid().changed());
   return true;
@@ -88,6 +115,7 @@ bool MaplessNavigator::State::needs_plan(double time, const Vector2d& position) 
   constexpr double kSoon = 1.0;         // [m], beyond the braking distance
   if (!task.can_be_done() || planning->busy()) return false;
   const CorridorFollower& corridor = navigator.corridor();
+  if (lost_.active()) return search_opening_ || time - plan_time_ >= kRetryAfter;
   const bool driven_on = navigator.plan().usable() && corridor.reference_path().count > 0;
   // A cell that flickers at a side must not cause a new plan.
   const double flicker = 0.5 * wider.perception.resolution;
@@ -137,7 +165,9 @@ void MaplessNavigator::State::start_plan(double time, const Pose2& pose) {
                    .goal = task.task()->goal,
                    .along = task.task()->along,
                    .margin = narrow ? kNarrow * desired : std::min(desired, 2.0 * last_margin_),
-                   .narrow = narrow});
+                   .narrow = narrow,
+                   .find_opening = std::exchange(search_opening_, false),
+                   .tried = tried_});
 }
 
 void MaplessNavigator::State::take_plan() {
@@ -154,21 +184,24 @@ void MaplessNavigator::State::take_plan() {
     search_narrow_ = found.usable() && found.path.length() > path_length_ + kDetour;
   }
   last_margin_ = found.usable() ? found.margin : wider.path.margin;
-  // An old plan to the same goal is better than none while the map may be wrong about a narrow
-  // place: every command is checked before it is sent.
-  const bool has_old = plan_is_current && navigator.plan().usable();
+  const bool has_old = plan_is_current && !lost_.active() && plan_fits_map();
   plan_is_current = true;
-  if (!found.usable() && has_old) return;
-  path_length_ = found.path.length();
-  leads_to_goal_ = found.whole && made->goal.position == task.task()->goal.position;
-  follows_new_plan = true;
-  navigator.follow(std::move(found));
+  if (found.usable()) {
+    path_length_ = found.path.length();
+    lost_.reset();
+    tried_.clear();
+    const bool whole = found.whole && made->goal.position == task.task()->goal.position;
+    use(std::move(found), whole);
+  } else if (!has_old) {
+    no_path(*made);
+  }
 }
 
 // Interprets the navigator's result with respect to the task.
 NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
   const CorridorFollower& corridor = navigator.corridor();
-  const bool driven_on = plan_is_current && corridor.reference_path().count > 0;
+  const bool turning = turns();
+  const bool driven_on = plan_is_current && !turning && corridor.reference_path().count > 0;
   NavigationStep answer =
       task.judge(step, {.time = input.time,
                         .plan_is_current = plan_is_current,
@@ -177,6 +210,8 @@ NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
                         .remaining = driven_on ? std::optional(corridor.remaining()) : std::nullopt,
                         .turn = driven_on ? turn_left(navigator, input.pose) : 0.0,
                         .patience = settings.navigation.patience});
+  if (turning && answer.status == NavigationStatus::Ok)
+    answer.status = NavigationStatus::Recovering;
   // An unusable plan is kept, because it explains why there is none.
   if (answer.status == NavigationStatus::GaveUp && navigator.plan().usable()) navigator.cancel();
   if (scan_refused_ && answer.limit == LimitingFactor::StaleMap)
@@ -184,12 +219,19 @@ NavigationStep MaplessNavigator::State::judged(const NavigationStep& step) {
   return answer;
 }
 
-NavigationStep MaplessNavigator::State::update(const Measurements& m) {
+NavigationStep MaplessNavigator::State::update(const Measurements& given) {
+  Measurements m = given;
+  if (is_plausible(m.pose)) m.pose = perception.corrected(m.pose);
+  return cycle(m);
+}
+
+NavigationStep MaplessNavigator::State::cycle(const Measurements& m) {
   planned = false;
   follows_new_plan = false;
   take_plan();
   std::erase_if(ending_, [](const auto& older) { return !older->runs(); });
   const bool pose_known = is_plausible(m.pose) && std::isfinite(m.time);
+  if (pose_known) act_without_path(m);
   if (rolled_) {
     // The whole map has changed, which without a thread is enough work for one cycle.
     planning->refresh(perception.grid().occupied());
@@ -204,6 +246,10 @@ NavigationStep MaplessNavigator::State::update(const Measurements& m) {
 
 NavigationStep MaplessNavigator::State::replay(const NavigationInput& recorded,
                                                std::optional<Plan> plan) {
+  const Measurements m{
+      .time = recorded.time, .pose = recorded.pose, .pose_time = recorded.pose_time};
+  hold = recorded.hold;
+  if (!settings.planning.background) return cycle(m);
   follows_new_plan = plan.has_value();
   rolled_ = false;
   if (plan) {
@@ -212,17 +258,20 @@ NavigationStep MaplessNavigator::State::replay(const NavigationInput& recorded,
                      plan->goal.position == task.task()->goal.position;
     navigator.follow(*std::move(plan));
   }
-  return drive({.time = recorded.time, .pose = recorded.pose, .pose_time = recorded.pose_time},
-               recorded.planning);
+  return drive(m, recorded.planning);
 }
 
 NavigationStep MaplessNavigator::State::drive(const Measurements& m, bool planning_now) {
   input = input_of(m);
   input.map = &perception.grid().not_seen_free();
   input.map_time = perception.time();
+  input.hold = hold;
   input.planning = planning_now;
   merge_tracked(perception, moving_, input);
-  const NavigationStep step = judged(navigator.update(input));
+  const NavigationStep driven = navigator.update(input);
+  plan_done_ = driven.status == NavigationStatus::GoalReached;
+  turn_refused_ = driven.status == NavigationStatus::Blocked;
+  const NavigationStep step = judged(driven);
   asked_for_plan_ = step.wants_plan;
   sent = step.command;
   return step;

@@ -50,6 +50,10 @@ NavigationStep TaskStatus::judge(NavigationStep step, const TaskView& view) {
     step.limit = LimitingFactor::NoPath;
     step.wants_plan = true;
   }
+  if (step.status == NavigationStatus::Holding) {
+    progress_.reset();
+    return step;
+  }
   const double stalled = progress_.update(view.time, view.remaining, view.turn, view.new_path);
   if (view.patience > 0.0 && stalled >= view.patience) {
     task_.reset();

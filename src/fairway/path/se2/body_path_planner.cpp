@@ -106,7 +106,7 @@ BodyPathResult plan_body_path(const BodyClearance& clearance,
     result.status = BodyPathStatus::GoalBlocked;
     return result;
   }
-  const MotionCost cost(base, settings.reverse_factor);
+  const MotionCost cost(base, settings.reverse_factor, settings.cusp_factor);
   const Ends ends{.start = start,
                   .goal = goal,
                   .to_goal = GoalDistance(clearance, goal.position),

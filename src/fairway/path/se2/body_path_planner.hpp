@@ -16,6 +16,7 @@ struct BodyPathSettings {
   int headings = 72;            ///< cells of heading in a full turn
   double greediness = 1.5;      ///< weight of the estimate of what is left; 1: the cheapest path
   double reverse_factor = 1.0;  ///< by how much driving backwards is dearer than forwards
+  double cusp_factor = 1.0;     ///< by how much a cusp of a steered base is dearer than its time
   int max_states = 200000;      ///< states expanded before the search gives up, per margin
   int shortcut_tries = 150;     ///< parts of the path for which a shortcut is tried
 };
@@ -29,6 +30,9 @@ void visit_body_path(Settings& s, Visitor&& field) {
         SettingInfo{"greediness", "", "weight of the estimate of what is left", 1, 10});
   field(s.reverse_factor,
         SettingInfo{"reverse_factor", "", "by how much driving backwards is dearer", 1, 100});
+  field(s.cusp_factor,
+        SettingInfo{"cusp_factor", "",
+                    "by how much a cusp of a steered base is dearer than its time", 1, 100});
   field(s.max_states,
         SettingInfo{"max_states", "", "states expanded before the search gives up", 1, 1e8});
   field(s.shortcut_tries, SettingInfo{"shortcut_tries", "",

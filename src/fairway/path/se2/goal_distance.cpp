@@ -11,7 +11,7 @@ namespace fairway {
 
 namespace {
 
-constexpr float kUnreached = std::numeric_limits<float>::infinity();
+constexpr float kNotReached = std::numeric_limits<float>::infinity();
 constexpr int kMostCells = 16000;
 
 // Whether the reference may be anywhere in a large cell.
@@ -41,7 +41,7 @@ GoalDistance::GoalDistance(const BodyClearance& clearance, const Eigen::Vector2d
             .origin = fine.origin};
   const auto count =
       static_cast<std::size_t>(frame_.width) * static_cast<std::size_t>(frame_.height);
-  lengths_.assign(count, kUnreached);
+  lengths_.assign(count, kNotReached);
   const double radius = clearance.body().inscribed_radius(Eigen::Vector2d::Zero());
   std::vector<std::uint8_t> open(count, 0);
   const auto index = [&](CellIndex cell) {

@@ -47,9 +47,10 @@ MotionPath reversed(const MotionPath& path) {
   return back;
 }
 
-MotionCost::MotionCost(const BaseModel& base, double reverse_factor)
+MotionCost::MotionCost(const BaseModel& base, double reverse_factor, double cusp_factor)
     : base_(base),
-      reverse_factor_(reverse_factor) {
+      reverse_factor_(reverse_factor),
+      cusp_factor_(cusp_factor) {
   // Manoeuvres are short: over a metre a base reaches no more than this speed.
   constexpr double kStroke = 1.0;  // [m]
   const double speed = std::min(base.linear_max, std::sqrt(base.linear_acceleration * kStroke));
@@ -73,7 +74,7 @@ double MotionCost::between(const MotionPiece& before, const MotionPiece& after) 
     const double from = std::atan(base_.wheelbase * a.angular / a.linear);
     const double to = std::atan(base_.wheelbase * b.angular / b.linear);
     const double steering = std::abs(to - from) / base_.steering_rate_max;
-    if (a.linear * b.linear < 0.0) return std::max(pause_, steering);
+    if (a.linear * b.linear < 0.0) return cusp_factor_ * std::max(pause_, steering);
     return 0.6 * steering;
   }
   const double pace_a = std::hypot(a.linear, a.lateral);

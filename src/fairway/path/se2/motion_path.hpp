@@ -42,7 +42,9 @@ void merge_pieces(MotionPath& path);
 class MotionCost {
  public:
   /// @param reverse_factor  By how much driving backwards is dearer than forwards; at least 1.
-  MotionCost(const BaseModel& base, double reverse_factor);
+  /// @param cusp_factor     By how much a stop between forwards and backwards is dearer than its
+  ///                        time; at least 1.
+  MotionCost(const BaseModel& base, double reverse_factor, double cusp_factor = 1.0);
 
   [[nodiscard]] double of(const MotionPiece& piece) const noexcept;
   [[nodiscard]] double between(const MotionPiece& before, const MotionPiece& after) const noexcept;
@@ -57,6 +59,7 @@ class MotionCost {
  private:
   BaseModel base_;
   double reverse_factor_;
+  double cusp_factor_;
   double pause_;  // what it costs to brake to standstill and accelerate again [s]
   double per_metre_;
   double per_radian_;

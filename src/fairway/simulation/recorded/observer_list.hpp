@@ -22,6 +22,10 @@ class ObserverList final : public EpisodeObserver {
     for (EpisodeObserver* observer : observers_)
       observer->on_navigators(time, settings, starts);
   }
+  void on_robots(double time, std::span<const RobotTask> robots) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_robots(time, robots);
+  }
   void on_goal(double time, std::size_t robot, const Goal& goal) override {
     for (EpisodeObserver* observer : observers_)
       observer->on_goal(time, robot, goal);

@@ -28,7 +28,10 @@ NavigationStep without_plan(NavigationStep step) noexcept {
 
 }  // namespace
 
-void ReplayCheck::on_start(const Scenario& scenario) { sensing_ = scenario.sensing; }
+void ReplayCheck::on_start(const Scenario& scenario) {
+  sensing_ = scenario.sensing;
+  zones_ = scenario.zones;
+}
 
 void ReplayCheck::on_navigators(double /*time*/,
                                 const Settings& settings,
@@ -39,12 +42,15 @@ void ReplayCheck::on_navigators(double /*time*/,
   arrived_.assign(starts.size(), std::nullopt);
   if (solver_ == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings.mpc);
   ControlSolver& solver = solver_ != nullptr ? *solver_ : *own_solver_;
+  compiled_ =
+      zones_.empty() ? nullptr : std::make_shared<const ZoneMap>(zones_, settings.robot.radius);
   for (const NavigatorStart& start : starts) {
     if (sensing_.sensing == Sensing::Map) {
       navigators_.emplace_back(settings, solver).reset(start.twist);
       continue;
     }
     without_map_.emplace_back(settings, solver, start.pose.position).reset(start.twist);
+    if (!zones_.empty()) without_map_.back().set_zones(zones_);
   }
 }
 
@@ -67,13 +73,16 @@ void ReplayCheck::on_plan(double /*time*/, std::size_t robot, const Plan& plan) 
 // Without a map the plans are computed again, too. Plans that a thread made arrive when they did in
 // the recording.
 NavigationStep ReplayCheck::replay(const NavigationCycle& cycle) {
-  const NavigationInput& input = cycle.input;
+  NavigationInput input = cycle.input;
+  BitGrid map;
+  if (compiled_ != nullptr && input.map != nullptr && without_map_.empty()) {
+    map = *input.map;  // a recording has the cells alone
+    map.set_zones(compiled_);
+    input.map = &map;
+  }
   if (without_map_.empty()) return navigators_.at(cycle.robot).update(input);
   MaplessNavigator& navigator = without_map_.at(cycle.robot);
-  if (background_) {
-    return navigator.replay(input, std::exchange(arrived_.at(cycle.robot), std::nullopt));
-  }
-  return navigator.update({.time = input.time, .pose = input.pose, .pose_time = input.pose_time});
+  return navigator.replay(input, std::exchange(arrived_.at(cycle.robot), std::nullopt));
 }
 
 void ReplayCheck::on_cycle(const NavigationCycle& cycle) {

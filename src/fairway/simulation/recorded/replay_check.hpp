@@ -48,6 +48,8 @@ class ReplayCheck final : public EpisodeObserver {
   ControlSolver* solver_;
   std::unique_ptr<ControlSolver> own_solver_;
   SensingModel sensing_;
+  Zones zones_{};
+  std::shared_ptr<const ZoneMap> compiled_{};   // of the zones; null without
   std::vector<Navigator> navigators_;           // of robots that know the map
   std::vector<MaplessNavigator> without_map_;   // of robots with a lidar
   bool background_ = false;                     // the plans were made in a thread

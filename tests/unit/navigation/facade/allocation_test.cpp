@@ -165,6 +165,23 @@ TEST(Facades, CyclesWithoutAMapAndWithoutAPlanDoNotAllocate) {
   EXPECT_TRUE(cycles.met_a_robot);
 }
 
+TEST(Facades, CyclesWithZonesAndOnHoldDoNotAllocate) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  MapNavigator navigator({}, hall());
+  navigator.set_goal(kBehindTheDoor);
+  navigator.set_zones(
+      {{.kind = ZoneKind::KeepOut, .polygon = {{3, 1}, {4, 1}, {4, 2}}},
+       {.kind = ZoneKind::Strip,
+        .polygon = {{0.1, 0.1}, {11.9, 0.1}, {11.9, 4.9}, {0.1, 4.9}},
+        .reference = ZoneReference::Centre},
+       {.kind = ZoneKind::SpeedLimit, .polygon = {{2, 0}, {5, 0}, {5, 5}, {2, 5}}, .speed = 0.4},
+       {.kind = ZoneKind::OneWay, .polygon = {{7, 0}, {8, 0}, {8, 5}, {7, 5}}, .direction = 0.0}});
+  const Cycles cycles = drive(navigator, [&](double time, const Pose2& /*robot*/) {
+    time > 5.0 && time < 6.0 ? navigator.hold() : navigator.resume();
+  });
+  EXPECT_GT(cycles.without_plan, 50);
+}
+
 // A robot at a closed door tries again from time to time; the cycles between do not plan.
 TEST(Facades, CyclesOfARobotWithoutAPathDoNotAllocate) {
   if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";

@@ -95,8 +95,6 @@ TEST(ReplayCheck, ReproducesARunWithPlansFromAThread) {
     const EpisodeResult result = run_episode(scenario, {.observer = &check});
     EXPECT_EQ(check.cycles(), result.robots[0].cycles + result.robots[1].cycles);
     EXPECT_EQ(check.different(), 0);
-    EXPECT_GT(result.robots[0].status_counts[static_cast<std::size_t>(NavigationStatus::Planning)],
-              0);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fairway/io/base64.hpp"
+#include "fairway/io/recording/exact_zones.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -79,7 +80,8 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
   for (const Json& task : json.at("robots")) {
     scenario.robots.push_back({.name = task.at("name").get<std::string>(),
                                .start = exact::to_pose(task.at("start")),
-                               .goal = exact::to_goal(task.at("goal"))});
+                               .goal = exact::to_goal(task.at("goal")),
+                               .idle = task.value("idle", false)});
     if (!is_plausible(scenario.robots.back().start))
       throw std::invalid_argument("expected a robot that starts at a plausible place");
   }
@@ -104,6 +106,7 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
   scenario.time_limit = exact::to_number(json.at("time_limit"));
   scenario.seed = json.at("seed").get<std::uint64_t>();
   if (json.contains("sensing")) scenario.sensing = to_sensing(json.at("sensing"));
+  if (json.contains("zones")) scenario.zones = exact::to_zones(json.at("zones"));
   if (json.value("physics", "unicycle") == "mujoco") scenario.engine = Engine::Mujoco;
   return scenario;
 }
@@ -126,7 +129,22 @@ std::vector<MovingObstacle> to_obstacles(const Json& list) {
   return result;
 }
 
-NavigationStatus to_status(const Json& number) { return checked(number, NavigationStatus::GaveUp); }
+Encounter to_encounter(const Json& robot) {
+  Encounter met{.collided = robot.at("collided").get<bool>(),
+                .absent = robot.value("absent", false),
+                .min_clearance = 0.0,
+                .min_separation = 0.0};
+  if (!robot.contains("contact")) return met;
+  const Json& contact = robot.at("contact");
+  met.collision_time = exact::to_number(contact.at("time"));
+  met.approach = exact::to_number(contact.at("approach"));
+  met.contact = {.with = checked(contact.at("with"), Contact::With::Robot),
+                 .other = contact.at("other").get<std::size_t>(),
+                 .other_approach = exact::to_number(contact.at("other_approach"))};
+  return met;
+}
+
+NavigationStatus to_status(const Json& number) { return checked(number, kLastNavigationStatus); }
 
 LimitingFactor to_limit(const Json& number) { return checked(number, kLastLimitingFactor); }
 

@@ -20,6 +20,9 @@ namespace fairway::io {
 
 [[nodiscard]] std::vector<MovingObstacle> to_obstacles(const exact::Json& list);
 
+/// The encounter of a robot in a `fairway.World`.
+[[nodiscard]] Encounter to_encounter(const exact::Json& robot);
+
 [[nodiscard]] NavigationStatus to_status(const exact::Json& number);
 [[nodiscard]] LimitingFactor to_limit(const exact::Json& number);
 

@@ -89,12 +89,22 @@ class Player {
   }
 
   void scenario(const Json& json) {
+    if (started_) return more_robots(json);
     const Scenario scenario = to_scenario(json, map_message_);
     lidar_ = scenario.sensing.sensing == Sensing::Lidar;
     frame_ = scenario.map.frame();
     robots_ = scenario.robots.size();
     started_ = true;
     observer_.on_start(scenario);
+  }
+
+  // A later scenario has the robots of the running world; their number never decreases.
+  void more_robots(const Json& json) {
+    const Scenario scenario = to_scenario(json, map_message_);
+    if (scenario.robots.size() < robots_) throw std::invalid_argument("expected every robot");
+    robots_ = scenario.robots.size();
+    told_navigators_ = false;
+    observer_.on_robots(exact::to_number(json.at("time")), scenario.robots);
   }
 
   void navigators(const Json& json) {
@@ -157,7 +167,8 @@ class Player {
                   .map_time = exact::to_number(in.at("map_time")),
                   .fleet = json.contains("fleet") ? fleet_.read(json.at("fleet")) : Fleet(),
                   .robot = json.value("fleet_number", std::uint32_t{0}),
-                  .planning = in.value("planning", false)},
+                  .planning = in.value("planning", false),
+                  .hold = in.value("hold", false)},
         .step = {.command = exact::to_twist(json.at("command")),
                  .status = to_status(json.at("status")),
                  .limit = to_limit(json.at("limit")),
@@ -189,9 +200,7 @@ class Player {
       robots.push_back({.pose = exact::to_pose(item.at("pose")),
                         .twist = exact::to_twist(item.at("twist")),
                         .limits = {}});
-      encounters.push_back({.collided = item.at("collided").get<bool>(),
-                            .min_clearance = 0.0,
-                            .min_separation = 0.0});
+      encounters.push_back(to_encounter(item));
     }
     if (robots.size() != robots_) throw std::invalid_argument("expected every robot");
     const BitGrid* obstacles = map(json);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "fairway/localization/surface_points.hpp"
+
+namespace fairway {
+
+/// A small motion of a scan about a centre: it shifts by (x, y) [m], and turns by the third number
+/// [rad].
+using ScanMotion = Eigen::Vector3d;
+
+/// Moves a point by `motion` about `center`.
+[[nodiscard]] Eigen::Vector2d moved(const Eigen::Vector2d& point,
+                                    const Eigen::Vector2d& center,
+                                    const ScanMotion& motion) noexcept;
+
+/// The distance of a moved point from a line, and its derivative by the motion.
+struct LineResidual {
+  double value = 0.0;                                        ///< [m]
+  Eigen::RowVector3d jacobian = Eigen::RowVector3d::Zero();  ///< exact
+};
+
+/// Returns n . (R(a) (p - c) + c + t - q) for the motion (t, a) about c, and the line through q
+/// with normal n.
+[[nodiscard]] LineResidual line_residual(const Eigen::Vector2d& point,
+                                         const Eigen::Vector2d& center,
+                                         const SurfacePoint& line,
+                                         const ScanMotion& motion) noexcept;
+
+/// The motion that moves a scan onto a map, and its certainty.
+struct ScanMatch {
+  ScanMotion motion = ScanMotion::Zero();
+  /// Information of the points about the motion, without that of the prior.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  int used = 0;            ///< number of points of the scan that were tried
+  int matched = 0;         ///< number of points that lie on the map's surfaces
+  double deviation = 0.0;  ///< root mean square distance of the matched points [m]
+};
+
+/// Finds the motion about `center` that moves the points of a scan onto the surfaces of a map.
+///
+/// Gauss-Newton on the weighted distances from the lines through the nearest points, with Cauchy
+/// weights whose scale becomes smaller, and with a prior of mean zero. The normal of a line is the
+/// mean of those of both points.
+/// @param prior  Information about the motion before the match, positive definite.
+[[nodiscard]] ScanMatch match_scan(const SurfacePoints& map,
+                                   std::span<const SurfacePoint> scan,
+                                   const Eigen::Vector2d& center,
+                                   const Eigen::Matrix3d& prior) noexcept;
+
+}  // namespace fairway

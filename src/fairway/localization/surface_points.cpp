@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/localization/surface_points.hpp"
+
+#include <bit>
+#include <cmath>
+#include <optional>
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kFurthestPoint = 1e8;  // [m]; further points are ignored
+
+std::int32_t cell_of(double coordinate) noexcept {
+  return static_cast<std::int32_t>(std::floor(coordinate / SurfacePoints::kCell));
+}
+
+// First and second moments of points, relative to one of them.
+struct Moments {
+  double count = 0.0;
+  Vector2d sum = Vector2d::Zero();
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+
+  void add(const Vector2d& p) noexcept {
+    count += 1.0;
+    sum += p;
+    xx += p.x() * p.x();
+    xy += p.x() * p.y();
+    yy += p.y() * p.y();
+  }
+
+  // Returns the direction across the line through the points; none if they form no line.
+  [[nodiscard]] std::optional<Vector2d> across() const noexcept {
+    constexpr double kFlat = 0.35;  // greatest ratio of the deviations across and along the line
+    const double sxx = xx - sum.x() * sum.x() / count;
+    const double sxy = xy - sum.x() * sum.y() / count;
+    const double syy = yy - sum.y() * sum.y() / count;
+    const double mean = 0.5 * (sxx + syy);
+    const double half = std::hypot(0.5 * (sxx - syy), sxy);
+    if (!(half > 0.0) || mean - half > kFlat * kFlat * (mean + half)) return std::nullopt;
+    const double angle = 0.5 * std::atan2(2.0 * sxy, sxx - syy);  // along the line
+    return Vector2d(-std::sin(angle), std::cos(angle));
+  }
+};
+
+}  // namespace
+
+SurfacePoints::SurfacePoints(double window)
+    : mask_(std::bit_ceil(static_cast<std::size_t>(std::ceil(window / kCell)) + 1) - 1),
+      cells_((mask_ + 1) * (mask_ + 1)) {}
+
+void SurfacePoints::add(const SurfacePoint& point) noexcept {
+  if (!(point.position.cwiseAbs().maxCoeff() < kFurthestPoint)) return;
+  const std::int32_t x = cell_of(point.position.x());
+  const std::int32_t y = cell_of(point.position.y());
+  Cell& cell = cells_[index(x, y)];
+  if (cell.x != x || cell.y != y) {
+    cell.x = x;
+    cell.y = y;
+    cell.count = 0;
+  }
+  if (cell.count >= kPerCell) return;
+  for (std::size_t i = 0; i < cell.count; ++i) {
+    const SurfacePoint& other = cell.points[i];
+    if ((other.position - point.position).squaredNorm() < kSpacing * kSpacing &&
+        other.normal.dot(point.normal) > 0.0) {
+      return;
+    }
+  }
+  cell.points[cell.count++] = point;
+  ++added_;
+}
+
+const SurfacePoint* SurfacePoints::nearest(const SurfacePoint& to, double reach) const noexcept {
+  constexpr double kSameSide = 0.5;  // cosine of the angle between the normals
+  if (!(to.position.cwiseAbs().maxCoeff() < kFurthestPoint)) return nullptr;
+  const SurfacePoint* best = nullptr;
+  double least = reach * reach;
+  const std::int32_t last_x = cell_of(to.position.x() + reach);
+  const std::int32_t last_y = cell_of(to.position.y() + reach);
+  for (std::int32_t y = cell_of(to.position.y() - reach); y <= last_y; ++y) {
+    for (std::int32_t x = cell_of(to.position.x() - reach); x <= last_x; ++x) {
+      const Cell& cell = cells_[index(x, y)];
+      if (cell.x != x || cell.y != y) continue;
+      for (std::size_t i = 0; i < cell.count; ++i) {
+        const double away = (cell.points[i].position - to.position).squaredNorm();
+        if (away >= least || cell.points[i].normal.dot(to.normal) < kSameSide) continue;
+        least = away;
+        best = &cell.points[i];
+      }
+    }
+  }
+  return best;
+}
+
+void surface_of_scan(std::span<const Vector2d> ends,
+                     const Vector2d& sensor,
+                     std::vector<SurfacePoint>& points,
+                     std::vector<std::size_t>& beams) {
+  constexpr double kNear = 0.12;     // [m]; neighbours of a point
+  constexpr std::size_t kMost = 12;  // neighbours on each side
+  constexpr double kFewest = 4.0;    // points that make a line
+  points.clear();
+  beams.clear();
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Vector2d& point = ends[i];
+    if (!point.allFinite()) continue;
+    Moments moments;
+    moments.add(Vector2d::Zero());
+    const auto add_side = [&](auto&& neighbour) {
+      for (std::size_t n = 1; n <= kMost; ++n) {
+        const Vector2d* const other = neighbour(n);
+        if (other == nullptr) return;
+        if (!other->allFinite()) continue;
+        const Vector2d away = *other - point;
+        if (away.squaredNorm() > kNear * kNear) return;
+        moments.add(away);
+      }
+    };
+    add_side([&](std::size_t n) { return n <= i ? &ends[i - n] : nullptr; });
+    add_side([&](std::size_t n) { return i + n < ends.size() ? &ends[i + n] : nullptr; });
+    if (moments.count < kFewest) continue;
+    std::optional<Vector2d> normal = moments.across();
+    if (!normal) continue;
+    if (normal->dot(sensor - point) < 0.0) *normal = -*normal;
+    points.push_back({.position = point, .normal = *normal});
+    beams.push_back(i);
+  }
+}
+
+void add_surface_of_map(const BitGrid& map, SurfacePoints& points) {
+  constexpr int kReach = 3;  // [cells]; the sides within it give the normal
+  const GridFrame& frame = map.frame();
+  // Mean direction to the free cells around a side: a straight staircase then has one normal.
+  const auto normal_at = [&](const Vector2d& middle) {
+    Vector2d sum = Vector2d::Zero();
+    const int x0 = static_cast<int>(std::floor(middle.x()));
+    const int y0 = static_cast<int>(std::floor(middle.y()));
+    for (int y = y0 - kReach; y <= y0 + kReach; ++y) {
+      for (int x = x0 - kReach; x <= x0 + kReach; ++x) {
+        const Vector2d away = Vector2d(x + 0.5, y + 0.5) - middle;
+        if (away.squaredNorm() > kReach * kReach) continue;
+        sum += map.blocked({.x = x, .y = y}) ? Vector2d(-away) : away;
+      }
+    }
+    return sum;
+  };
+  constexpr std::array<int, 4> kDx{1, -1, 0, 0};
+  constexpr std::array<int, 4> kDy{0, 0, 1, -1};
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = map.first_blocked(y, 0, frame.width - 1); x >= 0;
+         x = map.first_blocked(y, x + 1, frame.width - 1)) {
+      for (std::size_t side = 0; side < kDx.size(); ++side) {
+        const CellIndex beyond{.x = x + kDx[side], .y = y + kDy[side]};
+        if (!frame.contains(beyond) || map.blocked(beyond)) continue;
+        const Vector2d middle(x + 0.5 + 0.5 * kDx[side], y + 0.5 + 0.5 * kDy[side]);
+        Vector2d normal = normal_at(middle);
+        if (normal.dot(Vector2d(kDx[side], kDy[side])) <= 0.0)
+          normal = Vector2d(kDx[side], kDy[side]);
+        points.add({.position = frame.to_world(middle),
+                    .normal = rotated(normal.normalized(), frame.origin.heading)});
+      }
+    }
+  }
+}
+
+}  // namespace fairway

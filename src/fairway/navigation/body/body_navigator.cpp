@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/body/body_navigator.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "fairway/navigation/body/body_navigator_state.hpp"
+
+namespace fairway {
+
+namespace {
+
+const RobotModel& checked_robot(const RobotModel& robot) {
+  if (const Expected<void> valid = validate(robot.base); !valid)
+    throw std::invalid_argument("robot." + valid.error().message);
+  if (robot.body.parts().empty())
+    throw std::invalid_argument("robot: expected a body, found a point");
+  return robot;
+}
+
+}  // namespace
+
+BodyNavigator::BodyNavigator(const Settings& settings, const RobotModel& robot)
+    : state_(std::make_unique<State>(checked(settings), checked_robot(robot), nullptr)) {}
+
+BodyNavigator::BodyNavigator(const Settings& settings,
+                             const RobotModel& robot,
+                             const OccupancyGrid& map)
+    : BodyNavigator(settings, robot) {
+  set_map(map);
+}
+
+BodyNavigator::BodyNavigator(const Settings& settings,
+                             const RobotModel& robot,
+                             const PreparedMap& map)
+    : state_(std::make_unique<State>(checked(settings), checked_robot(robot), &map)) {}
+
+BodyNavigator::BodyNavigator(BodyNavigator&&) noexcept = default;
+BodyNavigator& BodyNavigator::operator=(BodyNavigator&&) noexcept = default;
+BodyNavigator::~BodyNavigator() = default;
+
+void BodyNavigator::set_map(const OccupancyGrid& map) { state_->set_map(map); }
+
+void BodyNavigator::map_changed() noexcept { state_->note_map(); }
+
+void BodyNavigator::set_goal(const Goal& goal) { state_->set_goal(goal); }
+
+void BodyNavigator::cancel() noexcept { state_->cancel(); }
+
+void BodyNavigator::reset(const PlanarTwist& actual, double steering) noexcept {
+  state_->reset({.linear = actual.linear,
+                 .lateral = actual.lateral,
+                 .turn = is_steered(state_->robot.base) ? steering : actual.angular});
+}
+
+NavigationStep BodyNavigator::update(const Measurements& measurements) {
+  return state_->update(measurements);
+}
+
+bool BodyNavigator::plan_now(const Measurements& measurements) {
+  state_->plan_if_needed(measurements, true);
+  return state_->follows_new_plan;
+}
+
+const Settings& BodyNavigator::settings() const noexcept { return state_->settings; }
+const RobotModel& BodyNavigator::robot() const noexcept { return state_->robot; }
+const Plan& BodyNavigator::plan() const noexcept { return state_->plan; }
+bool BodyNavigator::follows_new_plan() const noexcept { return state_->follows_new_plan; }
+bool BodyNavigator::planned() const noexcept { return state_->planned; }
+void BodyNavigator::wait_for_plan() const noexcept { state_->planning.wait(); }
+
+void BodyNavigator::lend_clock(std::function<double()> clock) {
+  state_->planning.lend_clock(std::move(clock));
+}
+
+double BodyNavigator::planning_seconds() const noexcept {
+  return state_->planned ? state_->planning.seconds() : 0.0;
+}
+
+}  // namespace fairway

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "fairway/geometry/robot_model.hpp"
+#include "fairway/map/occupancy_grid.hpp"
+#include "fairway/navigation/navigation_step.hpp"
+#include "fairway/navigation/settings.hpp"
+#include "fairway/planning/plan.hpp"
+
+namespace fairway {
+
+struct PreparedMap;
+
+/// Drives a robot of any outline on any base to a goal on a map: long platforms, cars, tricycles,
+/// mecanum and swerve bases. The counterpart of MapNavigator for robots whose disc does not fit.
+///
+///     fairway::BodyNavigator navigator(settings, robot, map);
+///     navigator.set_goal({{9.0, 1.0}});
+///     while (driving) send(navigator.update({.time = now(), .pose = pose()}));
+///
+/// It plans a drive that is proven free for the true body, follows it, and proves before every
+/// command that the base can stop on its drive without contact. Moving obstacles make it slower; if
+/// one stays in its path, it plans another drive round that. New drives begin at standstill.
+///
+/// Limits and outline come from the robot model; of Settings, the groups navigation, safety,
+/// prediction, planning and map apply. If `planning.background` is false the cycle that needs a
+/// plan makes it. A cycle that makes no plan does not allocate. Not thread-safe.
+class BodyNavigator {
+ public:
+  /// Makes a navigator without a map: the robot stays stopped until `set_map`.
+  /// @throws std::invalid_argument unless settings and robot are valid.
+  BodyNavigator(const Settings& settings, const RobotModel& robot);
+
+  /// Makes a navigator on `map`. @throws std::invalid_argument as above.
+  BodyNavigator(const Settings& settings, const RobotModel& robot, const OccupancyGrid& map);
+
+  /// Makes a navigator on the caller's map, which must outlive it; the caller signals changes by
+  /// `map_changed`.
+  BodyNavigator(const Settings& settings, const RobotModel& robot, const PreparedMap& map);
+
+  BodyNavigator(BodyNavigator&&) noexcept;
+  BodyNavigator& operator=(BodyNavigator&&) noexcept;
+  ~BodyNavigator();
+
+  /// Replaces the map; the new one may have another frame.
+  void set_map(const OccupancyGrid& map);
+
+  /// Signals that the caller's shared map has changed; see the last constructor.
+  void map_changed() noexcept;
+
+  /// Sets the goal, or replaces it. Without a heading, one in which the robot fits is selected.
+  void set_goal(const Goal& goal);
+
+  /// Drops the goal: the robot brakes to a standstill.
+  void cancel() noexcept;
+
+  /// Sets the actual motion of the base, for one that was moved by other means. The steered wheel
+  /// of a car or tricycle is at `steering` [rad].
+  void reset(const PlanarTwist& actual = {}, double steering = 0.0) noexcept;
+
+  /// Runs one control cycle. Never fails: the command is finite and within the limits of the base,
+  /// and `lateral` and `steering` of the step complete it.
+  [[nodiscard]] NavigationStep update(const Measurements& measurements);
+
+  /// Makes the plan that the robot needs now without driving. @return whether it follows another
+  /// plan from now on.
+  bool plan_now(const Measurements& measurements);
+
+  [[nodiscard]] const Settings& settings() const noexcept;
+  [[nodiscard]] const RobotModel& robot() const noexcept;
+
+  /// The path of the reference point; its corridor is empty.
+  [[nodiscard]] const Plan& plan() const noexcept;
+  [[nodiscard]] bool follows_new_plan() const noexcept;
+  [[nodiscard]] bool planned() const noexcept;
+
+  /// Waits until the background plan, if any, is made; the next cycle takes it over.
+  void wait_for_plan() const noexcept;
+
+  /// Sets a clock [s] by which synchronous plans are timed.
+  void lend_clock(std::function<double()> clock);
+  [[nodiscard]] double planning_seconds() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/body/body_navigator_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fairway/geometry/angle.hpp"
+#include "fairway/navigation/facade/navigation_task.hpp"
+#include "fairway/navigation/input_check.hpp"
+
+namespace fairway {
+
+namespace {
+
+constexpr double kRowPeriod = 0.02;  // of a planned drive [s]
+constexpr double kPatience = 1.5;    // at standstill before a moving obstacle [s]
+
+double speed_of(const DriveFollower& follower) noexcept {
+  return std::hypot(follower.sent().linear, follower.sent().lateral);
+}
+
+}  // namespace
+
+BodyNavigator::State::State(const Settings& given,
+                            const RobotModel& model,
+                            const PreparedMap* shared_map)
+    : settings(given),
+      robot(model),
+      follower(model.base, given.navigation.control_period, given.safety),
+      planning(model, kRowPeriod, given.planning.background),
+      shared_map_(shared_map) {
+  if (shared_map_ == nullptr) return;
+  clearance_.emplace(shared_map_->obstacles, shared_map_->distances, robot.body);
+}
+
+const PreparedMap* BodyNavigator::State::map() const noexcept {
+  if (shared_map_ != nullptr) return shared_map_;
+  return own_map_ ? &*own_map_ : nullptr;
+}
+
+void BodyNavigator::State::set_map(const OccupancyGrid& given) {
+  own_map_.emplace(given, unknown_cells(settings.map));
+  clearance_.emplace(own_map_->obstacles, own_map_->distances, robot.body);
+  note_map();
+}
+
+void BodyNavigator::State::set_goal(const Goal& goal) {
+  goal_ = goal;
+  goal_valid_ = is_valid(goal);
+  ++goal_number_;
+  goal_is_new_ = goal_valid_;
+  failures_ = 0;
+  has_drive_ = false;
+  reached_ = false;
+  waits_since_.reset();
+}
+
+void BodyNavigator::State::cancel() noexcept {
+  goal_.reset();
+  has_drive_ = false;
+}
+
+void BodyNavigator::State::reset(const BaseInput& actual) noexcept {
+  follower.reset(actual);
+  if (has_drive_) wants_plan_ = true;
+  known_.reset();
+}
+
+// Whether a pose does not follow from the one before, by more than the setting and half of the
+// distance driven since. Poses that agree among themselves are trusted again at standstill.
+bool BodyNavigator::State::jumped(const Measurements& m) noexcept {
+  const double time = m.pose_time.value_or(m.time);
+  bool strange = false;
+  int count = 0;
+  if (known_) {
+    const double dt = std::clamp(time - known_->time, 0.0, 1.0);
+    const double driven = speed_of(follower) * dt;
+    const double off = (m.pose.position - known_->pose.position).norm();
+    strange = off > settings.safety.pose_jump + 1.5 * driven;
+    constexpr int kAgreeing = 5;
+    count = strange ? kAgreeing : std::max(0, known_->strange - (follower.at_rest() ? 1 : 0));
+    if (known_->strange > 0 && count == 0 && has_drive_) wants_plan_ = true;
+  }
+  known_ = {.time = time, .pose = m.pose, .strange = count};
+  return count > 0;
+}
+
+LimitingFactor BodyNavigator::State::check(const Measurements& m) noexcept {
+  if (!is_plausible(m.pose) || !std::isfinite(m.time)) return LimitingFactor::InvalidPose;
+  const auto fresh = [&](const std::optional<double>& stamp, double timeout) {
+    return std::abs(m.time - stamp.value_or(m.time)) <= timeout;
+  };
+  if (!fresh(m.pose_time, settings.safety.pose_timeout)) return LimitingFactor::StalePose;
+  if (jumped(m)) return LimitingFactor::PoseJump;
+  if (map() == nullptr || !fresh(m.map_time, settings.safety.map_timeout))
+    return LimitingFactor::StaleMap;
+  for (const MovingObstacle& obstacle : m.obstacles) {
+    if (!is_plausible(obstacle)) return LimitingFactor::InvalidTracks;
+  }
+  if ((m.obstacles_due || !m.obstacles.empty()) &&
+      !fresh(m.obstacles_time, settings.safety.tracks_timeout))
+    return LimitingFactor::StaleTracks;
+  return LimitingFactor::None;
+}
+
+bool BodyNavigator::State::at_goal(const Pose2& pose) const noexcept {
+  if (!goal_) return false;
+  const NavigationSettings& limits = settings.navigation;
+  return (pose.position - goal_->position).norm() <= limits.goal_tolerance &&
+         (!goal_->heading ||
+          std::abs(shortest_turn(pose.heading, *goal_->heading)) <= limits.heading_tolerance);
+}
+
+// Whether the rest of the drive is blocked by the present map.
+bool BodyNavigator::State::is_blocked() const noexcept {
+  const DriveReference& drive = follower.reference();
+  const auto first = static_cast<std::size_t>(follower.progress().phase / drive.period());
+  for (std::size_t k = first; k < drive.rows().size(); ++k) {
+    const TrajectoryRow& row = drive.rows()[k];
+    if (!clearance_->is_free(row.pose, row.twist, drive.period(), settings.safety.stop_margin))
+      return true;
+  }
+  return false;
+}
+
+// A search that fails takes longest, so it is repeated more and more seldom.
+double BodyNavigator::State::retry_period() const noexcept {
+  constexpr int kMostDoublings = 5;
+  const int doublings = std::clamp(failures_ - 1, 0, kMostDoublings);
+  return settings.planning.retry_period * (1 << doublings);
+}
+
+// A drive begins at standstill, so a robot that needs another one stops first.
+bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const noexcept {
+  if (!goal_ || !goal_valid_ || map() == nullptr || planning.busy() || reached_) return false;
+  if (has_drive_ && !wants_plan_) return false;
+  if (!follower.at_rest()) return false;
+  if (goal_is_new_ || at_once) return true;
+  const bool just_tried = m.time - plan_time_ < retry_period() && m.time >= plan_time_;
+  return !just_tried;
+}
+
+void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
+  follows_new_plan = false;
+  planned = false;
+  take_plan();
+  if (map_changed_ && clearance_) {
+    map_changed_ = false;
+    failures_ = 0;
+    if (has_drive_ && is_blocked()) wants_plan_ = true;
+  }
+  if (!needs_plan(m, at_once)) return;
+  if (!is_plausible(m.pose) || !std::isfinite(m.time)) return;
+  BodyPlanRequest request{.start = m.pose,
+                          .goal = *goal_,
+                          .standing = {},
+                          .kept = settings.prediction.obstacle_margin,
+                          .or_without = !avoids_moving_};
+  for (const MovingObstacle& obstacle : m.obstacles) {
+    if (is_plausible(obstacle) && (avoids_moving_ || is_standing(obstacle)))
+      request.standing.push_back(obstacle);
+  }
+  goal_is_new_ = false;
+  asked_number_ = goal_number_;
+  plan_time_ = m.time;
+  planned = true;
+  planning.start(*map(), std::move(request));
+  take_plan();
+}
+
+void BodyNavigator::State::take_plan() {
+  std::optional<BodyPlan> made = planning.take();
+  if (!made || !goal_ || asked_number_ != goal_number_) return;
+  // A robot that waits before an obstacle keeps its drive where there is none round that.
+  failures_ = made->drive.rows.empty() ? failures_ + 1 : 0;
+  const bool keeps = made->drive.rows.empty() && has_drive_ && avoids_moving_;
+  avoids_moving_ = false;
+  if (keeps) {
+    wants_plan_ = false;
+    return;
+  }
+  plan = shown_plan(*made);
+  has_drive_ = !made->drive.rows.empty();
+  wants_plan_ = false;
+  follows_new_plan = true;
+  if (has_drive_)
+    follower.follow(DriveReference(robot.base, std::move(made->drive.rows), kRowPeriod));
+}
+
+NavigationStep BodyNavigator::State::step_of(const BaseInput& input,
+                                             NavigationStatus status,
+                                             LimitingFactor limit) const noexcept {
+  const PlanarTwist twist = twist_of(robot.base, input);
+  NavigationStep step;
+  step.command = {.linear = twist.linear, .angular = twist.angular};
+  step.status = status;
+  step.limit = limit;
+  step.lateral = twist.lateral;
+  step.steering = is_steered(robot.base) ? input.turn : 0.0;
+  step.wants_plan = wants_plan_;
+  return step;
+}
+
+// Notes for how long the robot waits, and gives up a drive that cannot be continued.
+void BodyNavigator::State::watch(const NavigationStep& step, double time) noexcept {
+  const bool waits =
+      follower.at_rest() && !follower.finished() &&
+      (step.limit == LimitingFactor::MovingObstacle || step.limit == LimitingFactor::StopNotProven);
+  if (!waits) {
+    waits_since_.reset();
+    return;
+  }
+  if (!waits_since_) waits_since_ = time;
+  if (step.limit == LimitingFactor::StopNotProven && step.status == NavigationStatus::Blocked)
+    wants_plan_ = true;
+  if (time - *waits_since_ < kPatience || time - plan_time_ < retry_period()) return;
+  wants_plan_ = true;
+  avoids_moving_ = true;
+  waits_since_ = time;
+}
+
+NavigationStep BodyNavigator::State::drive(const Measurements& m) {
+  const FollowerView view{
+      .pose = m.pose,
+      .clearance = &*clearance_,
+      .moving = {.obstacles = m.obstacles,
+                 .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
+                 .prediction = settings.prediction}};
+  if (has_drive_ && follower.is_lost(m.pose)) wants_plan_ = true;
+  if (!has_drive_ || wants_plan_) {
+    const bool plans = planning.busy();
+    const FollowerStep braked = follower.brake(view);
+    const bool rests = follower.at_rest();
+    const NavigationStatus status = !rests             ? NavigationStatus::Stopping
+                                    : plans || planned ? NavigationStatus::Planning
+                                    : has_drive_       ? NavigationStatus::Blocked
+                                                       : NavigationStatus::NoPlan;
+    return step_of(braked.input, status, plans ? LimitingFactor::None : LimitingFactor::NoPath);
+  }
+  const FollowerStep driven = follower.update(view);
+  if (follower.settled()) {
+    if (at_goal(m.pose)) {
+      reached_ = true;
+      return step_of(driven.input, NavigationStatus::GoalReached, LimitingFactor::None);
+    }
+    wants_plan_ = true;
+  }
+  return step_of(driven.input, driven.status, driven.limit);
+}
+
+NavigationStep BodyNavigator::State::update(const Measurements& m) {
+  const LimitingFactor wrong = check(m);
+  if (wrong != LimitingFactor::None) {
+    follows_new_plan = planned = false;
+    return step_of(follower.stop(), status_for(wrong), wrong);
+  }
+  plan_if_needed(m, false);
+  if (!goal_ || !goal_valid_) {
+    has_drive_ = false;
+    return step_of(follower.stop(), NavigationStatus::NoPlan,
+                   goal_ ? LimitingFactor::InvalidGoal : LimitingFactor::NoPath);
+  }
+  if (reached_) {
+    if (at_goal(m.pose))
+      return step_of(follower.stop(), NavigationStatus::GoalReached, LimitingFactor::None);
+    reached_ = false;
+    wants_plan_ = true;
+  }
+  const NavigationStep step = drive(m);
+  watch(step, m.time);
+  return step;
+}
+
+}  // namespace fairway

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/navigation/body/body_planning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "fairway/geometry/angle.hpp"
+#include "fairway/path/se2/goal_distance.hpp"
+
+namespace fairway {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Marks the cells that a disc touches.
+void block_disc(const Vector2d& center, double radius, BitGrid& obstacles, CellWindow& changed) {
+  const GridFrame& frame = obstacles.frame();
+  const Vector2d at = frame.to_grid(center);
+  const double reach = radius / frame.resolution;
+  const CellWindow window = clipped({.first = {.x = static_cast<int>(std::floor(at.x() - reach)),
+                                               .y = static_cast<int>(std::floor(at.y() - reach))},
+                                     .last = {.x = static_cast<int>(std::floor(at.x() + reach)),
+                                              .y = static_cast<int>(std::floor(at.y() + reach))}},
+                                    frame);
+  if (is_empty(window)) return;
+  for (int y = window.first.y; y <= window.last.y; ++y) {
+    for (int x = window.first.x; x <= window.last.x; ++x) {
+      const Vector2d corner(x, y);
+      const Vector2d nearest = at.cwiseMax(corner).cwiseMin(Vector2d(corner + Vector2d::Ones()));
+      if ((nearest - at).norm() <= reach) obstacles.set({.x = x, .y = y}, true);
+    }
+  }
+  changed = united(changed, window);
+}
+
+// The map with the obstacles that do not touch the body at the start.
+PreparedMap with_obstacles(const PreparedMap& map,
+                           const BodyShape& body,
+                           const BodyPlanRequest& request) {
+  BitGrid obstacles = map.obstacles;
+  CellWindow changed = kNoCells;
+  for (const MovingObstacle& obstacle : request.standing) {
+    const double apart = body.distance(inverse_transform(request.start, obstacle.position));
+    // A cell reaches beyond the disc by up to its diagonal.
+    const double free = apart - 1.5 * obstacles.frame().resolution;
+    const double radius = std::min(obstacle.radius + request.kept, free);
+    if (radius <= 0.0) continue;
+    block_disc(obstacle.position, radius, obstacles, changed);
+  }
+  PreparedMap result = map;
+  result.update(obstacles, changed);
+  return result;
+}
+
+PathStatus path_status_of(BodyPathStatus status) noexcept {
+  switch (status) {
+    case BodyPathStatus::Found:
+      return PathStatus::Found;
+    case BodyPathStatus::StartBlocked:
+      return PathStatus::StartBlocked;
+    case BodyPathStatus::GoalBlocked:
+      return PathStatus::GoalBlocked;
+    case BodyPathStatus::NoPath:
+    case BodyPathStatus::GaveUp:
+      return PathStatus::NoConnection;
+  }
+  return PathStatus::NoConnection;
+}
+
+}  // namespace
+
+DriveSettings drive_settings_for(const BodyShape& body) noexcept {
+  DriveSettings settings;
+  constexpr double kReserve = 0.1;  // of the limits, for corrections
+  settings.limit_share = 1.0 - kReserve;
+  settings.path.cell = std::clamp(0.045 * body.circumscribed_radius(), 0.04, 0.2);
+  return settings;
+}
+
+std::vector<double> goal_headings(const BodyClearance& clearance,
+                                  const BaseModel& base,
+                                  const Pose2& start,
+                                  const Vector2d& goal) {
+  constexpr int kHeadings = 16;
+  constexpr double kTurn = 2.0 * std::numbers::pi / kHeadings;
+  double best = start.heading;
+  if (base.kind != BaseKind::Omni) {
+    const GoalDistance to_start(clearance, start.position);
+    const double radius = clearance.body().circumscribed_radius();
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kHeadings; ++i) {
+      const double heading = i * kTurn;
+      const double left = to_start.at(goal - radius * direction(heading));
+      if (left < least) {
+        least = left;
+        best = heading;
+      }
+    }
+  }
+  std::vector<double> headings;
+  for (int i = 0; i < kHeadings; ++i) {
+    // 0, 1, -1, 2, -2, ...
+    const int steps = (i + 1) / 2 * (i % 2 == 1 ? 1 : -1);
+    const double heading = wrap_to_pi(best + steps * kTurn);
+    if (clearance.is_free({.position = goal, .heading = heading}, 0.0)) headings.push_back(heading);
+  }
+  return headings;
+}
+
+namespace {
+
+BodyPlan plan_among(const PreparedMap& map,
+                    const RobotModel& robot,
+                    const BodyPlanRequest& request,
+                    double period,
+                    const DriveSettings& settings) {
+  std::optional<PreparedMap> drawn;
+  if (!request.standing.empty()) drawn = with_obstacles(map, robot.body, request);
+  const PreparedMap& used = drawn ? *drawn : map;
+  const BodyClearance clearance(used.obstacles, used.distances, robot.body);
+  BodyPlan plan{.goal = request.goal,
+                .goal_pose = {.position = request.goal.position,
+                              .heading = request.goal.heading.value_or(request.start.heading)},
+                .drive = {}};
+  std::vector<double> headings;
+  if (request.goal.heading) {
+    headings.push_back(*request.goal.heading);
+  } else {
+    headings = goal_headings(clearance, robot.base, request.start, request.goal.position);
+  }
+  if (headings.empty()) plan.drive.path.status = BodyPathStatus::GoalBlocked;
+  constexpr std::size_t kMostTries = 3;
+  for (std::size_t i = 0; i < std::min(kMostTries, headings.size()); ++i) {
+    plan.goal_pose.heading = headings[i];
+    plan.drive = plan_drive(clearance, robot.base, request.start, plan.goal_pose, period, settings);
+    if (!plan.drive.rows.empty()) break;
+  }
+  return plan;
+}
+
+}  // namespace
+
+BodyPlan plan_body_drive(const PreparedMap& map,
+                         const RobotModel& robot,
+                         const BodyPlanRequest& request,
+                         double period,
+                         const DriveSettings& settings) {
+  BodyPlan plan = plan_among(map, robot, request, period, settings);
+  if (!plan.drive.rows.empty() || request.standing.empty() || !request.or_without) return plan;
+  const BodyPlanRequest alone{.start = request.start, .goal = request.goal, .standing = {}};
+  return plan_among(map, robot, alone, period, settings);
+}
+
+Plan shown_plan(const BodyPlan& plan) {
+  Plan shown;
+  shown.goal = plan.goal;
+  shown.path_status = path_status_of(plan.drive.path.status);
+  shown.margin = plan.drive.path.margin;
+  if (plan.drive.rows.empty()) return shown;
+  shown.corridor_status = CorridorStatus::Built;
+  constexpr double kApart = 0.05;  // between waypoints [m]
+  for (const TrajectoryRow& row : plan.drive.rows) {
+    if (shown.path.waypoints.empty() ||
+        (row.pose.position - shown.path.waypoints.back()).norm() >= kApart)
+      shown.path.waypoints.push_back(row.pose.position);
+  }
+  shown.path.waypoints.push_back(plan.drive.rows.back().pose.position);
+  return shown;
+}
+
+BodyPlanning::BodyPlanning(const RobotModel& robot, double row_period, bool background)
+    : robot_(robot),
+      row_period_(row_period),
+      background_(background) {}
+
+void BodyPlanning::start(const PreparedMap& map, BodyPlanRequest request) {
+  request_ = std::move(request);
+  made_.reset();
+  if (!background_) {
+    make(map);
+    return;
+  }
+  copy_ = map;
+  worker_.start([this] { make(copy_); });
+}
+
+void BodyPlanning::make(const PreparedMap& map) {
+  const double begin = clock_ ? clock_() : 0.0;
+  made_ = plan_body_drive(map, robot_, request_, row_period_, drive_settings_for(robot_.body));
+  seconds_ = clock_ ? clock_() - begin : 0.0;
+}
+
+std::optional<BodyPlan> BodyPlanning::take() {
+  if (background_) {
+    if (worker_.idle() || !worker_.finished()) return std::nullopt;
+    worker_.collect();
+  }
+  return std::exchange(made_, std::nullopt);
+}
+
+}  // namespace fairway

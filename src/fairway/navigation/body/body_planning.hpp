@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fairway/geometry/robot_model.hpp"
+#include "fairway/planning/background_worker.hpp"
+#include "fairway/planning/plan.hpp"
+#include "fairway/planning/prepared_map.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
+#include "fairway/trajectory/drive_planner.hpp"
+
+namespace fairway {
+
+/// Request for a drive.
+struct BodyPlanRequest {
+  Pose2 start;
+  Goal goal;
+  std::vector<MovingObstacle> standing;  ///< obstacles to drive round as if they were of the map
+  double kept = 0.1;                     ///< distance kept from these [m]
+  /// Whether to plan as if they were not there where they leave no path: they may go away.
+  bool or_without = true;
+};
+
+/// A drive to a goal, or the reason why there is none.
+struct BodyPlan {
+  Goal goal;
+  Pose2 goal_pose;  ///< the goal with the heading that was selected
+  DrivePlan drive;
+};
+
+/// Settings of drives for a body: the cells of the search grow with the body.
+[[nodiscard]] DriveSettings drive_settings_for(const BodyShape& body) noexcept;
+
+/// The headings for a goal that has none, the best one first: that in which a shortest path arrives
+/// there, then those around it. Only headings in which the body is free.
+[[nodiscard]] std::vector<double> goal_headings(const BodyClearance& clearance,
+                                                const BaseModel& base,
+                                                const Pose2& start,
+                                                const Eigen::Vector2d& goal);
+
+/// Plans a drive on a map, round the standing obstacles if it can.
+[[nodiscard]] BodyPlan plan_body_drive(const PreparedMap& map,
+                                       const RobotModel& robot,
+                                       const BodyPlanRequest& request,
+                                       double period,
+                                       const DriveSettings& settings);
+
+/// The plan in the form that pages, pictures and results show: the path of the reference point.
+[[nodiscard]] Plan shown_plan(const BodyPlan& plan);
+
+/// Makes the drives of one robot, in the control cycle or in a thread.
+class BodyPlanning {
+ public:
+  BodyPlanning(const RobotModel& robot, double row_period, bool background);
+
+  [[nodiscard]] bool busy() const noexcept { return !worker_.idle(); }
+
+  /// Makes a plan, or starts the thread that makes it; a thread works on a copy of the map. @pre
+  /// not busy.
+  void start(const PreparedMap& map, BodyPlanRequest request);
+
+  /// Returns the plan once it is made.
+  [[nodiscard]] std::optional<BodyPlan> take();
+
+  void wait() const noexcept { worker_.wait(); }
+  void lend_clock(std::function<double()> clock) { clock_ = std::move(clock); }
+
+  /// Duration of the last plan [s].
+  [[nodiscard]] double seconds() const noexcept { return seconds_; }
+
+ private:
+  void make(const PreparedMap& map);
+
+  RobotModel robot_;
+  double row_period_;
+  bool background_;
+  // The worker's while it runs.
+  BodyPlanRequest request_;
+  PreparedMap copy_;
+  std::optional<BodyPlan> made_;
+  std::function<double()> clock_;
+  double seconds_ = 0.0;
+  BackgroundWorker worker_;  // last member: its job ends before the others are destroyed
+};
+
+}  // namespace fairway

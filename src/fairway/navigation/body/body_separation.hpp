@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/geometry/body_shape.hpp"
+#include "fairway/prediction/moving_obstacle.hpp"
+#include "fairway/trajectory/drive_reference.hpp"
+
+namespace fairway {
+
+/// Moving obstacles as seen at one time, and the distance kept from them.
+struct MovingSurroundings {
+  MovingObstacles obstacles;
+  double age = 0.0;  ///< how long ago they were measured [s]
+  PredictionSettings prediction;
+};
+
+/// Whether an obstacle stands still, so that a drive may lead round it: slower than 0.1 m/s.
+[[nodiscard]] inline bool is_standing(const MovingObstacle& obstacle) noexcept {
+  constexpr double kStandingSpeed = 0.1;  // [m/s]
+  return obstacle.velocity.norm() < kStandingSpeed;
+}
+
+/// Least distance from the body at `pose` to the obstacles as they are predicted `time` [s] from
+/// now, less the distance kept from them then [m]; infinite without obstacles. That distance grows
+/// with time only for obstacles that move.
+[[nodiscard]] double body_separation(const BodyShape& body,
+                                     const Pose2& pose,
+                                     const MovingSurroundings& surroundings,
+                                     double time) noexcept;
+
+/// Whether a body at `pose` that is not faster than `speed` [m/s] cannot come near any obstacle
+/// within `horizon` [s]: a bound that costs little.
+[[nodiscard]] bool is_apart(const BodyShape& body,
+                            const Pose2& pose,
+                            const MovingSurroundings& surroundings,
+                            double speed,
+                            double horizon) noexcept;
+
+/// The least separation of a robot that drives on with a rate.
+struct RateOutlook {
+  double separation = 0.0;  ///< see body_separation [m]
+  double time = 0.0;        ///< when it occurs [s]
+};
+
+/// Looks `horizon` [s] ahead along a drive, where the rate goes to `target`.
+[[nodiscard]] RateOutlook look_ahead(const BodyShape& body,
+                                     const DriveReference& reference,
+                                     const DriveProgress& progress,
+                                     double target,
+                                     const MovingSurroundings& surroundings,
+                                     double horizon) noexcept;
+
+}  // namespace fairway

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "fairway/geometry/robot_model.hpp"
+#include "fairway/navigation/body/body_stop.hpp"
+#include "fairway/navigation/navigation_status.hpp"
+#include "fairway/safety/safety_settings.hpp"
+#include "fairway/trajectory/tracking_law.hpp"
+
+namespace fairway {
+
+/// What a follower measures in a cycle.
+struct FollowerView {
+  Pose2 pose;
+  const BodyClearance* clearance = nullptr;  ///< the newest static obstacles
+  MovingSurroundings moving;
+};
+
+/// What a follower answers.
+struct FollowerStep {
+  BaseInput input;  ///< until the next cycle
+  NavigationStatus status = NavigationStatus::Ok;
+  LimitingFactor limit = LimitingFactor::None;
+};
+
+/// Drives a robot of any base along a planned drive, as fast as it is planned or slower.
+///
+/// In every cycle it selects the rate at which it goes through the drive so that moving obstacles
+/// are avoided, corrects for deviations, and proves the stop after its command with the true body.
+/// A command whose stop is not proven is not sent: the last proven stop is executed instead. Does
+/// not allocate.
+class DriveFollower {
+ public:
+  DriveFollower(const BaseModel& base, double period, const SafetySettings& safety) noexcept
+      : base_(base),
+        period_(period),
+        safety_(safety) {}
+
+  /// Takes over a drive, from its begin. @pre the robot is at rest at the drive's start.
+  void follow(DriveReference reference) noexcept;
+
+  /// Sets the actual input of the base, for one that was moved by other means. Drops the drive.
+  void reset(const BaseInput& actual) noexcept;
+
+  /// One cycle along the drive.
+  [[nodiscard]] FollowerStep update(const FollowerView& view) noexcept;
+
+  /// One cycle of the last proven stop, without any measurement. Without a stop it brakes.
+  [[nodiscard]] BaseInput stop() noexcept;
+
+  /// One cycle of braking along the drive.
+  [[nodiscard]] FollowerStep brake(const FollowerView& view) noexcept;
+
+  [[nodiscard]] bool at_rest() const noexcept;
+  /// Whether a robot at `pose` is too far from where the drive has it.
+  [[nodiscard]] bool is_lost(const Pose2& pose) const noexcept;
+  [[nodiscard]] bool finished() const noexcept { return progress_.phase >= reference_.duration(); }
+  /// Whether the drive is finished, and what was left to its end is closed as far as possible.
+  [[nodiscard]] bool settled() const noexcept { return settled_ && at_rest(); }
+  [[nodiscard]] const DriveProgress& progress() const noexcept { return progress_; }
+  [[nodiscard]] const DriveReference& reference() const noexcept { return reference_; }
+  [[nodiscard]] const BaseInput& sent() const noexcept { return sent_; }
+
+ private:
+  struct Choice {
+    double target = 1.0;
+    bool slowed = false;  // by a moving obstacle
+  };
+  struct Candidate {
+    DriveProgress progress;
+    DriveProgress sent_for;  // where the robot is when the base has followed the input
+    BaseInput input;
+  };
+  [[nodiscard]] bool steers_first() noexcept;
+  [[nodiscard]] FollowerStep settle(const FollowerView& view) noexcept;
+  [[nodiscard]] double accuracy(const Pose2& pose) const noexcept;
+  [[nodiscard]] Choice choose_rate(const FollowerView& view) const noexcept;
+  [[nodiscard]] Candidate candidate(const Pose2& pose, double target) const noexcept;
+  [[nodiscard]] bool escape(const FollowerView& view) noexcept;
+  [[nodiscard]] StopVerdict prove(const FollowerView& view, const Candidate& next) noexcept;
+  void take(const Candidate& next) noexcept;
+
+  BaseModel base_;
+  double period_;
+  SafetySettings safety_;
+  TrackingGains gains_{};
+  DriveReference reference_;
+  DriveProgress progress_;
+  BaseInput sent_;
+  bool settled_ = false;
+  int settling_cycles_ = 0;
+  BodyStop proven_;
+  BodyStop trial_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fairway/geometry/robot_settings.hpp"
+#include "fairway/prediction/entrances.hpp"
+#include "fairway/prediction/forecast.hpp"
+#include "fairway/tracking/corridor_follower.hpp"
+#include "fairway/tracking/space_time/encounter_cost.hpp"
+#include "fairway/tracking/space_time/space_time_plan.hpp"
+
+namespace fairway {
+
+/// What a space-time plan starts from.
+struct SpaceTimeInput {
+  double time = 0.0;  ///< of the start [s]
+  Pose2 pose;         ///< then
+  double speed = 0.0;
+  const ReferencePath& path;
+  const CorridorFollower& corridor;
+  MovingObstacles obstacles;
+  double age = 0.0;                        ///< from the obstacles' measurement to the start [s]
+  const EntranceMap* entrances = nullptr;  ///< where people appear, if that is known
+};
+
+/// Plans a motion of several seconds among moving obstacles, in front of the controller: whether
+/// the robot passes an obstacle on the left or right, in front or behind, or waits, and where.
+///
+/// The motions form a tree: in every stage of 0.5 s a motion continues with several speeds and
+/// turns. Of the motions that end in the same cell of place, heading and speed the cheapest is
+/// kept, and then the cheapest kWidth. The cost is the time until the goal, estimated at the end,
+/// and what being near the predicted obstacles costs (EncounterCost). The work of a plan is bounded
+/// by kWidth, the number of stages and that of the obstacles; nothing is allocated.
+///
+/// The motion of the last plan is kept unless another one is cheaper by a margin, so that the robot
+/// does not waver between two sides of an obstacle.
+class SpaceTimePlanner {
+ public:
+  SpaceTimePlanner(const RobotSettings& robot,
+                   const PredictionSettings& prediction,
+                   double horizon);
+
+  /// Plans, or continues the last plan while it is new. @return whether there is a plan; if not,
+  /// following the reference path is as good.
+  [[nodiscard]] bool update(const SpaceTimeInput& input) noexcept;
+
+  /// Forgets the last plan.
+  void reset() noexcept { plan_.stages = 0; }
+
+  [[nodiscard]] const SpaceTimePlan& plan() const noexcept { return plan_; }
+
+  static constexpr std::size_t kTable = 4096;  ///< of cells in a stage; a power of two
+
+ private:
+  static constexpr std::size_t kWidth = 40;
+  static constexpr std::size_t kRectangles = 6;  // ahead, in which a motion may be
+  static constexpr double kStage = 0.5;          // [s]
+
+  struct Node {
+    double x = 0.0;
+    double y = 0.0;
+    double cosine = 1.0;  // of the heading
+    double sine = 0.0;
+    double heading = 0.0;
+    double speed = 0.0;
+    double risk = 0.0;   // so far [s]
+    double time = 0.0;   // until the goal, or until the end of the stage [s]
+    double total = 0.0;  // with the time that is left [s]
+    std::uint32_t parent = 0;
+    std::uint8_t rectangle = 0;
+    bool arrived = false;
+  };
+
+  struct Rectangle {
+    double cosine = 1.0;
+    double sine = 0.0;
+    Eigen::Vector2d seed;
+    Eigen::Vector2d min;
+    Eigen::Vector2d max;
+  };
+
+  struct Turn {
+    double angle = 0.0;  // in a stage [rad]
+    double cosine = 1.0;
+    double sine = 0.0;
+    double quarter_cosine = 1.0;  // of a quarter of it
+    double quarter_sine = 0.0;
+    double half_cosine = 1.0;
+    double half_sine = 0.0;
+  };
+
+  [[nodiscard]] static Turn turn_by(double angle) noexcept;
+  void prepare(const SpaceTimeInput& input) noexcept;
+  [[nodiscard]] double cost_at(double x, double y, double speed, std::size_t sample) const noexcept;
+  [[nodiscard]] bool locate(double x, double y, std::uint8_t& rectangle) const noexcept;
+  [[nodiscard]] double time_left(const Node& node) const noexcept;
+  [[nodiscard]] double bearing_of_path(const Node& node) const noexcept;
+  [[nodiscard]] Node start_node() const noexcept;
+  [[nodiscard]] bool extend(
+      const Node& from, std::size_t stage, double speed, const Turn& turn, Node& to) const noexcept;
+  void grow(std::size_t stage) noexcept;
+  void keep(const Node& node) noexcept;
+  void select(std::size_t stage) noexcept;
+  void store(std::size_t leaf, SpaceTimePlan& plan) const noexcept;
+  [[nodiscard]] double cost_of_reference() const noexcept;
+  [[nodiscard]] bool continue_last(SpaceTimePlan& continued) noexcept;
+
+  RobotSettings robot_;
+  std::size_t stages_;
+  double acceleration_;  // [m/s^2]
+  double turn_max_;      // [rad/s]
+  std::vector<Turn> turns_;
+  PredictionSettings prediction_;
+  Forecast forecast_;
+  EncounterCost cost_;
+  const SpaceTimeInput* input_ = nullptr;  // during update
+  std::array<Rectangle, kRectangles> rectangles_;
+  std::size_t rectangle_count_ = 0;
+  std::vector<std::vector<Node>> layers_;
+  std::vector<Node> children_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> table_;  // hash of a cell -> child + 1
+  std::vector<std::uint64_t> keys_;
+  std::size_t child_count_ = 0;
+  double bound_ = 0.0;      // of the total of children in this stage [s]
+  double tree_time_ = 0.0;  // when the last tree was grown [s]
+  SpaceTimePlan plan_;
+  SpaceTimePlan other_;
+};
+
+}  // namespace fairway

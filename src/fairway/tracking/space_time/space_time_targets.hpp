@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/mpc_settings.hpp"
+#include "fairway/tracking/space_time/space_time_plan.hpp"
+
+namespace fairway {
+
+/// Sets one target per step, moving along a space-time plan from the start of the problem on.
+void set_space_time_targets(const SpaceTimePlan& plan,
+                            const MpcSettings& mpc,
+                            ControlProblem& problem) noexcept;
+
+}  // namespace fairway

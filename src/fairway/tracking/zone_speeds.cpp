@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/tracking/zone_speeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fairway {
+
+double PathSpeedLimits::at(double s, double braking) const noexcept {
+  double speed = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Span& span = spans[i];
+    if (s > span.to) continue;
+    const double ahead = std::max(0.0, span.from - s);
+    speed = std::min(speed, std::sqrt(span.speed * span.speed + 2.0 * braking * ahead));
+  }
+  return speed;
+}
+
+// Steps along the path by the distance to the edge of the region, which cannot pass it unnoticed.
+void find_speed_limits(const ZoneMap& zones,
+                       const ReferencePath& path,
+                       double body_radius,
+                       double reach,
+                       PathSpeedLimits& limits) noexcept {
+  constexpr double kStep = 0.01;  // [m], the least
+  limits.count = 0;
+  const double end = std::min(reach, path.length());
+  for (const ZoneMap::SpeedRegion& region : zones.speed_regions()) {
+    const double radius = region.contour ? body_radius : 0.0;
+    PathSpeedLimits::Span span{.from = 0.0, .to = 0.0, .speed = region.speed};
+    bool inside = false;
+    for (double s = 0.0; s <= end;) {
+      const double away = region.polygon.signed_distance(path.at(s)) - radius;
+      if (away <= 0.0 && !inside) span.from = std::max(0.0, s - kStep);
+      if (away > 0.0 && inside && limits.count < PathSpeedLimits::kMostSpans) {
+        span.to = s;
+        limits.spans[limits.count++] = span;
+      }
+      inside = away <= 0.0;
+      s += std::max(kStep, std::abs(away));
+    }
+    if (inside && limits.count < PathSpeedLimits::kMostSpans) {
+      span.to = std::numeric_limits<double>::infinity();
+      limits.spans[limits.count++] = span;
+    }
+  }
+}
+
+}  // namespace fairway

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "node/driving_area.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "node/leg_strips.hpp"
+
+namespace fairway::vda5050 {
+
+namespace {
+
+using Point = Eigen::Vector2d;
+
+constexpr double kFastest = 100.0;  // that a zone can have [m/s]
+
+// How far a strip extends behind the end at which a robot stops: enough for its tolerance.
+double end_extension(const NodeDeviation& deviation) {
+  constexpr double kMost = 0.3;  // [m]
+  return std::min(reach_of(used_deviation(deviation)), kMost);
+}
+
+// The speed limit of a leg, as wide as its strip and a little longer than its line.
+void add_speed(const RouteLeg& leg, Zones& area) {
+  if (!leg.speed_max) return;
+  constexpr double kFreeWidth = 3.0;  // beside a leg without a strip [m]
+  constexpr double kLonger = 0.15;    // [m]
+  RouteLeg wide = leg;
+  wide.strip = leg.strip ? *leg.strip : Strip{.left = kFreeWidth, .right = kFreeWidth};
+  wide.strip->contour = false;
+  const std::size_t first = area.size();
+  add_strip(wide, kLonger, kLonger, area);
+  for (std::size_t i = first; i < area.size(); ++i) {
+    area[i].kind = ZoneKind::SpeedLimit;
+    area[i].speed = std::min(*leg.speed_max, kFastest);
+  }
+}
+
+bool meets(const vda5050::Zone& zone, const std::vector<Point>& line) {
+  constexpr double kNear = 0.3;  // [m]
+  for (const Point& point : line) {
+    if (distance_to(zone.vertices, point) < kNear) return true;
+  }
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point chord = line[i] - line[i - 1];
+    const int pieces = static_cast<int>(std::ceil(chord.norm() / kNear));
+    for (int k = 1; k < pieces; ++k) {
+      if (distance_to(zone.vertices, line[i - 1] + static_cast<double>(k) / pieces * chord) < kNear)
+        return true;
+    }
+  }
+  return false;
+}
+
+// Zones further away than a robot drives on these legs do not matter to it.
+bool is_near(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
+  constexpr double kFar = 15.0;  // [m]
+  Point low = Point::Constant(1e9);
+  Point high = Point::Constant(-1e9);
+  for (const RouteLeg& leg : legs) {
+    for (const Point& point : leg.line) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+  }
+  Point first = Point::Constant(1e9);
+  Point last = Point::Constant(-1e9);
+  for (const Point& vertex : zone.vertices) {
+    first = first.cwiseMin(vertex);
+    last = last.cwiseMax(vertex);
+  }
+  return (first.array() <= high.array() + kFar).all() && (last.array() >= low.array() - kFar).all();
+}
+
+// A line-guided zone is open only to a leg whose trajectory leads through it.
+bool closes_line_guided(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
+  if (zone.type != ZoneType::LineGuided) return false;
+  bool guided = false;
+  for (const RouteLeg& leg : legs) {
+    if (!meets(zone, leg.line)) continue;
+    if (!leg.line_is_given) return true;
+    guided = true;
+  }
+  return !guided;
+}
+
+// The extra cost of a metre for a factor from 0 to 1, which the standard leaves open; at 1 the
+// greatest that the search knows.
+double weight_of(double factor) {
+  constexpr double kMost = 20.0;
+  return factor < 1.0 ? std::min(kMost, factor / (1.0 - factor)) : kMost;
+}
+
+void add_zone(const vda5050::Zone& zone, bool line_guided_is_closed, Zones& area) {
+  fairway::Zone added{.polygon = zone.vertices, .name = zone.id};
+  switch (zone.type) {
+    case ZoneType::Blocked:
+      added.kind = ZoneKind::KeepOut;
+      break;
+    case ZoneType::LineGuided:
+      if (!line_guided_is_closed) return;
+      added.kind = ZoneKind::KeepOut;
+      break;
+    case ZoneType::SpeedLimit:
+      added.kind = ZoneKind::SpeedLimit;
+      added.speed = std::min(zone.speed_max, kFastest);
+      break;
+    case ZoneType::Penalty:
+      added.kind = ZoneKind::Penalty;
+      added.weight = weight_of(zone.factor);
+      break;
+    case ZoneType::Priority:
+      added.kind = ZoneKind::Preferred;
+      added.weight = weight_of(zone.factor);
+      break;
+    case ZoneType::Release:
+    case ZoneType::CoordinatedReplanning:
+    case ZoneType::Action:
+    case ZoneType::Directed:
+    case ZoneType::Bidirected:
+      return;
+  }
+  area.push_back(std::move(added));
+}
+
+}  // namespace
+
+Zones driving_area(std::span<const RouteLeg> legs,
+                   std::span<const vda5050::Zone> zones,
+                   double body) {
+  Zones area;
+  std::optional<StripJoint> start;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const RouteLeg& leg = legs[i];
+    const bool last = i + 1 == legs.size();
+    const double after =
+        last ? end_extension(leg.end.deviation) : reach_of(used_deviation(leg.end.deviation));
+    const std::optional<StripJoint> end = last ? std::nullopt : joint_of(leg, legs[i + 1], body);
+    Zones strips;
+    add_strip(leg, reach_of(used_deviation(leg.start.deviation)), after, strips);
+    if (leg.strip) clip_strips(leg, start, end, strips);
+    area.insert(area.end(), strips.begin(), strips.end());
+    add_speed(leg, area);
+    start = end;
+    if (!end) continue;
+    const Strip& a = *leg.strip;
+    const Strip& b = *legs[i + 1].strip;
+    add_gate(leg, *end, 1.5 * std::max({a.left, a.right, b.left, b.right}), area);
+  }
+  for (const vda5050::Zone& zone : zones) {
+    if (!legs.empty() && !is_near(zone, legs)) continue;
+    add_zone(zone, closes_line_guided(zone, legs), area);
+  }
+  return area;
+}
+
+}  // namespace fairway::vda5050

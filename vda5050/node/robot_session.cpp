@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "node/robot_session.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace fairway::vda5050 {
+
+namespace {
+
+Vehicle make_vehicle(const SessionContext& context, const VehicleIdentity& identity) {
+  VehicleDescription description;
+  description.robot = context.settings.robot;
+  // An event must be published within 20 ms; events of one cycle are bundled anyway.
+  description.least_state_interval = 0.01;
+  return {identity, description, context.map_id};
+}
+
+double wall_clock() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+RobotSession::RobotSession(const SessionContext& context,
+                           std::size_t robot,
+                           const VehicleIdentity& identity)
+    : context_(context),
+      robot_(robot),
+      vehicle_(make_vehicle(context, identity)),
+      driver_(context.settings, context.map),
+      connection_(context.broker,
+                  identity,
+                  vehicle_.connection_message(ConnectionState::Broken, wall_clock()),
+                  context.wakeup) {
+  vehicle_.set_route_check([this](const Route& route, const std::vector<Zone>& zones) {
+    return driver_.first_closed(route, zones);
+  });
+  vehicle_.set_pose_setter([this](const Pose2& pose) {
+    if (!context_.fleet.place(robot_, pose)) return false;
+    driver_.restart();
+    return true;
+  });
+}
+
+void RobotSession::handle_events(double now) {
+  const std::vector<BrokerEvent> events = connection_.take_events();
+  for (const BrokerEvent& event : events) {
+    switch (event.kind) {
+      case BrokerEvent::Kind::Ready:
+        vehicle_.announce(now);
+        break;
+      case BrokerEvent::Kind::Lost:
+        std::fprintf(
+            stderr, "fairway: %s: the broker is lost; the robot drives on to the end of its base\n",
+            vehicle_.identity().serial.c_str());
+        break;
+      case BrokerEvent::Kind::Refused:
+        std::fprintf(stderr, "fairway: %s: the broker refuses the connection: %s\n",
+                     vehicle_.identity().serial.c_str(), event.payload.c_str());
+        break;
+      case BrokerEvent::Kind::Message:
+        vehicle_.receive(event.topic, event.payload, now);
+        break;
+    }
+  }
+  if (!events.empty()) publish(now);
+}
+
+void RobotSession::note_motion(const DrivenRoute& driven, const Pose2& pose, double now) {
+  constexpr double kStands = 1e-3;  // [m/s] and [rad/s]
+  VehicleMotion motion;
+  const UnicycleRobot& robot = context_.fleet.robot(robot_);
+  motion.pose = pose;
+  motion.twist = robot.twist;
+  const auto moves = [](const Twist2& twist) {
+    return std::abs(twist.linear) > kStands || std::abs(twist.angular) > kStands;
+  };
+  motion.driving = moves(robot.twist) || moves(driven.command);
+  if (vehicle_.may_drive() && driven.limit != LimitingFactor::None)
+    motion.limit = std::string(to_text(driven.status)) + ", limited by " + to_text(driven.limit);
+  motion.planned = driver_.planned(pose.position);
+  motion.intermediate.push_back({.pose = pose, .time = now});
+  if (driven.solution != nullptr && vehicle_.may_drive()) {
+    const double step = context_.settings.mpc.step_length / context_.speed;
+    for (int k = 1; k <= driven.solution->horizon; ++k) {
+      motion.intermediate.push_back(
+          {.pose = driven.solution->poses.at(static_cast<std::size_t>(k)), .time = now + k * step});
+    }
+  }
+  vehicle_.update(motion, driven.report, now);
+}
+
+void RobotSession::cycle(double now) {
+  const Measurements measured = context_.fleet.measure(robot_, driver_);
+  const DrivenRoute driven = driver_.drive(vehicle_, measured);
+  context_.fleet.command(robot_, driven.command, driver_);
+  note_motion(driven, measured.pose, now);
+  publish(now);
+}
+
+void RobotSession::publish(double now) {
+  if (!connection_.connected()) return;  // the state is sent when the broker is back
+  for (const OutgoingMessage& message : vehicle_.take_messages(now))
+    connection_.publish(message);
+}
+
+void RobotSession::finish(double now, double seconds) {
+  connection_.finish(vehicle_.connection_message(ConnectionState::Offline, now), seconds);
+}
+
+}  // namespace fairway::vda5050

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "node/route_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fairway/zones/zone_map.hpp"
+
+namespace fairway::vda5050 {
+
+namespace {
+
+constexpr double kWindow = 12.0;     // length of legs that the navigator knows [m]
+constexpr double kRefresh = 5.0;     // length left at which it gets more [m]
+constexpr double kFreeWidth = 1.0;   // of the strip around a path that the robot chose [m]
+constexpr double kPatience = 20.0;   // until a closed leg is given up [s]
+constexpr double kStandstill = 3.0;  // without progress, until a leg counts as closed [s]
+constexpr double kRetry = 1.0;       // between attempts while a leg is closed [s]
+
+// Keeps what both areas need: a robot that stands beside its strip, inside the ellipse of the first
+// node, may drive to the line.
+void add_approach(const RouteLeg& leg, const Eigen::Vector2d& robot, std::vector<RouteLeg>& legs) {
+  if (outside_by(leg, robot, 0.0) <= 0.0) return;
+  if (ellipse_distance(leg.start, robot) > 1.5) return;
+  constexpr double kWidth = 0.1;  // [m]
+  const LinePoint near = nearest_on(leg.line, robot);
+  RouteLeg approach;
+  approach.start.position = robot;
+  approach.start.deviation = approach.end.deviation = {.a = kWidth, .b = kWidth};
+  const double arc = std::min(near.arc + 0.3, length_of(leg.line));
+  Eigen::Vector2d join = leg.line.front();
+  double passed = 0.0;
+  for (std::size_t i = 1; i < leg.line.size(); ++i) {
+    const Eigen::Vector2d chord = leg.line[i] - leg.line[i - 1];
+    const double length = chord.norm();
+    if (passed + length >= arc && length > 0.0) {
+      join = leg.line[i - 1] + (arc - passed) / length * chord;
+      break;
+    }
+    passed += length;
+    join = leg.line[i];
+  }
+  approach.end.position = join;
+  approach.line = {robot, join};
+  approach.strip = Strip{.left = kWidth, .right = kWidth};
+  legs.insert(legs.begin(), approach);
+}
+
+std::vector<Eigen::Vector2d> dense(const std::vector<Eigen::Vector2d>& points) {
+  constexpr double kLongest = 0.25;  // [m]
+  std::vector<Eigen::Vector2d> path{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Eigen::Vector2d chord = points[i] - points[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(chord.norm() / kLongest)));
+    for (int k = 1; k <= pieces; ++k)
+      path.emplace_back(points[i - 1] + static_cast<double>(k) / pieces * chord);
+  }
+  return path;
+}
+
+}  // namespace
+
+RouteDriver::RouteDriver(const Settings& settings, const BitGrid& map)
+    : settings_(settings),
+      map_(map),
+      navigator_(settings) {
+  navigator_.set_map(map_);
+}
+
+void RouteDriver::restart() {
+  window_.reset();
+  driving_ = false;
+  navigator_.cancel();
+  navigator_.reset();
+}
+
+// Gives legs without a line of their own the path that the robot chooses. Returns the first leg to
+// which there is none; it keeps its straight line.
+std::optional<std::size_t> RouteDriver::choose_free_lines(std::vector<RouteLeg>& legs,
+                                                          const Eigen::Vector2d& robot,
+                                                          const std::vector<vda5050::Zone>& zones) {
+  const PlannerSettings planner = planner_settings(settings_);
+  std::optional<PreparedMap> open;
+  std::optional<std::size_t> without;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    RouteLeg& leg = legs[i];
+    if (leg.strip) continue;
+    const Eigen::Vector2d from = i == 0 ? robot : leg.start.position;
+    leg.strip = Strip{.left = kFreeWidth, .right = kFreeWidth};
+    constexpr double kSpot = 0.01;                           // [m]
+    if ((leg.end.position - from).norm() < kSpot) continue;  // a turn on the spot
+    if (!open) {
+      std::optional<BitGrid> map = map_with(driving_area({}, zones, settings_.robot.radius));
+      if (!map) return i;
+      open.emplace(*std::move(map));
+    }
+    const auto path = free_path(*open, from, leg.end.position, planner, planner_);
+    if (path) leg.line = *path;
+    if (!path && !without) without = i;
+  }
+  return without;
+}
+
+std::optional<BitGrid> RouteDriver::map_with(Zones zones) const {
+  if (!validate(zones)) return std::nullopt;
+  BitGrid map = map_;
+  if (!zones.empty())
+    map.set_zones(std::make_shared<const ZoneMap>(std::move(zones), settings_.robot.radius));
+  return map;
+}
+
+// A long order is checked in windows, as it is driven.
+std::optional<std::size_t> RouteDriver::first_closed(const Route& route,
+                                                     const std::vector<vda5050::Zone>& zones) {
+  std::size_t first = 0;
+  while (first < route.legs.size()) {
+    std::vector<RouteLeg> legs;
+    double length = 0.0;
+    for (std::size_t i = first; i < route.legs.size() && (legs.empty() || length < kWindow); ++i) {
+      legs.push_back(route.legs[i]);
+      length += length_of(route.legs[i].line);
+    }
+    if (const auto leg = choose_free_lines(legs, legs.front().start.position, zones))
+      return first + *leg;
+    const std::optional<BitGrid> map = map_with(driving_area(legs, zones, settings_.robot.radius));
+    if (!map) return first;
+    const LegPath path =
+        path_along(*map, legs, std::nullopt, planner_settings(settings_), planner_);
+    if (path.closed_leg) return first + *path.closed_leg;
+    first += legs.size();
+  }
+  return std::nullopt;
+}
+
+bool RouteDriver::needs_window(const Vehicle& vehicle, const Measurements& m) const {
+  if (!driving_ || !window_ || window_->route != vehicle.route_revision()) return true;
+  const bool waited = m.time - window_time_ >= kRetry;
+  if (closed_time_ >= 0.0) return waited;
+  if (navigator_.plan_is_current() && !navigator_.plan().usable()) return waited;
+  if (window_->whole || window_->closed_leg) return false;
+  const LinePoint near = nearest_on(window_->path, m.pose.position);
+  return length_of(window_->path) - near.arc < kRefresh;
+}
+
+LegPath RouteDriver::window_path(const std::vector<RouteLeg>& legs, const Eigen::Vector2d& robot) {
+  const PlannerSettings planner = planner_settings(settings_);
+  const BitGrid& map = *navigator_.obstacles();
+  if (!legs.front().returns) return path_along(map, legs, robot, planner, planner_);
+  return {.points = path_back(map, legs.front(), robot, planner, planner_), .closed_leg = 0};
+}
+
+void RouteDriver::open_window(const Vehicle& vehicle, const Measurements& m) {
+  const Route& route = vehicle.route();
+  const Eigen::Vector2d& robot = m.pose.position;
+  Window window{.route = vehicle.route_revision(), .first = vehicle.legs_passed()};
+  std::vector<RouteLeg> legs;
+  double length = -nearest_on(route.legs[window.first].line, robot).arc;
+  for (std::size_t i = window.first; i < route.legs.size(); ++i) {
+    legs.push_back(route.legs[i]);
+    length += length_of(route.legs[i].line);
+    if (length > kWindow && legs.size() > 1) break;
+  }
+  window.count = legs.size();
+  window.whole = window.first + window.count == route.legs.size();
+  (void)choose_free_lines(legs, robot, vehicle.zones());
+  std::vector<RouteLeg> allowed = legs;
+  if (last_leg_ && last_leg_->strip) allowed.insert(allowed.begin(), *last_leg_);
+  if (!last_leg_) add_approach(legs.front(), robot, allowed);
+  LegPath path{.closed_leg = 0};
+  if (const Zones area = driving_area(allowed, vehicle.zones(), settings_.robot.radius);
+      validate(area)) {
+    navigator_.set_zones(area);
+    path = window_path(legs, robot);
+  }
+  if (path.closed_leg) window.closed_leg = window.first + *path.closed_leg;
+  if (!path.points.empty()) window.path = dense(path.points);
+  follow(vehicle, std::move(window), legs);
+  window_time_ = m.time;
+}
+
+void RouteDriver::follow(const Vehicle& vehicle, Window window, const std::vector<RouteLeg>& legs) {
+  if (window.path.empty()) {
+    navigator_.cancel();
+  } else {
+    const bool to_end = window.whole && !window.closed_leg;
+    Settings now = navigator_.settings();
+    const NodePosition& end = legs.back().end;
+    constexpr double kShare = 0.6;  // of the deviation that the robot uses
+    constexpr double kLeast = 0.03;
+    const NodeDeviation used = used_deviation(end.deviation);
+    const double tolerance = to_end ? std::clamp(kShare * std::min(used.a, used.b), kLeast,
+                                                 settings_.navigation.goal_tolerance)
+                                    : settings_.navigation.goal_tolerance;
+    const double turn =
+        to_end && end.theta && end.theta_deviation > 0.0
+            ? std::clamp(kShare * end.theta_deviation, 0.02, settings_.navigation.heading_tolerance)
+            : settings_.navigation.heading_tolerance;
+    if (now.navigation.goal_tolerance != tolerance || now.navigation.heading_tolerance != turn) {
+      now.navigation.goal_tolerance = tolerance;
+      now.navigation.heading_tolerance = turn;
+      navigator_.set_settings(now);
+    }
+    navigator_.follow({.waypoints = window.path},
+                      to_end ? vehicle.route().heading : std::optional<double>());
+  }
+  window_ = std::move(window);
+  arrived_ = false;
+}
+
+void RouteDriver::report_progress(const Vehicle& vehicle,
+                                  const Measurements& m,
+                                  DrivenRoute& driven) {
+  constexpr double kMoves = 0.02;  // [m/s]
+  const bool moves =
+      std::abs(driven.command.linear) > kMoves || std::abs(driven.command.angular) > kMoves;
+  if (moves || !driving_ || arrived_) moved_time_ = m.time;
+  const bool at_end = driven.status == NavigationStatus::GoalReached;
+  if (at_end && window_->whole && !window_->closed_leg) arrived_ = true;
+  driven.report.arrived = arrived_;
+  const bool before_closed = window_->closed_leg && (at_end || window_->path.empty() || !moves);
+  const bool stuck = !arrived_ && m.time - moved_time_ > kStandstill;
+  if (!before_closed && !stuck) {
+    closed_time_ = -1.0;
+    return;
+  }
+  if (closed_time_ < 0.0) closed_time_ = m.time;
+  driven.report.closed_leg = window_->closed_leg.value_or(vehicle.legs_passed());
+  const double patience =
+      settings_.navigation.patience > 0.0 ? settings_.navigation.patience : kPatience;
+  driven.report.gave_up = m.time - closed_time_ > patience;
+}
+
+DrivenRoute RouteDriver::drive(const Vehicle& vehicle, const Measurements& measurements) {
+  // The leg that was passed last is part of the area: the body may still be in it.
+  if (vehicle.route_revision() != known_route_ || vehicle.legs_passed() != known_passed_) {
+    if (vehicle.legs_passed() > 0 && vehicle.legs_passed() <= known_legs_.size() &&
+        vehicle.route_revision() == known_route_) {
+      last_leg_ = known_legs_[vehicle.legs_passed() - 1];
+    } else if (vehicle.route_revision() != known_route_ && !vehicle.route().legs.empty()) {
+      // A route that begins elsewhere has no last leg.
+      const Eigen::Vector2d& begin = vehicle.route().legs.front().start.position;
+      if (!known_legs_.empty() && known_legs_.back().end.position == begin)
+        last_leg_ = known_legs_.back();
+      const bool continues = last_leg_ && ((last_leg_->end.position - begin).norm() < 1e-9 ||
+                                           (last_leg_->start.position - begin).norm() < 1e-9);
+      if (!continues) last_leg_.reset();
+    }
+    known_route_ = vehicle.route_revision();
+    known_passed_ = vehicle.legs_passed();
+    known_legs_ = vehicle.route().legs;
+  }
+  DrivenRoute driven;
+  driven.report.route = vehicle.route_revision();
+  const bool may = vehicle.may_drive();
+  if (!may) {
+    if (driving_) navigator_.cancel();
+    driving_ = false;
+    window_.reset();
+    closed_time_ = -1.0;
+  } else if (needs_window(vehicle, measurements)) {
+    driving_ = true;
+    open_window(vehicle, measurements);
+  }
+  const NavigationStep step = navigator_.update(measurements);
+  driven.command = step.command;
+  driven.status = step.status;
+  driven.limit = step.limit;
+  driven.solution = step.plan;
+  if (may) report_progress(vehicle, measurements, driven);
+  return driven;
+}
+
+std::vector<Eigen::Vector2d> RouteDriver::planned(const Eigen::Vector2d& robot) const {
+  if (!window_ || window_->path.empty()) return {};
+  const double arc = nearest_on(window_->path, robot).arc;
+  std::vector<Eigen::Vector2d> ahead;
+  double passed = 0.0;
+  for (std::size_t i = 1; i < window_->path.size(); ++i) {
+    passed += (window_->path[i] - window_->path[i - 1]).norm();
+    if (passed > arc) ahead.push_back(window_->path[i]);
+  }
+  return ahead;
+}
+
+}  // namespace fairway::vda5050

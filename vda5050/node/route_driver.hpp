@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fairway/navigation/facade/map_navigator.hpp"
+#include "node/driving_area.hpp"
+#include "node/leg_path.hpp"
+#include "protocol/vehicle/vehicle.hpp"
+
+namespace fairway::vda5050 {
+
+/// The result of a driver's cycle.
+struct DrivenRoute {
+  Twist2 command;
+  DriveReport report;
+  NavigationStatus status = NavigationStatus::NoPlan;
+  LimitingFactor limit = LimitingFactor::None;
+  const MpcSolution* solution = nullptr;  ///< predicted motion until the next cycle; may be null
+};
+
+/// Drives a robot along the route of a vehicle: inside the strips, past obstacles, around blocked
+/// zones, without a stop at the nodes.
+///
+/// It gives the navigator the legs of the next metres as a path and an allowed area, and extends
+/// both before the robot reaches their end.
+class RouteDriver {
+ public:
+  /// @throws std::invalid_argument unless validate(settings) holds.
+  RouteDriver(const Settings& settings, const BitGrid& map);
+
+  /// The first leg that the map and the zones close; none if all can be driven.
+  [[nodiscard]] std::optional<std::size_t> first_closed(const Route& route,
+                                                        const std::vector<vda5050::Zone>& zones);
+
+  /// Processes a scan, as MapNavigator::observe.
+  void observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+    (void)navigator_.observe(scan, position);
+  }
+
+  /// Runs one control cycle towards the end of the vehicle's route.
+  [[nodiscard]] DrivenRoute drive(const Vehicle& vehicle, const Measurements& measurements);
+
+  /// Restarts after the robot was put to another place.
+  void restart();
+
+  [[nodiscard]] const MapNavigator& navigator() const noexcept { return navigator_; }
+  /// The path from the robot on, as far as it is planned [m].
+  [[nodiscard]] std::vector<Eigen::Vector2d> planned(const Eigen::Vector2d& robot) const;
+
+ private:
+  // The legs that the navigator knows.
+  struct Window {
+    std::uint64_t route = 0;
+    std::size_t first = 0;  // index of its first leg in the route
+    std::size_t count = 0;
+    bool whole = false;                       // it reaches the end of the route
+    std::optional<std::size_t> closed_leg{};  // in the route
+    std::vector<Eigen::Vector2d> path{};
+  };
+
+  void open_window(const Vehicle& vehicle, const Measurements& measurements);
+  // The map with zones; none if the zones are unsound or too many.
+  [[nodiscard]] std::optional<BitGrid> map_with(Zones zones) const;
+  std::optional<std::size_t> choose_free_lines(std::vector<RouteLeg>& legs,
+                                               const Eigen::Vector2d& robot,
+                                               const std::vector<vda5050::Zone>& zones);
+  [[nodiscard]] LegPath window_path(const std::vector<RouteLeg>& legs,
+                                    const Eigen::Vector2d& robot);
+  [[nodiscard]] bool needs_window(const Vehicle& vehicle, const Measurements& measurements) const;
+  void follow(const Vehicle& vehicle, Window window, const std::vector<RouteLeg>& legs);
+  void report_progress(const Vehicle& vehicle,
+                       const Measurements& measurements,
+                       DrivenRoute& driven);
+
+  Settings settings_;  // as given
+  BitGrid map_;
+  Planner planner_;
+  MapNavigator navigator_;
+  std::optional<Window> window_;
+  std::optional<RouteLeg> last_leg_;  // the one passed last
+  std::uint64_t known_route_ = 0;
+  std::size_t known_passed_ = 0;
+  std::vector<RouteLeg> known_legs_;  // of the route, to remember the last leg
+  bool driving_ = false;
+  bool arrived_ = false;
+  double speed_max_;           // now in force [m/s]
+  double window_time_ = -1e9;  // of the last window [s]
+  double moved_time_ = -1e9;   // when the robot last made progress [s]
+  double closed_time_ = -1.0;  // since when it waits [s]
+};
+
+}  // namespace fairway::vda5050
