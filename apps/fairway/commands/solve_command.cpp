@@ -60,7 +60,7 @@ struct SolveCommand {
   std::string out;
   std::string solver = "interior_point";
   std::string warm_file;
-  int starts = 1;
+  int starts = 4;
   int repeat = 1;
   std::string json;
   SettingsOptions settings;

@@ -18,8 +18,9 @@ class InteriorPoint final : public InstanceSolver {
                            std::span<const InitialGuess> guesses) override {
     const InteriorPointSettings settings =
         guesses.front().count > 0 ? InteriorPointSettings::warm() : InteriorPointSettings{};
-    return guesses.size() == 1 ? solver_.solve(problem, guesses.front(), settings)
-                               : solver_.solve_best(problem, guesses, settings);
+    if (guesses.size() == 1) return solver_.solve(problem, guesses.front(), settings);
+    if (guesses.size() == 4) return solver_.solve_from_four(problem, guesses.front(), settings);
+    return solver_.solve_best(problem, guesses, settings);
   }
 
  private:

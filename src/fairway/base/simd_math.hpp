@@ -37,17 +37,12 @@ struct Direction {
   Lanes cosine, sine;
 };
 
-/// Computes the directions of four headings. The error is below 2e-16 up to 1e6 rad; beyond that
-/// the functions of the standard library are used.
+inline constexpr double kMostHeading = 1e6;  ///< greatest heading of the polynomials [rad]
+
+/// Computes the directions of four headings, with an error below 2e-16.
+/// @pre |heading| <= kMostHeading
 template <typename Lanes>
-FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
-  constexpr double kMostHeading = 1e6;
-  if (!(greatest_of(magnitude(heading)) <= kMostHeading)) {
-    return {.cosine = Lanes(std::cos(heading[0]), std::cos(heading[1]), std::cos(heading[2]),
-                            std::cos(heading[3])),
-            .sine = Lanes(std::sin(heading[0]), std::sin(heading[1]), std::sin(heading[2]),
-                          std::sin(heading[3]))};
-  }
+FAIRWAY_LANES Direction<Lanes> direction_within(const Lanes& heading) noexcept {
   // heading = quarter * pi / 2 + a with |a| <= pi / 4. Adding kRounding rounds a double to an
   // integer, which its last bits then hold; pi / 2 is split so that products with quarters are
   // exact.
@@ -80,6 +75,37 @@ FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
           .sine = turned_by_quarters(shifted, 0, sine, cosine)};
 }
 
+/// Computes the directions of four headings. The error is below 2e-16 up to 1e6 rad; beyond that
+/// the functions of the standard library are used.
+template <typename Lanes>
+FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
+  if (!(greatest_of(magnitude(heading)) <= kMostHeading)) {
+    return {.cosine = Lanes(std::cos(heading[0]), std::cos(heading[1]), std::cos(heading[2]),
+                            std::cos(heading[3])),
+            .sine = Lanes(std::sin(heading[0]), std::sin(heading[1]), std::sin(heading[2]),
+                          std::sin(heading[3]))};
+  }
+  return direction_within(heading);
+}
+
+/// Computes natural logarithms between 1 / sqrt(2) and sqrt(2), with an error below 1e-15.
+template <typename Number>
+[[nodiscard]] FAIRWAY_LANES Number log_near_one(const Number& value) noexcept {
+  // log value = 2 artanh t; the first omitted term is below 1e-18.
+  const Number t = (value - 1.0) / (value + 1.0);
+  const Number q = t * t;
+  const Number series =
+      1.0 + q * (1.0 / 3 +
+                 q * (1.0 / 5 +
+                      q * (1.0 / 7 +
+                           q * (1.0 / 9 +
+                                q * (1.0 / 11 +
+                                     q * (1.0 / 13 +
+                                          q * (1.0 / 15 +
+                                               q * (1.0 / 17 + q * (1.0 / 19 + q / 21.0)))))))));
+  return 2.0 * t * series;
+}
+
 /// Computes the natural logarithm of a number in [1, 16), with an error below 1e-15.
 [[nodiscard]] inline double log_below_16(double value) noexcept {
   double doublings = 0.0;
@@ -87,19 +113,7 @@ FAIRWAY_LANES Direction<Lanes> direction_of(const Lanes& heading) noexcept {
     value *= 0.5;
     doublings += 1.0;
   }
-  // log value = 2 artanh t; the first omitted term is below 1e-18.
-  const double t = (value - 1.0) / (value + 1.0);
-  const double q = t * t;
-  const double series =
-      1.0 +
-      q * (1.0 / 3 +
-           q * (1.0 / 5 +
-                q * (1.0 / 7 +
-                     q * (1.0 / 9 +
-                          q * (1.0 / 11 +
-                               q * (1.0 / 13 +
-                                    q * (1.0 / 15 + q * (1.0 / 17 + q * (1.0 / 19 + q / 21)))))))));
-  return 2.0 * t * series + std::numbers::ln2 * doublings;
+  return log_near_one(value) + std::numbers::ln2 * doublings;
 }
 
 /// Sums the logarithms of many positive numbers: multiplies the mantissas, adds the exponents
@@ -130,6 +144,20 @@ class LogSum {
     const auto signed_exponent = static_cast<std::int64_t>(exponent - kLanes * kBias * count_);
     const double rest = (mantissa_[0] * mantissa_[1]) * (mantissa_[2] * mantissa_[3]);
     return log_below_16(rest) + std::numbers::ln2 * static_cast<double>(signed_exponent);
+  }
+
+  /// Returns the sum of each lane.
+  [[nodiscard]] FAIRWAY_LANES Lanes values() const noexcept {
+    constexpr std::uint64_t kBias = 1023;
+    Pack4d doublings;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::uint64_t exponent = exponents_[lane / Lanes::kWidth][lane % Lanes::kWidth];
+      doublings[lane] = static_cast<double>(static_cast<std::int64_t>(exponent - kBias * count_));
+    }
+    const Lanes root = std::numbers::sqrt2;
+    const Lanes near_one = where_greater(mantissa_, root, 0.5 * mantissa_, mantissa_);
+    const Lanes halved = where_greater(mantissa_, root, Lanes(1.0), Lanes(0.0));
+    return log_near_one(near_one) + std::numbers::ln2 * (doublings + halved);
   }
 
  private:

@@ -15,4 +15,10 @@ void load_guess(const SimdKernels& kernels,
                 const Workspace& w,
                 Point& point) noexcept;
 
+/// Computes initial commands as `load_guess` without a guess, from a drive that begins as wanted.
+Drive load_drive(const SimdKernels& kernels,
+                 DriveStart wanted,
+                 const Workspace& w,
+                 Point& point) noexcept;
+
 }  // namespace fairway::interior_point

@@ -6,6 +6,7 @@
 #include "fairway/mpc/interior_point/kernels.hpp"
 
 #include "fairway/mpc/interior_point/line_search.hpp"
+#include "fairway/mpc/interior_point/lockstep/iteration.hpp"
 #include "fairway/mpc/interior_point/newton/newton.hpp"
 #include "fairway/mpc/interior_point/rollout_guess.hpp"
 #pragma GCC diagnostic pop
@@ -13,8 +14,8 @@
 namespace fairway::interior_point {
 namespace {
 
-void drive_to_targets_128(const Workspace& w, Point& point) noexcept {
-  drive_to_targets<Lanes128>(w, point);
+Drive drive_to_targets_128(const Workspace& w, DriveStart wanted, Point& point) noexcept {
+  return drive_to_targets<Lanes128>(w, wanted, point);
 }
 void evaluate_128(const Workspace& w, Point& point) noexcept { evaluate<Lanes128>(w, point); }
 void start_128(Workspace& w, double mu) noexcept { start<Lanes128>(w, mu); }
@@ -27,11 +28,16 @@ bool solve_newton_system_128(Workspace& w, double mu) noexcept {
 bool take_step_128(Workspace& w, double mu, double fraction_to_boundary, Filter& filter) noexcept {
   return take_step<Lanes128>(w, mu, fraction_to_boundary, filter);
 }
+void iterate_lockstep_128(lockstep::Lockstep& s, const lockstep::FourSettings& settings) noexcept {
+  lockstep::iterate<Lanes128>(s, settings);
+}
 
 #ifdef FAIRWAY_HAS_LANES256
 #define FAIRWAY_AVX2 [[gnu::target("avx2")]]
-FAIRWAY_AVX2 void drive_to_targets_256(const Workspace& w, Point& point) noexcept {
-  drive_to_targets<Lanes256>(w, point);
+FAIRWAY_AVX2 Drive drive_to_targets_256(const Workspace& w,
+                                        DriveStart wanted,
+                                        Point& point) noexcept {
+  return drive_to_targets<Lanes256>(w, wanted, point);
 }
 FAIRWAY_AVX2 void evaluate_256(const Workspace& w, Point& point) noexcept {
   evaluate<Lanes256>(w, point);
@@ -49,6 +55,10 @@ FAIRWAY_AVX2 bool take_step_256(Workspace& w,
                                 Filter& filter) noexcept {
   return take_step<Lanes256>(w, mu, fraction_to_boundary, filter);
 }
+FAIRWAY_AVX2 void iterate_lockstep_256(lockstep::Lockstep& s,
+                                       const lockstep::FourSettings& settings) noexcept {
+  lockstep::iterate<Lanes256>(s, settings);
+}
 #endif
 
 }  // namespace
@@ -59,7 +69,8 @@ const SimdKernels& kernels_128() noexcept {
                                            .start = start_128,
                                            .linearise = linearise_128,
                                            .solve_newton_system = solve_newton_system_128,
-                                           .take_step = take_step_128};
+                                           .take_step = take_step_128,
+                                           .iterate_lockstep = iterate_lockstep_128};
   return kKernels;
 }
 
@@ -70,7 +81,8 @@ const SimdKernels* kernels_256() noexcept {
                                            .start = start_256,
                                            .linearise = linearise_256,
                                            .solve_newton_system = solve_newton_system_256,
-                                           .take_step = take_step_256};
+                                           .take_step = take_step_256,
+                                           .iterate_lockstep = iterate_lockstep_256};
   if (__builtin_cpu_supports("avx2") != 0) return &kKernels;
 #endif
   return nullptr;

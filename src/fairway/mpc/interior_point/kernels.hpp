@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
+#include "fairway/mpc/interior_point/lockstep/lockstep.hpp"
 #include "fairway/mpc/interior_point/workspace/filter.hpp"
 #include "fairway/mpc/interior_point/workspace/optimality.hpp"
 #include "fairway/mpc/interior_point/workspace/workspace.hpp"
 
 namespace fairway::interior_point {
 
+/// How a drive begins: straight to the target, to a side, or slowly, behind what crosses.
+enum class DriveStart : std::uint8_t { Any, Straight, Left, Right, Slow };
+
+/// What is known of a drive.
+struct Drive {
+  DriveStart begins = DriveStart::Straight;
+  bool is_free = true;  ///< it goes straight to the target, and violates nothing
+};
+
 /// The parts of one iteration, compiled for one register type. All types give the same results, to
 /// the bit.
 struct SimdKernels {
   /// Fills the commands of `point` if there is no guess: a drive to the targets that avoids
   /// obstacles. The commands keep their ranges, but not all change bounds.
-  void (*drive_to_targets)(const Workspace& w, Point& point) noexcept;
+  Drive (*drive_to_targets)(const Workspace& w, DriveStart wanted, Point& point) noexcept;
 
   /// Computes everything that the commands of `point` determine, except slacks.
   void (*evaluate)(const Workspace& w, Point& point) noexcept;
@@ -33,6 +45,10 @@ struct SimdKernels {
   /// length is acceptable, the violation slacks absorb the residuals of the constraints instead
   /// (docs/solver.md section 5). @return False if there is nothing to absorb.
   bool (*take_step)(Workspace& w, double mu, double fraction_to_boundary, Filter& filter) noexcept;
+
+  /// Iterates four starts of one problem side by side, from `commands` to `commands`.
+  /// @pre `s.problem` is loaded, and the commands are strictly inside every bound.
+  void (*iterate_lockstep)(lockstep::Lockstep& s, const lockstep::FourSettings& settings) noexcept;
 };
 
 /// Returns the kernels for registers that every processor has.

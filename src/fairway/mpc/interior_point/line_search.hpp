@@ -14,8 +14,6 @@
 
 namespace fairway::interior_point {
 
-inline constexpr double kNoResidual = 1e-9;  ///< residuals below this count as 0
-
 /// Computes everything that the commands of `point` determine, except slacks.
 template <typename Lanes>
 FAIRWAY_LANES void evaluate(const Workspace& w, Point& point) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fairway/base/simd_math.hpp"
@@ -157,12 +158,31 @@ FAIRWAY_LANES std::size_t best_of(const Lanes& merit) noexcept {
   return best;
 }
 
-/// Fills the commands of `point` with the drive. They keep their ranges, but not all change bounds.
+/// How a drive begins, relative to what it meets: past it on either side, before it, or behind it.
+inline constexpr std::array kManoeuvres = {DriveStart::Straight, DriveStart::Left,
+                                           DriveStart::Right, DriveStart::Slow};
+inline constexpr std::array kMoreManoeuvres = {DriveStart::Left, DriveStart::Right,
+                                               DriveStart::Left, DriveStart::Right};
+
+/// Raises the cost of the manoeuvres that are not wanted.
 template <typename Lanes>
-FAIRWAY_LANES void drive_to_targets(const Workspace& w, Point& point) noexcept {
+FAIRWAY_LANES void restrict_to(DriveStart wanted,
+                               const std::array<DriveStart, kLanes>& manoeuvres,
+                               Lanes& merit) noexcept {
+  constexpr double kUnwanted = 1e30;
+  merit +=
+      Lanes(manoeuvres[0] == wanted ? 0.0 : kUnwanted, manoeuvres[1] == wanted ? 0.0 : kUnwanted,
+            manoeuvres[2] == wanted ? 0.0 : kUnwanted, manoeuvres[3] == wanted ? 0.0 : kUnwanted);
+}
+
+/// Fills the commands of `point` with the drive. They keep their ranges, but not all change bounds.
+/// @param wanted  Its first manoeuvre.
+template <typename Lanes>
+FAIRWAY_LANES Drive drive_to_targets(const Workspace& w, DriveStart wanted, Point& point) noexcept {
   constexpr double kHard = 0.1;   // share of the range left to the bound in a sharp turn
   constexpr double kSlow = 0.15;  // share of the range
   constexpr double kSlower = 0.75;
+  Drive drive;
   DrivePose pose{.heading = point.heading[0],
                  .cosine = std::cos(point.heading[0]),
                  .sine = std::sin(point.heading[0])};
@@ -182,19 +202,29 @@ FAIRWAY_LANES void drive_to_targets(const Workspace& w, Point& point) noexcept {
     Outlook<Lanes> outlook;
     look_ahead(w, pose, first, chosen, outlook);
     std::size_t best = 0;
-    if (outlook.violation[0] > 0.0) {
+    DriveStart begins = DriveStart::Straight;
+    const bool restricted = first == 0 && wanted != DriveStart::Any;
+    if (outlook.violation[0] > 0.0 || restricted) {
+      drive.is_free = false;
       const Manoeuvres<Lanes> more{.linear = Lanes(slower, slower, slow, slow),
                                    .angular = Lanes(left, right, left, right)};
       Outlook<Lanes> more_outlook;
       look_ahead(w, pose, first, more, more_outlook);
+      if (restricted) {
+        restrict_to(wanted, kManoeuvres, outlook.merit);
+        restrict_to(wanted, kMoreManoeuvres, more_outlook.merit);
+      }
       best = best_of(outlook.merit);
+      begins = kManoeuvres[best];
       const std::size_t best_more = best_of(more_outlook.merit);
       if (more_outlook.merit[best_more] < outlook.merit[best]) {
         best = best_more;
+        begins = kMoreManoeuvres[best];
         chosen = more;
         outlook = more_outlook;
       }
     }
+    if (first == 0) drive.begins = begins;
     const std::size_t end = std::min(w.horizon, first + kHeldSteps);
     for (std::size_t k = first; k < end; ++k) {
       point.commands[kLinear][k + 1] = chosen.linear[best];
@@ -206,6 +236,7 @@ FAIRWAY_LANES void drive_to_targets(const Workspace& w, Point& point) noexcept {
             .cosine = outlook.cosine[best],
             .sine = outlook.sine[best]};
   }
+  return drive;
 }
 
 }  // namespace fairway::interior_point

@@ -6,43 +6,17 @@
 #include <cmath>
 #include <utility>
 
+#include "fairway/base/simd_math.hpp"
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point/initial_point.hpp"
 #include "fairway/mpc/interior_point/kernels.hpp"
 #include "fairway/mpc/interior_point/report.hpp"
 #include "fairway/mpc/interior_point/setup.hpp"
+#include "fairway/mpc/interior_point/workspace/iteration_rules.hpp"
 
 namespace fairway {
 namespace interior_point {
 namespace {
-
-// mu is reduced when the error of its barrier problem is below this times mu, Eq. (S17).
-constexpr double kSolvedEnough = 30.0;
-constexpr double kLinearDecrease = 0.2;
-constexpr double kLastBarrier = 0.1;     // of the tolerance
-constexpr double kLeastBarrier = 1e-12;  // products of slacks and duals below it are rounding
-constexpr double kMostViolated = 0.1;  // greatest violation considered for the first mu [m or m^2]
-// Least share of a slack that a step may use; the share increases as mu decreases.
-constexpr double kFractionToBoundary = 0.99;
-constexpr double kFractionByDecrease = 0.5;
-// Residuals must be far below what counts as a violation.
-constexpr double kResidualTolerance = 1e-8;
-// A step of the commands below this is only rounding.
-constexpr double kRoundingStep = 1e-14;
-
-// Returns the first barrier parameter. It is greater if the start violates constraints, because the
-// duals then change much, some up to the penalty weight.
-double first_barrier(const Workspace& w, const InteriorPointSettings& settings) noexcept {
-  const double violated = settings.barrier_by_violation * greatest_violation(w, *w.now);
-  return std::max(settings.initial_barrier,
-                  std::min(kMostViolated, violated) * w.problem->violation_weight);
-}
-
-double next_barrier(double mu, double least, const OptimalityError& error) noexcept {
-  while (mu > least && error.at(mu) < kSolvedEnough * mu)
-    mu = std::max(least, std::min(kLinearDecrease * mu, mu * std::sqrt(mu)));
-  return mu;
-}
 
 bool is_rounding(const NewtonStep& step, std::size_t horizon) noexcept {
   for (const PoseArray& commands : step.commands) {
@@ -57,10 +31,10 @@ SolveStatus iterate(const SimdKernels& kernels,
                     const InteriorPointSettings& settings,
                     Workspace& w,
                     int& iterations) noexcept {
-  const double least_barrier = std::max(kLastBarrier * settings.tolerance, kLeastBarrier);
+  const double least = least_barrier(settings);
   w.step.convex = true;
   kernels.evaluate(w, *w.now);
-  double mu = first_barrier(w, settings);
+  double mu = first_barrier(settings, greatest_violation(w, *w.now), w.problem->violation_weight);
   w.first_slack = settings.first_slack;
   kernels.start(w, mu);
   Filter filter;
@@ -70,15 +44,13 @@ SolveStatus iterate(const SimdKernels& kernels,
       return SolveStatus::Solved;
     if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
 
-    const double next = next_barrier(mu, least_barrier, error);
+    const double next = next_barrier(mu, least, error);
     const bool lowered = next < mu;
     if (lowered) filter.clear();
     mu = next;
     if (!kernels.solve_newton_system(w, mu)) return SolveStatus::Stalled;
     if (!lowered && is_rounding(w.step, w.horizon)) return SolveStatus::Stalled;
-    // A slack left far below mu over its dual would increase its dual afterwards.
-    const double fraction_to_boundary =
-        std::max(kFractionToBoundary, 1.0 - kFractionByDecrease * mu / error.greatest_product);
+    const double fraction_to_boundary = fraction_of_slack(mu, error);
     if (!kernels.take_step(w, mu, fraction_to_boundary, filter)) return SolveStatus::Stalled;
   }
 }
@@ -111,6 +83,98 @@ void leave_saddle(const SimdKernels& kernels,
   kernels.evaluate(w, *w.now);
 }
 
+// Whether an obstacle or a violation shapes the solution. Otherwise it is the solution without
+// obstacles, and there is nothing to pass on another side.
+bool has_alternatives(const Workspace& w, const MpcSolution& solution) noexcept {
+  constexpr double kActive = 1e-3;  // least multiplier
+  const ControlProblem& problem = *w.problem;
+  const double fastest =
+      std::max(std::abs(problem.command_min.angular), std::abs(problem.command_max.angular));
+  const double turn =
+      problem.horizon * problem.dt * (fastest + std::abs(problem.previous_command.angular));
+  if (w.num_soft_constraints == 0 || !(turn < 0.5 * kMostHeading)) return false;
+  if (solution.status != SolveStatus::Solved) return true;
+  for (std::size_t b = 0; b < w.num_blocks; ++b) {
+    const ConstraintRange& range = w.constraint_ranges[b];
+    for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
+      if (greatest_of(Lanes128(w.soft_constraints[i].dual)) > kActive) return true;
+    }
+  }
+  return false;
+}
+
+// Loads the commands of four other starts: past all obstacles on the left, on the right, and the
+// drives that begin slowly, behind what crosses, or otherwise than the first drive.
+void load_alternatives(const SimdKernels& kernels, Workspace& w, lockstep::Lockstep& s) noexcept {
+  std::size_t count = 0;
+  const auto keep = [&] {
+    for (std::size_t j = 0; j < 2; ++j)
+      std::copy_n(w.trial->commands[j].begin() + 1, w.horizon, s.commands[count][j].begin());
+    ++count;
+  };
+  for (const double turn : {w.problem->command_max.angular, w.problem->command_min.angular}) {
+    InitialGuess hard{.count = 1, .commands = {}};
+    hard.commands[0] = {.linear = w.problem->command_max.linear, .angular = turn};
+    load_guess(kernels, hard, w, *w.trial);
+    keep();
+  }
+  const Drive first = load_drive(kernels, DriveStart::Any, w, *w.trial);
+  for (const DriveStart begins :
+       {DriveStart::Slow, DriveStart::Straight, DriveStart::Left, DriveStart::Right}) {
+    if (begins == first.begins || count == lockstep::kStarts) continue;
+    static_cast<void>(load_drive(kernels, begins, w, *w.trial));
+    keep();
+  }
+}
+
+// Makes every soft constraint a watched one again.
+void watch_all(Workspace& w) noexcept {
+  for (std::size_t b = 0; b < w.num_blocks; ++b) {
+    ConstraintRange& range = w.constraint_ranges[b];
+    range.watched_corridor = range.corridor;
+    range.watched_barrier = range.barrier;
+    w.model.now[b] = {};
+  }
+}
+
+// Iterates four starts side by side as long as they may lead to something better than `w.now`.
+// Loads the commands of the best one.
+// @return Whether it may be better.
+bool improve(const SimdKernels& kernels,
+             const InteriorPointSettings& settings,
+             Workspace& w,
+             lockstep::Lockstep& s,
+             double& barrier) noexcept {
+  constexpr double kCoarse = 1e-2;              // tolerance that suffices to compare
+  constexpr int kMostIterations = 30;           // of a start that is compared
+  constexpr double kBarrierByViolation = 0.01;  // starts at the bounds violate much, and briefly
+  constexpr double kWorthwhile = 1e-4;          // relative gain
+  s.problem = &w;
+  s.limit = penalised_cost(w, *w.now);
+  std::copy_n(w.now->x.begin(), w.horizon + 1, s.best_x.begin());
+  std::copy_n(w.now->y.begin(), w.horizon + 1, s.best_y.begin());
+  load_alternatives(kernels, w, s);
+  InteriorPointSettings cold;
+  cold.max_iterations = std::min(kMostIterations, settings.max_iterations);
+  cold.barrier_by_violation = kBarrierByViolation;
+  cold.tolerance = std::max(kCoarse, settings.tolerance);
+  lockstep::FourSettings four;
+  four.fill(cold);
+  kernels.iterate_lockstep(s, four);
+  const lockstep::StartState* best = nullptr;
+  for (const lockstep::StartState& start : s.starts) {
+    if (start.given_up || !(start.merit < s.limit * (1.0 - kWorthwhile))) continue;
+    if (best == nullptr || start.merit < best->merit) best = &start;
+  }
+  if (best == nullptr) return false;
+  const auto index = static_cast<std::size_t>(best - s.starts.data());
+  for (std::size_t j = 0; j < 2; ++j)
+    std::copy_n(s.commands[index][j].begin(), w.horizon, w.now->commands[j].begin() + 1);
+  barrier = best->barrier;
+  watch_all(w);
+  return true;
+}
+
 bool is_better(const MpcSolution& a, const MpcSolution& b, double penalty_weight) noexcept {
   const bool a_solved = a.status == SolveStatus::Solved;
   const bool b_solved = b.status == SolveStatus::Solved;
@@ -129,16 +193,29 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
                                               const InitialGuess& guess,
                                               const InteriorPointSettings& settings) noexcept {
   const ProblemFault fault = validate(problem);
-  const bool contradiction = fault == ProblemFault::Contradiction;
-  if (fault != ProblemFault::None && !contradiction) {
+  if (!load(problem, fault)) return solution_;
+  interior_point::Workspace& w = workspace_;
+  interior_point::load_guess(*kernels_, guess, w, *w.now);
+  solution_.status = interior_point::iterate(*kernels_, settings, w, solution_.iterations);
+  finish(problem, guess, settings, fault == ProblemFault::Contradiction);
+  return solution_;
+}
+
+bool InteriorPointSolver::load(const ControlProblem& problem, ProblemFault fault) noexcept {
+  if (fault != ProblemFault::None && fault != ProblemFault::Contradiction) {
     interior_point::report_invalid(problem, solution_);
-    return solution_;
+    return false;
   }
+  interior_point::load_problem(problem, workspace_);
+  return true;
+}
+
+void InteriorPointSolver::finish(const ControlProblem& problem,
+                                 const InitialGuess& guess,
+                                 const InteriorPointSettings& settings,
+                                 bool contradiction) noexcept {
   interior_point::Workspace& w = workspace_;
   const interior_point::SimdKernels& kernels = *kernels_;
-  interior_point::load_problem(problem, w);
-  interior_point::load_guess(kernels, guess, w, *w.now);
-  solution_.status = interior_point::iterate(kernels, settings, w, solution_.iterations);
   if (solution_.status == SolveStatus::Solved && !w.step.convex)
     interior_point::leave_saddle(kernels, settings, w, solution_.iterations);
 
@@ -154,11 +231,35 @@ const MpcSolution& InteriorPointSolver::solve(const ControlProblem& problem,
   }
   if (!interior_point::report(w, solution_)) {
     interior_point::report_invalid(problem, solution_);
-    return solution_;
+    return;
   }
   const bool violated = solution_.max_violation > kFeasibilityTolerance || contradiction;
   if (solution_.status == SolveStatus::Solved && violated)
     solution_.status = SolveStatus::LeastViolation;
+}
+
+const MpcSolution& InteriorPointSolver::solve_from_four(
+    const ControlProblem& problem,
+    const InitialGuess& guess,
+    const InteriorPointSettings& settings) noexcept {
+  constexpr double kBarrierByViolation = 0.01;  // of the last iteration: it starts near its end
+  constexpr double kFirstSlack = 1e-4;          // per mu [m]
+  solve(problem, guess, settings);
+  interior_point::Workspace& w = workspace_;
+  if (solution_.status == SolveStatus::InvalidProblem ||
+      !interior_point::has_alternatives(w, solution_)) {
+    return solution_;
+  }
+  best_ = solution_;
+  InteriorPointSettings rest = settings;
+  if (!interior_point::improve(*kernels_, settings, w, lockstep_, rest.initial_barrier))
+    return best_;
+  rest.barrier_by_violation = kBarrierByViolation;
+  rest.first_slack = kFirstSlack * rest.initial_barrier;
+  solution_.status = interior_point::iterate(*kernels_, rest, w, solution_.iterations);
+  finish(problem, guess, settings, validate(problem) == ProblemFault::Contradiction);
+  if (!interior_point::is_better(solution_, best_, problem.violation_weight)) return best_;
+  solution_.iterations += best_.iterations;
   return solution_;
 }
 

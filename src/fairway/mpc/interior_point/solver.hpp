@@ -4,6 +4,7 @@
 #include <span>
 
 #include "fairway/mpc/control_problem.hpp"
+#include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point/kernels.hpp"
 #include "fairway/mpc/interior_point/workspace/settings.hpp"
 #include "fairway/mpc/interior_point/workspace/workspace.hpp"
@@ -16,7 +17,7 @@ namespace fairway {
 ///
 /// Every result is finite and satisfies the command and change bounds exactly; `status` gives its
 /// quality. The same input gives the same bits, whatever was solved before. The solver does not
-/// allocate, lock or throw. An object has about 0.3 MB, so keep it off small stacks. Use one solver
+/// allocate, lock or throw. An object has about 1.3 MB, so keep it off small stacks. Use one solver
 /// per thread.
 ///
 /// If bounds contradict each other, the change bound takes precedence. From a previous command
@@ -35,6 +36,13 @@ class InteriorPointSolver {
                            const InitialGuess& guess = {},
                            const InteriorPointSettings& settings = {}) noexcept;
 
+  /// Solves as `solve`; then, if obstacles shape the result, iterates four other starts side by
+  /// side: to the left, to the right, behind and before what is in front. The result is never worse
+  /// than that of `solve`: Solved before all others, then the least cost plus penalty.
+  const MpcSolution& solve_from_four(const ControlProblem& problem,
+                                     const InitialGuess& guess = {},
+                                     const InteriorPointSettings& settings = {}) noexcept;
+
   /// Solves from each guess and keeps the best result: Solved before all others, then the least
   /// cost plus penalty. Ties go to the earlier guess. Without guesses it solves as `solve`.
   /// `iterations` is the sum over all guesses.
@@ -43,8 +51,15 @@ class InteriorPointSolver {
                                 const InteriorPointSettings& settings = {}) noexcept;
 
  private:
+  bool load(const ControlProblem& problem, ProblemFault fault) noexcept;
+  void finish(const ControlProblem& problem,
+              const InitialGuess& guess,
+              const InteriorPointSettings& settings,
+              bool contradiction) noexcept;
+
   const interior_point::SimdKernels* kernels_;  // the fastest that this processor supports
   interior_point::Workspace workspace_;
+  interior_point::lockstep::Lockstep lockstep_;
   MpcSolution solution_;
   MpcSolution best_;
 };

@@ -32,6 +32,7 @@ TEST(InteriorPointSolver, NeverAllocates) {
     const test::AllocationGuard guard;
     spread_guesses(problem, {}, guesses);
     static_cast<void>(solver->solve_best(problem, guesses));
+    static_cast<void>(solver->solve_from_four(problem));
     EXPECT_EQ(guard.count(), 0U);
   }
 }

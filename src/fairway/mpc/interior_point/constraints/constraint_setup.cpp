@@ -9,9 +9,6 @@ namespace {
 
 // Constraints that stay this far from violation are left out [m or m^2].
 constexpr double kNeverActive = 1e-6;
-// A constraint is only watched while more than this many steps at full speed are needed to reach
-// it.
-constexpr double kNearSteps = 2.0;
 // Value of the padding of a constraint with less than four steps.
 constexpr double kNoConstraint = 1.0;
 
@@ -215,9 +212,7 @@ void load_soft_constraints(const ControlProblem& problem, Workspace& w) noexcept
   PoseArray reach{};
   find_reach(w, problem.dt, reach);
   std::array<Axis, kMaxRectanglesPerStep> axes;
-  const double fastest =
-      std::max(std::abs(problem.command_min.linear), std::abs(problem.command_max.linear));
-  const double near = kNearSteps * problem.dt * fastest;
+  const double near = near_distance(problem);
   w.num_soft_constraints = 0;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
     w.model.now[b] = {};

@@ -13,12 +13,14 @@
 
 namespace fairway::interior_point {
 
+// Lanes are steps here, and starts in lockstep/, where each lane has its own mu.
+
 /// Moves the duals along their step, and keeps them within a factor of the central path, Eq. (S13).
-template <typename Lanes>
+template <typename Lanes, typename Barrier, typename Constraint>
 FAIRWAY_LANES void move_duals(const SoftConstraintState& state,
-                              double mu,
+                              const Barrier& mu,
                               double penalty_weight,
-                              SoftConstraintBlock& constraint) noexcept {
+                              Constraint& constraint) noexcept {
   const Lanes slack = state.slack;
   const Lanes violation_slack = state.violation_slack;
   const Lanes old_y = constraint.dual;
@@ -35,9 +37,9 @@ FAIRWAY_LANES void move_duals(const SoftConstraintState& state,
 
 /// Eliminates slack, violation slack and dual step of a constraint, Eq. (S5) and (S7), and records
 /// its errors.
-template <typename Lanes>
+template <typename Lanes, typename Constraint>
 FAIRWAY_LANES void eliminate(const SoftConstraintState& state,
-                             SoftConstraintBlock& constraint,
+                             Constraint& constraint,
                              ConstraintErrors<Lanes>& errors) noexcept {
   const Lanes slack = state.slack;
   const Lanes violation_slack = state.violation_slack;
@@ -61,7 +63,8 @@ struct PositionSums {
   Lanes xx, xy, yy, bend, dual_x, dual_y, target_x, target_y, by_mu_x, by_mu_y;
 
   /// Adds a constraint with gradient (x, y) by the position.
-  FAIRWAY_LANES void add(const SoftConstraintBlock& constraint,
+  template <typename Constraint>
+  FAIRWAY_LANES void add(const Constraint& constraint,
                          const Lanes& target,
                          const Lanes& x,
                          const Lanes& y) noexcept {
@@ -164,11 +167,12 @@ struct SoftConstraintStep {
   Lanes product = 0.0;  ///< sum of y hat dc
 
   /// Adds a constraint that changes by `change`, to first order.
+  template <typename Barrier, typename Constraint>
   FAIRWAY_LANES void add(const SoftConstraintState& state,
-                         double mu,
+                         const Barrier& mu,
                          double penalty_weight,
                          const Lanes& change,
-                         SoftConstraintBlock& constraint) noexcept {
+                         Constraint& constraint) noexcept {
     const Lanes slack = state.slack;
     const Lanes violation_slack = state.violation_slack;
     const Lanes curvature = constraint.curvature;

@@ -15,15 +15,18 @@ struct Quadratic {
   Lanes xx, xy, yy, xh, yh, hh;
   Lanes gx, gy, gh;
 
-  FAIRWAY_LANES Quadratic(const PositionTerms& terms, double mu, bool exact) noexcept
+  /// `curved` is 1 with the curvature of the constraints, and 0 without.
+  template <typename Barrier, typename Curved>
+  FAIRWAY_LANES Quadratic(const PositionTerms& terms,
+                          const Barrier& mu,
+                          const Curved& curved) noexcept
       : xx(terms.xx),
         xy(terms.xy),
         yy(terms.yy),
         gx(-(terms.target_x + mu * Lanes(terms.by_mu_x))),
         gy(-(terms.target_y + mu * Lanes(terms.by_mu_y))) {
-    if (!exact) return;
-    xx += terms.bend;
-    yy += terms.bend;
+    xx += curved * Lanes(terms.bend);
+    yy += curved * Lanes(terms.bend);
   }
 
   /// Changes variables from the position (x, y) to the turn about the origin and the motion that
@@ -106,7 +109,7 @@ template <typename Lanes>
 FAIRWAY_LANES void add_barriers(Workspace& w,
                                 std::size_t b,
                                 double mu,
-                                bool exact,
+                                double curved,
                                 const Motion<Lanes>& motion,
                                 MixedTerms<Lanes>& mixed) noexcept {
   const std::size_t k = kLanes * b;
@@ -134,7 +137,7 @@ FAIRWAY_LANES void add_barriers(Workspace& w,
 
   // The pose after the step equals the pose before it plus the step, so the coupling also depends
   // on the former.
-  Quadratic<Lanes> q(w.model.before[b], mu, exact);
+  Quadratic<Lanes> q(w.model.before[b], mu, curved);
   q.turn_about_origin(before_x, before_y);
   q.xx += 2.0 * xx;
   q.xy += xy + yx;
@@ -163,7 +166,7 @@ FAIRWAY_LANES void build_stages(Workspace& w, double mu, bool exact) noexcept {
     const Lanes y = lanes<Lanes>(p.y, k + 1);
 
     // Cost by the pose after the step, with the curvature of the motion that starts there.
-    Quadratic<Lanes> pose(w.model.now[b], mu, exact);
+    Quadratic<Lanes> pose(w.model.now[b], mu, curved);
     const Lanes weight_x = 2.0 * lanes<Lanes>(w.weight_x, k);
     const Lanes weight_y = 2.0 * lanes<Lanes>(w.weight_y, k);
     const Lanes weight_h = 2.0 * lanes<Lanes>(w.weight_heading, k);
@@ -194,7 +197,7 @@ FAIRWAY_LANES void build_stages(Workspace& w, double mu, bool exact) noexcept {
     MixedTerms<Lanes> mixed{};
     mixed.linear_h = linear_phi;
     mixed.angular_h = half * phi_phi;
-    if (w.constraint_ranges[b].has_barriers()) add_barriers(w, b, mu, exact, motion, mixed);
+    if (w.constraint_ranges[b].has_barriers()) add_barriers(w, b, mu, curved, motion, mixed);
     const CommandTerms<Lanes> linear(w, kLinear, k, mu);
     const CommandTerms<Lanes> angular(w, kAngular, k, mu);
     put_rows(stages, &Stage::linear, mixed.linear_x, mixed.linear_y, mixed.linear_h,

@@ -7,6 +7,8 @@
 
 namespace fairway::interior_point {
 
+inline constexpr double kNoResidual = 1e-9;  ///< residuals below this count as 0
+
 /// The two quantities that a step should reduce: the barrier function and the residual of the
 /// constraints.
 struct Progress {

@@ -9,6 +9,9 @@
 
 namespace fairway::interior_point {
 
+/// If the average dual is below this, errors count in full.
+inline constexpr double kUsualDual = 100.0;
+
 /// Errors of the optimality conditions of the constraints; each lane covers its own constraints.
 template <typename Lanes>
 struct ConstraintErrors {
@@ -39,8 +42,6 @@ struct OptimalityError {
 template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES OptimalityError optimality_error(const ConstraintErrors<Lanes>& errors,
                                                              double stationarity) noexcept {
-  // If the average dual is below this, errors count in full.
-  constexpr double kUsualDual = 100.0;
   const double count = static_cast<double>(kLanes * errors.num_soft_constraints);
   const double mean = errors.num_soft_constraints > 0 ? sum_of(errors.dual_sum) / count : 0.0;
   return {.stationarity = stationarity,
