@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "fairway/planning/zone_distances.hpp"
-
 #include "fairway/zones/zone_map.hpp"
 
 namespace fairway {

@@ -86,7 +86,7 @@ void leave_saddle(const SimdKernels& kernels,
 // Whether an obstacle or a violation shapes the solution. Otherwise it is the solution without
 // obstacles, and there is nothing to pass on another side.
 bool has_alternatives(const Workspace& w, const MpcSolution& solution) noexcept {
-  constexpr double kActive = 1e-3;  // least multiplier
+  constexpr double kActiveMultiplier = 1e-3;  // least multiplier
   const ControlProblem& problem = *w.problem;
   const double fastest =
       std::max(std::abs(problem.command_min.angular), std::abs(problem.command_max.angular));
@@ -97,7 +97,7 @@ bool has_alternatives(const Workspace& w, const MpcSolution& solution) noexcept 
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
     const ConstraintRange& range = w.constraint_ranges[b];
     for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
-      if (greatest_of(Lanes128(w.soft_constraints[i].dual)) > kActive) return true;
+      if (greatest_of(Lanes128(w.soft_constraints[i].dual)) > kActiveMultiplier) return true;
     }
   }
   return false;
