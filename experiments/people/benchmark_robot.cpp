@@ -15,7 +15,7 @@ void use_recorded_robot(Settings& settings) {
   settings.robot.angular_max = 4.0;
   settings.robot.linear_acceleration_max = 2.0;
   settings.robot.angular_acceleration_max = 4.0;
-  settings.navigation.control_period = Recording::kFrame;
+  settings.navigation.control_period = PeopleRecording::kFrame;
 }
 
 void use_crowd_robot(CrowdBenchmark benchmark, Kinematics kinematics, Settings& settings) {

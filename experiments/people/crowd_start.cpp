@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kSocialGap = 0.25;  // between two people at the start, beyond both radii [m]
+constexpr double kStartGap = 0.25;  // between two people at the start, beyond both radii [m]
 
 // Whether `place` is at least `gap` and both radii from the place and goal of each person.
 bool is_apart(const Vector2d& place,
@@ -62,7 +62,7 @@ void draw_dsrnn(UniformRandom& random, CrowdCase& made) {
     do {
       person.position = draw_on_circle(random, 6.0, person.speed_max);
     } while (is_near_robot(person.position, kFromRobot, made) ||
-             !is_apart(person.position, person.radius, kSocialGap, made.people));
+             !is_apart(person.position, person.radius, kStartGap, made.people));
     person.goal = -person.position;
     made.people.push_back(person);
   }
@@ -82,8 +82,8 @@ void draw_crowdnavpp(UniformRandom& random, CrowdCase& made, double& range) {
     CrowdPerson person = draw_character(random, range);
     do {
       person.position = draw_appearance(random, circle);
-    } while (is_near_robot(person.position, person.radius + made.robot_radius + kSocialGap, made) ||
-             !is_apart(person.position, person.radius, kSocialGap, made.people));
+    } while (is_near_robot(person.position, person.radius + made.robot_radius + kStartGap, made) ||
+             !is_apart(person.position, person.radius, kStartGap, made.people));
     person.goal = -person.position;
     made.people.push_back(person);
   }

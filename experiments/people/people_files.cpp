@@ -107,14 +107,14 @@ Expected<std::vector<RecordedCase>> read_recorded_cases(const std::string& folde
   return cases;
 }
 
-Expected<Recording> read_recording(const std::string& folder, const std::string& scene) {
+Expected<PeopleRecording> read_recording(const std::string& folder, const std::string& scene) {
   std::string name = scene;
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   Expected<CsvTable> table =
       CsvTable::read(folder + "/tracks_" + name + ".csv", {"frame", "id", "x", "y"});
   if (!table) return tl::unexpected(table.error());
-  Recording recording;
+  PeopleRecording recording;
   for (std::size_t row = 0; row < table->size(); ++row) {
     const int frame = table->whole(row, 0, -kMostNumber, kMostNumber);
     recording.frames[frame].push_back({.person = table->whole(row, 1, 0, kMostNumber),

@@ -17,8 +17,8 @@ namespace fairway::io {
     const std::string& folder, const std::vector<int>& numbers);
 
 /// Reads `tracks_SCENE.csv` of a folder, with the scene's name in lower case.
-[[nodiscard]] Expected<Recording> read_recording(const std::string& folder,
-                                                 const std::string& scene);
+[[nodiscard]] Expected<PeopleRecording> read_recording(const std::string& folder,
+                                                       const std::string& scene);
 
 /// Reads the starts of a benchmark's cases, `crowdnav_cases.csv` and others, of a folder.
 [[nodiscard]] Expected<std::vector<CrowdCase>> read_crowd_cases(const std::string& folder,

@@ -247,7 +247,7 @@ class CrowdRun {
 }  // namespace
 
 PeopleRun run_recorded(const RecordedCase& task,
-                       const Recording& recording,
+                       const PeopleRecording& recording,
                        const PeopleOptions& options) {
   constexpr double kContact = 0.5;     // between the centres [m]
   constexpr double kWindow = 0.3;      // over which velocities are estimated [s]
@@ -260,10 +260,11 @@ PeopleRun run_recorded(const RecordedCase& task,
   RecordedSite site(recording, task);
   run.robot().remember(&site.entrances());
   for (int k = -3; k < 0; ++k)
-    run.robot().watch(k * Recording::kFrame, seen_in(recording.at(task.start_frame + k), radius));
-  const int limit = static_cast<int>(std::lround(task.time_limit / Recording::kFrame));
+    run.robot().watch(k * PeopleRecording::kFrame,
+                      seen_in(recording.at(task.start_frame + k), radius));
+  const int limit = static_cast<int>(std::lround(task.time_limit / PeopleRecording::kFrame));
   for (int k = 0; k < limit; ++k) {
-    const double time = k * Recording::kFrame;
+    const double time = k * PeopleRecording::kFrame;
     const std::vector<RecordedPlace>& people = recording.at(task.start_frame + k);
     if ((run.place() - task.goal).norm() < kGoalRadius)
       return run.end(PeopleOutcome::Success, time);
@@ -280,7 +281,7 @@ PeopleRun run_recorded(const RecordedCase& task,
                         kContact))
       run.result().contact_between_steps = true;
   }
-  return run.end(PeopleOutcome::Timeout, limit * Recording::kFrame);
+  return run.end(PeopleOutcome::Timeout, limit * PeopleRecording::kFrame);
 }
 
 PeopleRun run_crowd(CrowdBenchmark benchmark, const CrowdCase& one, const PeopleOptions& options) {

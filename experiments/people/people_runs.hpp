@@ -63,7 +63,7 @@ void use_crowd_robot(CrowdBenchmark benchmark, Kinematics kinematics, Settings& 
 
 /// Drives a task among recorded people. @pre check_period holds for a step of 0.1 s.
 [[nodiscard]] PeopleRun run_recorded(const RecordedCase& task,
-                                     const Recording& recording,
+                                     const PeopleRecording& recording,
                                      const PeopleOptions& options);
 
 /// Drives a case among simulated people. @pre check_period holds for the benchmark's step.

@@ -16,7 +16,7 @@ struct RecordedPlace {
 };
 
 /// A recording of walking people: who is where at each frame of 0.1 s.
-struct Recording {
+struct PeopleRecording {
   static constexpr double kFrame = 0.1;  ///< time between two frames [s]
   std::map<int, std::vector<RecordedPlace>> frames;
 

@@ -11,7 +11,7 @@ constexpr double kAround = 6.0;  // of the region between start and goal [m]
 
 }  // namespace
 
-RecordedSite::RecordedSite(const Recording& recording, const RecordedCase& task)
+RecordedSite::RecordedSite(const PeopleRecording& recording, const RecordedCase& task)
     : recording_(&recording),
       next_(recording.frames.begin()),
       entrances_(task.start.cwiseMin(task.goal).array() - kAround,
@@ -21,7 +21,7 @@ RecordedSite::RecordedSite(const Recording& recording, const RecordedCase& task)
 
 void RecordedSite::watch_until(int frame) {
   for (; next_ != recording_->frames.end() && next_->first <= frame; ++next_) {
-    entrances_.observe(Recording::kFrame);
+    entrances_.observe(PeopleRecording::kFrame);
     if (next_ == recording_->frames.begin()) continue;
     const std::vector<RecordedPlace>& before = recording_->at(next_->first - 1);
     for (const RecordedPlace& place : next_->second) {

@@ -13,7 +13,7 @@ namespace fairway {
 class RecordedSite {
  public:
   /// @param recording  Must outlive this.
-  RecordedSite(const Recording& recording, const RecordedCase& task);
+  RecordedSite(const PeopleRecording& recording, const RecordedCase& task);
 
   /// Notes who appeared up to and with `frame`: people who were not in the frame before. The first
   /// frame of a recording shows people who were there already.
@@ -22,7 +22,7 @@ class RecordedSite {
   [[nodiscard]] const EntranceMap& entrances() const noexcept { return entrances_; }
 
  private:
-  const Recording* recording_;
+  const PeopleRecording* recording_;
   std::map<int, std::vector<RecordedPlace>>::const_iterator next_;
   EntranceMap entrances_;
 };

@@ -85,9 +85,9 @@ Expected<PeopleOptions> PeopleCommand::options() const {
   if (!own) return tl::unexpected(own.error());
   if (const auto valid = validate(*own); !valid) return tl::unexpected(valid.error());
   options.settings = *own;
-  const double step = recorded() ? Recording::kFrame : crowd_rules(crowd()).step;
+  const double step = recorded() ? PeopleRecording::kFrame : crowd_rules(crowd()).step;
   if (const auto fits = check_period(*own, step); !fits) return tl::unexpected(fits.error());
-  if (recorded() && own->navigation.control_period < 0.99 * Recording::kFrame)
+  if (recorded() && own->navigation.control_period < 0.99 * PeopleRecording::kFrame)
     return fail("navigation.control_period: expected 0.1 for recorded people, found less");
   return options;
 }
@@ -99,10 +99,10 @@ Expected<void> PeopleCommand::drive_recorded(const PeopleOptions& options,
   if (!wanted) return tl::unexpected(wanted.error());
   const Expected<std::vector<RecordedCase>> all = io::read_recorded_cases(folder, *wanted);
   if (!all) return tl::unexpected(all.error());
-  std::map<std::string, Recording> recordings;
+  std::map<std::string, PeopleRecording> recordings;
   for (const RecordedCase& task : *all) {
     if (recordings.contains(task.scene)) continue;
-    Expected<Recording> recording = io::read_recording(folder, task.scene);
+    Expected<PeopleRecording> recording = io::read_recording(folder, task.scene);
     if (!recording) return tl::unexpected(recording.error());
     recordings.emplace(task.scene, *std::move(recording));
   }

@@ -37,7 +37,7 @@ TEST(PeopleRuns, ArriveWithoutPeople) {
 }
 
 TEST(PeopleRuns, EndAtAContactAndAtTheTimeLimit) {
-  Recording recording;
+  PeopleRecording recording;
   for (int frame = 0; frame < 40; ++frame)
     recording.frames[frame] = {{.person = 1, .position = {0.45, 0.0}}};
   const RecordedCase task{.start = {0, 0}, .goal = {6, 0}, .time_limit = 2.0};
@@ -52,7 +52,7 @@ TEST(PeopleRuns, EndAtAContactAndAtTheTimeLimit) {
 
 TEST(PeopleRuns, NoticeAContactBetweenTwoFrames) {
   // The person jumps over the robot from one frame to the next.
-  Recording recording;
+  PeopleRecording recording;
   recording.frames[0] = {{.person = 1, .position = {0.0, 2.0}}};
   recording.frames[1] = {{.person = 1, .position = {0.0, -2.0}}};
   const RecordedCase task{.start = {0, 0}, .goal = {6, 0}, .time_limit = 10.0};
