@@ -53,6 +53,7 @@ int main() {
       case NavigationStatus::Stopping:
       case NavigationStatus::Recovering:
       case NavigationStatus::Degraded:
+      case NavigationStatus::Holding:
       case NavigationStatus::Ok:
         break;
     }

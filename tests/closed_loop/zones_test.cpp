@@ -41,12 +41,17 @@ void expect_kept(const Scenario& scenario, const EpisodeResult& result) {
     double outside = std::numeric_limits<double>::infinity();
     for (const Zone& zone : scenario.zones) {
       const double depth = test::depth_in(zone.polygon, row.pose.position);
-      if (zone.kind == ZoneKind::KeepOut) ASSERT_LE(depth, 1e-6 - kZonesRadius);
-      if (zone.kind == ZoneKind::SpeedLimit && depth > -kZonesRadius)
+      if (zone.kind == ZoneKind::KeepOut) {
+        ASSERT_LE(depth, 1e-6 - kZonesRadius);
+      }
+      if (zone.kind == ZoneKind::SpeedLimit && depth > -kZonesRadius) {
         ASSERT_LE(std::abs(row.twist.linear), zone.speed + 1e-3);
+      }
       if (zone.kind == ZoneKind::Strip) outside = std::min(outside, -depth);
     }
-    if (std::isfinite(outside)) ASSERT_LE(outside, 1e-6);
+    if (std::isfinite(outside)) {
+      ASSERT_LE(outside, 1e-6);
+    }
   }
 }
 

@@ -9,7 +9,9 @@ namespace fairway::python {
 
 namespace {
 
-[[noreturn]] void refuse(std::size_t index, const std::string& key, const std::string& message) {
+[[noreturn]] void refuse_zone(std::size_t index,
+                              const std::string& key,
+                              const std::string& message) {
   throw std::invalid_argument("zones[" + std::to_string(index) + "]." + key + ": " + message);
 }
 
@@ -18,7 +20,7 @@ Enumeration choice(std::size_t index, const std::string& key, const py::handle& 
   constexpr auto kNames = setting_names(Enumeration{});
   const auto text = py::cast<std::string>(value);
   const auto found = std::find(kNames.begin(), kNames.end(), text);
-  if (found == kNames.end()) refuse(index, key, "expected a name of the list, found " + text);
+  if (found == kNames.end()) refuse_zone(index, key, "expected a name of the list, found " + text);
   return static_cast<Enumeration>(found - kNames.begin());
 }
 
@@ -38,11 +40,11 @@ void read(Zone& zone, std::size_t index, const std::string& key, const py::handl
   } else if (key == "polygon") {
     for (const py::handle corner : py::cast<py::sequence>(value)) {
       const auto point = py::cast<py::sequence>(corner);
-      if (point.size() != 2) refuse(index, key, "expected corners [x, y]");
+      if (point.size() != 2) refuse_zone(index, key, "expected corners [x, y]");
       zone.polygon.emplace_back(py::cast<double>(point[0]), py::cast<double>(point[1]));
     }
   } else {
-    refuse(index, key, "expected a key of a zone, found an unknown one");
+    refuse_zone(index, key, "expected a key of a zone, found an unknown one");
   }
 }
 
@@ -56,7 +58,7 @@ Zones zones_of(const py::sequence& list) {
     const auto mapping = py::cast<py::dict>(item);
     Zone zone;
     if (!mapping.contains("kind"))
-      refuse(zones.size(), "kind", "expected a kind, found no such key");
+      refuse_zone(zones.size(), "kind", "expected a kind, found no such key");
     zone.kind = choice<ZoneKind>(zones.size(), "kind", mapping["kind"]);
     if (zone.kind == ZoneKind::Strip) zone.reference = ZoneReference::Centre;
     if (zone.kind == ZoneKind::Penalty) zone.weight = kUsualPenalty;

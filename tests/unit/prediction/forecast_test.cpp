@@ -40,7 +40,9 @@ TEST(Forecast, BecomesLessCertain) {
   for (double ahead = 0.0; ahead < 4.0; ahead += 0.5) {
     EXPECT_GT(forecast_deviation(settings, 1.0, ahead), last);
     last = forecast_deviation(settings, 1.0, ahead);
-    if (ahead > 0.0) EXPECT_LT(forecast_deviation(settings, 0.0, ahead), last);
+    if (ahead > 0.0) {
+      EXPECT_LT(forecast_deviation(settings, 0.0, ahead), last);
+    }
   }
   EXPECT_LE(forecast_deviation(settings, 1.0, 1e6), 1.0);
 }

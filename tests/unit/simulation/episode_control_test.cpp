@@ -139,7 +139,9 @@ TEST(EpisodeControl, PlacingARobotForgetsItsContact) {
       EXPECT_EQ(met.contact.other, 0U);
       control.place_robot(0, {.position = {5.0, 5.0}, .heading = 0.0});
     }
-    if (cycle == 20) EXPECT_GT(control.world().robots()[0].twist.linear, 0.1);
+    if (cycle == 20) {
+      EXPECT_GT(control.world().robots()[0].twist.linear, 0.1);
+    }
     return cycle < 20;
   }));
 }
