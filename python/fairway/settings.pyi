@@ -146,7 +146,8 @@ class TrackingSettings:
     chord_length: float
     """[m] look-ahead on the reference path for the target heading; a greater value turns earlier"""
     space_time_horizon: float
-    """[s] time for which a motion among moving obstacles is planned ahead of the controller; 0: the controller follows the reference path"""
+    """[s] time for which a motion among moving obstacles is planned ahead of the controller; 0: the controller follows
+    the reference path"""
 
 class PredictionSettings:
     """Settings of the group `prediction`."""
@@ -160,9 +161,11 @@ class PredictionSettings:
     obstacle_growth_max: float
     """[m] greatest growth of that distance"""
     comfort_distance: float
-    """[m] distance that the robot prefers to keep from moving obstacles, beyond obstacle_margin and its braking distance; a greater value takes longer detours"""
+    """[m] distance that the robot prefers to keep from moving obstacles, beyond obstacle_margin and its braking
+    distance; a greater value takes longer detours"""
     time_headway: float
-    """[s] time by which the robot prefers to stay out of the path of a moving obstacle; a greater value passes behind rather than in front"""
+    """[s] time by which the robot prefers to stay out of the path of a moving obstacle; a greater value passes behind
+    rather than in front"""
     deviation_growth: float
     """[m/s] growth of the standard deviation of predictions per second ahead, beyond the controller's horizon"""
 

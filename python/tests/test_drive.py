@@ -43,11 +43,11 @@ def test_zones_are_obeyed_and_a_hold_keeps_the_goal():
         {"kind": "keep_out", "polygon": [(2, -1), (3, -1), (3, 2.5), (2, 2.5)]},
         {"kind": "speed_limit", "polygon": [(6, 0), (8, 0), (8, 6), (6, 6)], "speed": 0.3},
     ])
-    pose, _ = drive(navigator, (1, 1, 0), (1, 5))
+    pose, time = drive(navigator, (1, 1, 0), (1, 5))
     navigator.set_goal(4, 1)
     navigator.hold()
     assert navigator.on_hold
-    assert navigator.update(100.0, pose).status == fairway.NavigationStatus.Holding
+    assert navigator.update(time + 0.1, pose).status == fairway.NavigationStatus.Holding
     navigator.resume()
     assert not navigator.on_hold
     with pytest.raises(ValueError, match=r"zones\[0\].polygon: expected 3 to 1000 corners"):

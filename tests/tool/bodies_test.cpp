@@ -80,7 +80,7 @@ TEST_F(Bodies, RefusesTasksThatAreNone) {
 
 TEST_F(Bodies, RefusesUnknownTasksAndPhysicsThatAreNotThere) {
   EXPECT_NE(run(task(), "--tasks other").err.find("--tasks: expected a task"), std::string::npos);
-  EXPECT_EQ(run(task(), "--physics mujoco").code, 2);
+  EXPECT_EQ(run(task(), "--physics gazebo").code, 2);
   EXPECT_EQ(run_tool(folder_, "bodies nowhere").code, 2);
 }
 

@@ -164,7 +164,7 @@ TEST(Statuses, ExplainEachByItsName) {
   const ToolRun all = run_tool(folder, "statuses --json -");
   ASSERT_EQ(all.code, 0);
   const json guide = json::parse(all.out);
-  EXPECT_EQ(guide.at("statuses").size(), 12U);
+  EXPECT_EQ(guide.at("statuses").size(), 13U);
   for (const char* list : {"statuses", "limiting_factors"}) {
     for (const json& entry : guide.at(list)) {
       EXPECT_NE(entry.at("meaning"), "") << entry.at("name");

@@ -123,9 +123,15 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
                         .fleet = fleet_});
 }
 
-// Where moving obstacles come near, the targets are those of a plan that looks further ahead.
+// Where moving obstacles come near, the targets are those of a plan that looks further ahead. Around
+// obstacles at standstill the reference path is as good, and recoveries know what to do.
 void Navigator::plan_encounters(const NavigationInput& input) noexcept {
-  if ((input.obstacles.empty() && input.entrances == nullptr) || fleet_.waits() || input.hold ||
+  constexpr double kStandstill = 0.1;  // [m/s]
+  const bool moves = std::any_of(input.obstacles.begin(), input.obstacles.end(),
+                                 [](const MovingObstacle& obstacle) {
+                                   return obstacle.velocity.norm() > kStandstill;
+                                 });
+  if ((!moves && input.entrances == nullptr) || fleet_.waits() || input.hold ||
       input.map->zones() != nullptr ||
       settings_.tracking.target_mode != TargetMode::ReferencePath) {
     encounters_.reset();

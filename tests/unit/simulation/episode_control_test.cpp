@@ -176,7 +176,7 @@ TEST(EpisodeControl, AnAbsentRobotIsNoObstacle) {
                          .idle = true});
       control.set_present(1, false);
     }
-    return cycle < 150;
+    return cycle < 250;
   });
   EXPECT_TRUE(result.robots[0].reached);
   EXPECT_FALSE(result.robots[0].collided);

@@ -68,6 +68,8 @@ void Episode::make_drivers() {
   for (std::size_t i = 0; i < goals_.size(); ++i) {
     drivers_.push_back(make_driver(context, world_, i, result_.robots[i]));
     starts.push_back({.pose = world_.robots()[i].pose, .twist = world_.robots()[i].twist});
+    // A new driver says where it is; a robot that was removed is nowhere.
+    if (world_.encounters()[i].absent) radio_.forget(i);
   }
   if (hooks_.observer != nullptr) {
     hooks_.observer->on_navigators(world_.time(), settings_, starts);
