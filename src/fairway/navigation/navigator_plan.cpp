@@ -123,14 +123,13 @@ SharedMotion Navigator::share(std::uint32_t robot, double time, const Pose2& pos
                         .fleet = fleet_});
 }
 
-// Where moving obstacles come near, the targets are those of a plan that looks further ahead. Around
-// obstacles at standstill the reference path is as good, and recoveries know what to do.
+// Where moving obstacles come near, the targets are those of a plan that looks further ahead.
+// Around obstacles at standstill the reference path is as good, and recoveries know what to do.
 void Navigator::plan_encounters(const NavigationInput& input) noexcept {
   constexpr double kStandstill = 0.1;  // [m/s]
-  const bool moves = std::any_of(input.obstacles.begin(), input.obstacles.end(),
-                                 [](const MovingObstacle& obstacle) {
-                                   return obstacle.velocity.norm() > kStandstill;
-                                 });
+  const bool moves = std::any_of(
+      input.obstacles.begin(), input.obstacles.end(),
+      [](const MovingObstacle& obstacle) { return obstacle.velocity.norm() > kStandstill; });
   if ((!moves && input.entrances == nullptr) || fleet_.waits() || input.hold ||
       input.map->zones() != nullptr ||
       settings_.tracking.target_mode != TargetMode::ReferencePath) {
