@@ -89,7 +89,7 @@ export function explanationOf(run: Run, frame: Frame, index: number): Explanatio
   if (!robot) return plain('Removed');
   const { cycle, plan } = robot;
   if (robot.collided) return collision(run, robot);
-  if (!hasGoal(run, robot)) return plain('No goal');
+  if (!hasGoal(run, robot, index)) return plain('No goal');
   if (plan && !plan.usable) return noPath(robot);
   if (!cycle) return plain('Stopped');
   const name = run.begin.limits[cycle.limit];

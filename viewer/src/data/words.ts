@@ -19,8 +19,11 @@ export interface StateWords {
 
 export const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-export const hasGoal = (run: Run, robot: RobotFrame): boolean =>
-  run.lidar ? robot.goal !== null : robot.plan !== null && !robot.plan.dropped;
+/** Before the first plan of a robot, its task says whether it has a goal. */
+export const hasGoal = (run: Run, robot: RobotFrame, index: number): boolean => {
+  if (run.lidar) return robot.goal !== null;
+  return robot.plan ? !robot.plan.dropped : run.begin.robots[index]?.idle === false;
+};
 
 /** The words for a status by its number. */
 export function statusWords(run: Run, status: number): StateWords {
@@ -34,9 +37,9 @@ export function robotWords(run: Run, frame: Frame, index: number): StateWords {
   const robot = frame.robots[index];
   if (!robot || robot.absent) return { label: 'Removed', tone: 'idle', guide: null };
   if (robot.collided) return { label: 'Collision', tone: 'bad', guide: null };
-  if (robot.status === null) return { label: hasGoal(run, robot) ? 'Waiting' : 'No goal', tone: 'idle', guide: null };
+  if (robot.status === null) return { label: hasGoal(run, robot, index) ? 'Waiting' : 'No goal', tone: 'idle', guide: null };
   const words = statusWords(run, robot.status);
-  const none = run.begin.statuses[robot.status] === 'no plan' && !hasGoal(run, robot);
+  const none = run.begin.statuses[robot.status] === 'no plan' && !hasGoal(run, robot, index);
   return none ? { label: 'No goal', tone: 'idle', guide: null } : words;
 }
 

@@ -160,7 +160,7 @@ export class RobotPanel {
     card.values.clearance.textContent = cycle ? far(cycle.clearance) : '–';
     const gap = separation(moment.frame, index, run.body);
     card.values.separation.textContent = Number.isFinite(gap) ? `${shown(gap)} m` : 'none';
-    const goal = hasGoal(run, robot) ? robot.goal ?? robot.plan?.goal : null;
+    const goal = hasGoal(run, robot, index) ? robot.goal ?? robot.plan?.goal : null;
     card.values.goal.textContent = goal ? `${shown(goal.x)}, ${shown(goal.y)} m` : 'none';
     card.values.cycle.textContent = cycle && cycle.micros > 0 ? `${Math.round(cycle.micros)} µs` : '–';
     card.values.solver.textContent = cycle && cycle.iterations > 0 ? `${cycle.iterations}` : '–';

@@ -46,7 +46,8 @@ export function settingRow(setting: Setting, change: ((value: Value) => void) | 
   const id = `setting-${key}`;
   const name = make('label', { class: 'name', for: id }, readableName(setting.name));
   const reset = make('button', { type: 'button', class: 'plain reset', 'aria-label': `Reset ${key}`, title: `Default: ${setting.default}` }, '↺');
-  const head = make('div', { class: 'row' }, name, reset);
+  const head = make('div', { class: 'row' }, name);
+  if (change) head.append(reset);
   const error = make('div', { class: 'refusal', role: 'alert', id: `${id}-error` });
   error.hidden = true;
   const meaning = make('div', { class: 'meaning' }, make('code', {}, ...parts), ` ${setting.meaning}`);
@@ -61,7 +62,7 @@ export function settingRow(setting: Setting, change: ((value: Value) => void) | 
       put(value, false);
       row.changed = setting.default !== undefined && value !== setting.default;
       root.classList.toggle('changed', row.changed);
-      reset.hidden = !row.changed || !change;
+      reset.hidden = !row.changed;
     },
     refuse(why, value) {
       put(value, true);
