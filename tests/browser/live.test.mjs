@@ -66,6 +66,7 @@ test('obstacles drawn during the drive lead to another path, and can be erased',
     for (let i = 1; i < path.length; ++i) sum += Math.hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
     return sum;
   });
+  await until(page, () => window.fairway.run.frames.at(-1).robots[0].plan?.usable);
   await page.click('#play');
   await until(page, () => document.getElementById('connection').textContent === 'paused');
   const plans = await page.evaluate(() => window.fairway.run.plans[0].length);
@@ -137,7 +138,7 @@ test('robots are added to the running world and removed from it; the run continu
   await page.click('#tool-goal');
   await click(page, 12, 10);
   await until(page, () => Math.abs((window.fairway.run.frames.at(-1).robots[1].plan?.goal.x ?? 0) - 12) < 0.1);
-  await page.click('#remove-robot');
+  await page.click('[aria-label="robot 1"] .remove_robot');
   await until(page, () => window.fairway.run.frames.at(-1).robots[1].absent);
   await until(page, () => document.querySelectorAll('[data-robot]').length === 1);
   assert.equal(await page.evaluate(() => window.fairway.run.frames[0].time), 0);
@@ -239,7 +240,7 @@ test('maps are uploaded, with their YAML file or without', () => withLive(async 
   await page.fill('#resolution', '0.2');
   await page.click('#resolution-ok');
   await until(page, () => window.fairway.run.grids[0][0].frame.resolution === 0.2);
-  assert.ok((await last(page)).robots[0].usable);
+  await until(page, () => window.fairway.run.frames.at(-1)?.robots[0].plan?.usable);
   const nonsense = join(folder, 'nonsense.png');
   await writeFile(nonsense, 'no picture');
   await page.setInputFiles('#map-files', [nonsense, yaml]);

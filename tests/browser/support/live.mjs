@@ -38,8 +38,25 @@ export const last = (page) => page.evaluate(() => {
 
 export const until = (page, condition, argument) => page.waitForFunction(condition, argument);
 
+/** Waits until the map has the size of its place: buttons of a tool that was chosen change it. */
+const settled = (page) => page.evaluate(async () => {
+  const frame = () => new Promise((done) => requestAnimationFrame(done));
+  const look = () => {
+    const { x, y, width, height } = document.getElementById('map').getBoundingClientRect();
+    const { camera } = window.fairway;
+    return [x, y, width, height, camera.x, camera.y, camera.scale, camera.width, camera.height].join();
+  };
+  for (let n = 0, same = 0, before = ''; n < 60 && same < 3; ++n) {
+    await frame();
+    const now = look();
+    same = now === before ? same + 1 : 0;
+    before = now;
+  }
+});
+
 /** The screen position of a world point. */
 export const spot = async (page, x, y) => {
+  await settled(page);
   const box = await page.locator('#map').boundingBox();
   const at = await page.evaluate(([wx, wy]) => window.fairway.camera.toScreen({ x: wx, y: wy }), [x, y]);
   return [box.x + at.x, box.y + at.y];
@@ -48,7 +65,8 @@ export const spot = async (page, x, y) => {
 export const click = async (page, x, y) => page.mouse.click(...await spot(page, x, y));
 
 export const drag = async (page, ...points) => {
-  await page.mouse.move(...await spot(page, ...points[0]));
+  // Twice: the hint of a tool appears when the pointer enters the map, which then becomes smaller.
+  for (let i = 0; i < 2; ++i) await page.mouse.move(...await spot(page, ...points[0]));
   await page.mouse.down();
   for (const point of points.slice(1)) await page.mouse.move(...await spot(page, ...point), { steps: 6 });
   await page.mouse.up();
