@@ -71,7 +71,8 @@ export class Files {
   }
 
   show(maps: string[], index: number, edited: boolean): void {
-    this.revert.hidden = !edited;
+    // Disabled, not hidden: the map must not move under a stroke that is being drawn.
+    this.revert.disabled = !edited;
     if (maps.join('\n') !== this.names.join('\n')) {
       this.names = maps;
       this.maps.replaceChildren(...maps.map((name) => make('option', {}, name)));
