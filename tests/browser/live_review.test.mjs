@@ -37,7 +37,7 @@ test('the past looks like the past: banner, tools off, Play replays, and the map
   const before = await camera(page);
   await page.click('#tool-goal');
   await page.click('#to-start');
-  assert.match(await page.textContent('#past'), /Viewing 0\.\d s; the world is at/);
+  await until(page, () => /Viewing 0\.\d s; the world is at/.test(document.getElementById('past').textContent));
   await until(page, () => /^viewing/.test(document.getElementById('connection').textContent));
   assert.ok(await page.isDisabled('#tool-goal') && await page.isDisabled('#tool-wall') && await page.isEnabled('#tool-measure'));
   assert.equal(await page.getAttribute('#tool-pan', 'aria-pressed'), 'true');
@@ -308,6 +308,7 @@ test('many robots are a table, and 20 robots keep the page quick', () => withLiv
   await page.click('#tool-robot');
   for (let i = 0; i < 19; ++i) await click(page, 4 + (i % 7) * 2, 5 + Math.floor(i / 7) * 3);
   await until(page, () => window.fairway.run.begin.robots.length === 20);
+  await page.click('#forward');  // a paused world shows its robots with the next frame
   await until(page, () => document.querySelectorAll('.fleet tbody tr').length === 20);
   assert.equal(await page.locator('.card:visible').count(), 1);
   await page.click('.fleet tbody tr:nth-child(5) button');

@@ -57,6 +57,7 @@ class Live implements Transport {
   private following = true;
   private fresh = false; // a run has begun and is not displayed yet
   private linked = false; // the address has been followed
+  private asked: number | null = null; // the time in the address, until the run has reached it
   private retry = 250; // until the next attempt to connect [ms]
   private frozen: [number, number] = [0, 1];
   private last = 0;
@@ -245,8 +246,12 @@ class Live implements Transport {
     }
     if (!this.linked) {
       this.linked = true;
-      const time = openLink(viewer, this.legend);
-      if (time !== null) this.seek(time);
+      this.asked = openLink(viewer, this.legend);
+    }
+    // The past arrives in pieces: a time can be looked at once the run is that long.
+    if (this.asked !== null && run.duration > this.asked) {
+      this.seek(this.asked);
+      this.asked = null;
     }
     if (this.settings.show(run.settings)) this.body.show(run.body);
     this.events.follow(run);

@@ -60,7 +60,7 @@ export function listenToKeys(
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as HTMLElement;
     const types = target.matches('input:not([type=range]):not([type=checkbox]), select, textarea');
-    if (types && event.key === 'Escape') return target.blur();
+    if (types && event.key === 'Escape') return closePopovers() ? undefined : target.blur();
     if (types || (event.key === ' ' && target.matches('button, summary'))) return;
     // The time slider's own keys would move it too little.
     const moves = event.key.startsWith('Arrow') || event.key === 'Home' || event.key === 'End';
