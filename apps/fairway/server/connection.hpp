@@ -34,7 +34,7 @@ class Dialogue {
   Dialogue& operator=(const Dialogue&) = delete;
   virtual ~Dialogue() = default;
 
-  /// The connection is open; it lives until `on_closed`.
+  /// The connection is open; it lives until `on_closed`, and no message comes after that.
   virtual void on_open(Connection& connection) = 0;
   virtual void on_message(Connection& connection, std::string_view message, bool binary) = 0;
   virtual void on_closed(Connection& connection) = 0;

@@ -76,7 +76,8 @@ class SocketSession final : public Connection, public std::enable_shared_from_th
 
   void read() {
     socket_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
-      if (error) return self->end();
+      // A write may have failed after this message was received.
+      if (error || !self->open_) return self->end();
       const auto bytes = self->buffer_.cdata();
       self->dialogue_.on_message(*self, {static_cast<const char*>(bytes.data()), bytes.size()},
                                  self->socket_.got_binary());
@@ -93,7 +94,7 @@ class SocketSession final : public Connection, public std::enable_shared_from_th
     if (allowance_ >= 0.0) return read();
     timer_.expires_after(std::chrono::milliseconds(50));
     timer_.async_wait([self = shared_from_this()](error_code error) {
-      if (error) return self->end();
+      if (error || !self->open_) return self->end();
       self->read();
     });
   }
