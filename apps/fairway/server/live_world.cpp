@@ -8,7 +8,7 @@
 
 #include "experiments/clocks.hpp"
 #include "fairway/base/utf8_text.hpp"
-#include "fairway/io/recording/scenario_archive.hpp"
+#include "fairway/io/recording/exact/scenario_archive.hpp"
 #include "fairway/io/web_report/report.hpp"
 #include "fairway/simulation/recorded/observer_list.hpp"
 #include "server/live_maps.hpp"

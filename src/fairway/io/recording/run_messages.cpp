@@ -5,12 +5,12 @@
 #include <cctype>
 #include <cmath>
 
-#include "fairway/io/recording/exact_json.hpp"
-#include "fairway/io/recording/exact_zones.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_zones.hpp"
+#include "fairway/io/recording/exact/robots_json.hpp"
 #include "fairway/io/recording/fairway_schema.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_text.hpp"
-#include "fairway/io/recording/robots_json.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/web_report/plan_fields.hpp"
 #include "fairway/io/web_report/run_fields.hpp"
 #include "fairway/io/web_report/run_texts.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fairway/io/mcap/mcap_reader.hpp"
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/recording/fleet_ledger.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/reading/message_values.hpp"
