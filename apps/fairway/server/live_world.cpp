@@ -166,6 +166,8 @@ void LiveWorld::serve_requests(EpisodeControl& control) {
     if (!request && !waits_on()) return;
     if (request) {
       carry_out(control, *request);
+      const bool asked = std::holds_alternative<Asked>(*request);
+      if (asked && holds() && !again_ && !step_) stream_.tell_paused_world(control);
     } else {
       control.take_plans();
     }

@@ -108,6 +108,13 @@ void RunMessages::on_robots(double time, std::span<const RobotTask> robots) {
   write(scenario_, time, dumped(scenario_json_));
 }
 
+// Zones that change during a run: the scenario again, with those that hold now.
+void RunMessages::on_zones(double time, const Zones& zones) {
+  scenario_json_["zones"] = exact::to_json(zones);
+  scenario_json_["time"] = exact::to_json(time);
+  write(scenario_, time, dumped(scenario_json_));
+}
+
 void RunMessages::on_start(const Scenario& scenario) {
   lidar_ = scenario.sensing.sensing == Sensing::Lidar;
   add_robots(scenario.robots);
