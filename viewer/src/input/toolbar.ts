@@ -104,15 +104,16 @@ export class Toolbar {
 
   private build(): void {
     const root = element('tools');
+    const row = make('div', { class: 'group' });
     for (const entry of this.entries) {
       const button = make('button', {
         type: 'button', id: `tool-${entry.id}`, 'aria-label': entry.title, title: `${entry.title}: ${entry.hint} (${entry.key.toUpperCase()})`,
       }, icon(entry.icon), make('span', {}, entry.title));
       button.addEventListener('click', () => this.choose(entry));
       this.buttons.set(entry.id, button);
-      root.append(button);
+      row.append(button);
     }
-    root.append(this.size);
+    root.append(row, this.size);
     if (this.zones) root.append(this.zones.root);
   }
 
