@@ -120,6 +120,29 @@ TEST_F(ZoneChanges, ARobotOutsideOfNewStripsStaysThere) {
   EXPECT_EQ(robot_.twist.linear, 0.0);
 }
 
+TEST_F(ZoneChanges, ASpeedZoneIsNamedWhereItSlowsTheRobot) {
+  navigator_.set_zones(
+      {{.kind = ZoneKind::SpeedLimit, .polygon = {{5, 0}, {8, 0}, {8, 6}, {5, 6}}, .speed = 0.3}});
+  int named = 0;
+  const bool reached = drive_until([&](const NavigationStep& step) {
+    if (step.limit == LimitingFactor::SpeedZone) ++named;
+    return step.status == NavigationStatus::GoalReached;
+  });
+  EXPECT_TRUE(reached);
+  EXPECT_GT(named, 50) << "3 m at 0.3 m/s take a hundred cycles";
+}
+
+TEST_F(ZoneChanges, AOneWayZoneAgainstTheRobotStopsItByName) {
+  ASSERT_TRUE(drive_until([&](const NavigationStep&) { return robot_.pose.position.x() > 5.0; }));
+  navigator_.set_zones({{.kind = ZoneKind::OneWay,
+                         .polygon = {{0, 0}, {12, 0}, {12, 6}, {0, 6}},
+                         .direction = 3.141592653589793}});
+  EXPECT_EQ(cycle().limit, LimitingFactor::OneWayZone);
+  for (int i = 0; i < 50; ++i)
+    cycle();
+  EXPECT_EQ(robot_.twist.linear, 0.0);
+}
+
 TEST_F(ZoneChanges, FaultyZonesAreRefusedAndChangeNothing) {
   navigator_.set_zones({{.kind = ZoneKind::KeepOut, .polygon = {{5, 2}, {6, 2}, {6, 4}, {5, 4}}}});
   EXPECT_THROW(navigator_.set_zones({{.polygon = {{0, 0}, {1, 1}}}}), std::invalid_argument);
