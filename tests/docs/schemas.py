@@ -70,7 +70,7 @@ def check_schemas(root: pathlib.Path, tool: pathlib.Path) -> list:
                 ["simulate", root / "scenarios/workshop.yaml", "--time-limit", "1"],
                 ["solve", folder / "problem.txt", "--out", folder / "problem.res"],
                 ["barn", folder / "worlds", "--shard", "1/1"], ["merge", folder / "barn.json"],
-                ["dynabarn", folder / "dynabarn.json"],
+                ["dynabarn", folder / "moving.json"],
                 ["bodies", folder / "bodies", "--tasks", "corner_car_mirrored", "--shard", "1/1"],
                 ["parking", folder / "parking"], ["people", "recorded", folder / "people"],
                 ["people", "crowdnav", folder / "people", "--cases", "0"],
