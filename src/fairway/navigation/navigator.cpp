@@ -207,8 +207,8 @@ NavigationStep Navigator::send(std::size_t candidate, std::span<const Twist2> co
           .plan = &solution_};
 }
 
-// No new command is proven: continues the stop that was, unless a moving obstacle that moves
-// differently from its prediction would hit the robot on it; then evades as long as possible.
+// No new command is proven, so this continues the stop that was. If a moving obstacle that deviates
+// from its prediction would hit the robot on it, the robot evades as long as possible.
 NavigationStep Navigator::stop_or_evade(const NavigationInput& input) noexcept {
   solution_.horizon = 0;  // what was planned is not what is done: start again without it
   const StopSituation now = situation(input);

@@ -36,9 +36,9 @@ class InteriorPointSolver {
                            const InitialGuess& guess = {},
                            const InteriorPointSettings& settings = {}) noexcept;
 
-  /// Solves as `solve`; then, if obstacles shape the result, iterates four other starts side by
-  /// side: to the left, to the right, behind and before what is in front. The result is never worse
-  /// than that of `solve`: Solved before all others, then the least cost plus penalty.
+  /// Solves as `solve`, and tries four other starts side by side if obstacles shape the result.
+  /// They pass to the left, to the right, behind and before the obstacles ahead. The result is
+  /// never worse than that of `solve`: Solved before all others, then the least cost plus penalty.
   const MpcSolution& solve_from_four(const ControlProblem& problem,
                                      const InitialGuess& guess = {},
                                      const InteriorPointSettings& settings = {}) noexcept;

@@ -28,8 +28,8 @@ void find_connections(const MotionCost& cost,
                                 const Pose2& from,
                                 const Pose2& to) noexcept;
 
-/// The curvature of the tightest arcs that a search drives: a little below the greatest, so that a
-/// controller can still correct [1/m]. Steered bases only.
+/// Returns the curvature of the tightest arcs that a search drives [1/m]. It is slightly below the
+/// greatest, so that a controller can still correct. Steered bases only.
 [[nodiscard]] double search_curvature(const BaseModel& base) noexcept;
 
 }  // namespace fairway
