@@ -94,7 +94,7 @@ TEST_F(ZoneChanges, AKeepOutInFrontOfTheRobotIsDrivenAround) {
 
 TEST_F(ZoneChanges, AZoneRightInFrontStopsTheRobotByName) {
   ASSERT_TRUE(drive_until([&](const NavigationStep&) { return robot_.pose.position.x() > 5.0; }));
-  // It cannot brake before this zone, and stands partly inside it then.
+  // It cannot brake before this zone, and stops partly inside it.
   const double x = robot_.pose.position.x() + 0.32;
   navigator_.set_zones(
       {{.kind = ZoneKind::KeepOut, .polygon = {{x, -1.0}, {x + 9, -1.0}, {x + 9, 7.0}, {x, 7.0}}}});

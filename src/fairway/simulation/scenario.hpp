@@ -64,7 +64,7 @@ struct Scenario {
 /// their kinematics.
 [[nodiscard]] Expected<void> check_models(const Scenario& scenario);
 
-/// Sets the settings of the robots to what the first model is, as far as they can express it:
+/// Sets the settings of the robots from the first model, as far as they can express it. These are
 /// speeds, accelerations, and discs that cover the outline, which pages and pictures draw. All
 /// robots then see each other as moving obstacles, without messages.
 void describe_models(Scenario& scenario);

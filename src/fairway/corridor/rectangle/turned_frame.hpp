@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-/// A frame in which a rectangle is an axis-parallel box: its origin is in grid coordinates and its
+/// A frame in which a rectangle is an axis-parallel box. Its origin is in grid coordinates and its
 /// x-axis is a unit vector. Lengths are in cells; an "offset" is relative to the origin, but not
 /// turned.
 struct TurnedFrame {

@@ -26,8 +26,8 @@ OccupancyGrid hall() {
   return map;
 }
 
-// Who else is in the hall: robots that come through the door, and an obstacle that crosses behind
-// it; or people who cross the path in front of the door.
+// Other users of the hall. Robots come through the door, and an obstacle crosses behind it; or
+// people cross the path in front of the door.
 enum class Others { Robots, People };
 
 class Traffic {
