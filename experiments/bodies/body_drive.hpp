@@ -37,7 +37,7 @@ struct BodyDrive {
   std::vector<DriveRow> rows;
 };
 
-/// What moves the robot of a task instead of the kinematics of its base.
+/// Model that moves the robot of a task instead of the kinematics of its base.
 class BodyPlant {
  public:
   BodyPlant() = default;

@@ -170,7 +170,7 @@ class LiveWorld {
   double due_ = 0.0;          // when the next cycle is [s]
   double told_beginning_ = 0.0;
   std::size_t told_since_ = 0;  // then [bytes]
-  bool fresh_ = true;           // nothing of this run has been told
+  bool fresh_ = true;           // no record of this run has been sent
   bool full_told_ = false;
   std::string records_;  // of this run, for a report
   io::RunStream stream_;

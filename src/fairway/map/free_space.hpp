@@ -27,7 +27,7 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
 /// outside the grid is blocked; the cell returned then lies outside the grid.
 ///
 /// With clearance 0 the function tests a footprint or a workspace rectangle. With the robot's
-/// radius it tests a rectangle for the centre of a disc robot; a segment then stands for a straight
+/// radius it tests a rectangle for the centre of a disc robot; a segment then represents a straight
 /// motion, and a point for a disc. An empty rectangle, a negative clearance or a non-finite number
 /// counts as blocked.
 ///

@@ -125,7 +125,7 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
   const RobotSettings& robot = settings_.robot;
   const MpcSettings& mpc = settings_.mpc;
   set_from_settings(mpc, robot, sent_, problem_);
-  // What is on its way through the delay is executed first. A base that ramps from command to
+  // Commands that the delay still holds back are executed first. A base that ramps from command to
   // command is, half a cycle later, where one that jumps would be.
   problem_.start = step(ahead_, sent_, lag_, Integration::Midpoint);
   set_predictions(settings_.prediction, robot,

@@ -78,7 +78,7 @@ class SearchGrid {
 /// The cost of a node is that of its cell with the greatest clearance. Two blocks are linked if
 /// allowed cells of both are neighbours. Everything that is connected on the map is therefore
 /// connected here; the reverse fails only where a block has allowed cells on both sides of a thin
-/// obstacle. Rows are computed on first use, so a short path on a large map is cheap.
+/// obstacle. Rows are computed on first use, so a short path on a large map costs little.
 class BlockGrid : public SearchGrid {
  public:
   static constexpr int kSide = 4;  ///< side of a block [cells]

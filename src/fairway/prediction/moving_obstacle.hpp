@@ -144,7 +144,7 @@ using MovingObstacles = std::span<const MovingObstacle>;
 /// Settings of the prediction of moving obstacles, and of the distance kept from it.
 struct PredictionSettings {
   double obstacle_margin = 0.1;      ///< distance kept beyond both radii [m], 0 to 10
-  bool predict_motion = true;        ///< obstacles keep their velocity; false: they stand still
+  bool predict_motion = true;        ///< obstacles keep their velocity; false: their position
   double obstacle_growth = 0.1;      ///< growth of that distance per second ahead [m/s], 0 to 10
   double obstacle_growth_max = 0.2;  ///< greatest growth of that distance [m], 0 to 10
   double comfort_distance = 0.3;     ///< distance that the robot prefers to keep beyond that [m]
@@ -159,8 +159,7 @@ void visit_prediction(Settings& s, Visitor&& field) {
                     0, 10, kEssential});
   field(s.predict_motion,
         SettingInfo{"predict_motion", "",
-                    "predict that moving obstacles keep their velocity; if not, that they stand "
-                    "still"});
+                    "predict that moving obstacles keep their velocity; if not, that they stop"});
   field(s.obstacle_growth,
         SettingInfo{"obstacle_growth", "m/s",
                     "growth of that distance per second ahead, since predictions err", 0, 10});

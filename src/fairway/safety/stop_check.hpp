@@ -24,7 +24,7 @@ struct CollisionEnvironment {
   double turning_radius = 0.0;
   MovingObstacles moving;      ///< assumed to keep their velocity until the robot has stopped
   double moving_age = 0.0;     ///< how long ago they were seen [s]
-  bool predict_motion = true;  ///< false: they are assumed to stand still
+  bool predict_motion = true;  ///< false: they are assumed to keep their position
   double moving_margin = 0.0;  ///< distance kept from them beyond both radii [m]
   Fleet fleet{};               ///< other robots; each is held to the stop that it published
   double time = 0.0;           ///< now, on the fleet's clock [s]

@@ -32,7 +32,7 @@ struct RobotTask {
   bool idle = false;  ///< has no goal until it receives one during the run; `goal` is not used
 };
 
-/// What moves the robots.
+/// Model that moves the robots.
 enum class Engine : std::uint8_t {
   Unicycle,  ///< exact unicycles with limited acceleration
   Mujoco,    ///< rigid bodies on wheels that slip; optional, see docs/physics.md

@@ -23,8 +23,8 @@ struct DriveSettings {
 
 /// A drive from pose to pose, in time, proven free of contact.
 struct DrivePlan {
-  BodyPathResult path;              ///< what was found in space; its status tells why there is none
-  Trajectory trajectory;            ///< what is driven
+  BodyPathResult path;    ///< result of the path search; its status says why there is none
+  Trajectory trajectory;  ///< what is driven
   std::vector<TrajectoryRow> rows;  ///< the same in control periods; empty without a plan
   double clearance = 0.0;           ///< that every row keeps, with the motion to the next [m]
 };

@@ -43,7 +43,7 @@ struct BodyPlan {
                                                 const Pose2& start,
                                                 const Eigen::Vector2d& goal);
 
-/// Plans a drive on a map, round the standing obstacles if it can.
+/// Plans a drive on a map, around obstacles at standstill if possible.
 [[nodiscard]] BodyPlan plan_body_drive(const PreparedMap& map,
                                        const RobotModel& robot,
                                        const BodyPlanRequest& request,

@@ -96,8 +96,8 @@ class MapNavigator {
   void cancel();
 
   /// Replaces the zones; an empty list removes them. They hold from the next cycle on: it makes a
-  /// plan that obeys them, and every command is proven against them. A robot that stands where a
-  /// zone forbids it stays there (LimitingFactor::KeepOutZone or Strip) until it may drive again.
+  /// plan that obeys them, and every command is proven against them. A robot at a place that a zone
+  /// forbids stays there (LimitingFactor::KeepOutZone or Strip) until it may drive again.
   /// @throws std::invalid_argument unless validate(zones) holds, and for a navigator on a map of
   ///         the caller, who then sets the zones of the map (PreparedMap::set_zones).
   void set_zones(const Zones& zones);

@@ -29,10 +29,10 @@ void visit_body_path(Settings& s, Visitor&& field) {
   field(s.greediness,
         SettingInfo{"greediness", "", "weight of the estimate of what is left", 1, 10});
   field(s.reverse_factor,
-        SettingInfo{"reverse_factor", "", "by how much driving backwards is dearer", 1, 100});
+        SettingInfo{"reverse_factor", "", "cost factor of driving backwards", 1, 100});
   field(s.cusp_factor,
-        SettingInfo{"cusp_factor", "",
-                    "by how much a cusp of a steered base is dearer than its time", 1, 100});
+        SettingInfo{"cusp_factor", "", "factor of a cusp's time as its cost, for steered bases", 1,
+                    100});
   field(s.max_states,
         SettingInfo{"max_states", "", "states expanded before the search gives up", 1, 1e8});
   field(s.shortcut_tries, SettingInfo{"shortcut_tries", "",

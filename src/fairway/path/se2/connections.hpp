@@ -13,7 +13,7 @@ struct Connection {
   double cost = 0.0;  ///< by MotionCost [s]
 };
 
-/// The analytic ways between two poses that a base can drive, cheapest first.
+/// Returns the analytic connections between two poses that a base can drive, least cost first.
 ///
 /// Steered bases: the Reeds-Shepp words of the turning radius and of wider ones. Unicycles: turn,
 /// drive, turn, forwards and backwards. Omnidirectional bases: one constant twist; line and turn in

@@ -42,8 +42,7 @@ void merge_pieces(MotionPath& path);
 class MotionCost {
  public:
   /// @param reverse_factor  Cost factor of driving backwards; at least 1.
-  /// @param cusp_factor     By how much a stop between forwards and backwards is dearer than its
-  ///                        time; at least 1.
+  /// @param cusp_factor     Factor of the time of a cusp as its cost; at least 1.
   MotionCost(const BaseModel& base, double reverse_factor, double cusp_factor = 1.0);
 
   [[nodiscard]] double of(const MotionPiece& piece) const noexcept;

@@ -49,7 +49,7 @@ class SearchTree {
     Pose2 pose;
     double cost = 0.0;
     std::uint32_t parent = StateTable::kNone;
-    MotionPiece piece;  // from the parent, in the way of the tree
+    MotionPiece piece;  // from the parent, in the direction of the tree
     std::uint64_t key = 0;
   };
   struct Entry {
