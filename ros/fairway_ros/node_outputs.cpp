@@ -15,7 +15,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-// Normal driving and stopping is OK; a state that deserves attention is a warning; one that needs
+// Normal driving and stopping is OK. A state that deserves attention is a warning; one that needs
 // an operator is an error.
 std::int8_t level_of(NavigationStatus status) noexcept {
   switch (status) {

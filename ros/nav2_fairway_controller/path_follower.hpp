@@ -56,7 +56,7 @@ struct FollowerStep {
 /// the robot stops before obstacles on it. Without it, a piece has a bound of its own only where
 /// the robot would otherwise skip a part of the path through free space.
 ///
-/// The functions `set_...`, `cancel` and `reset` may be called from any thread; they take effect at
+/// The functions `set_...`, `cancel` and `reset` may be called from any thread. They take effect at
 /// the start of the next cycle. All others belong to the thread that calls `update`.
 class PathFollower {
  public:

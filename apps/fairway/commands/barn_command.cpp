@@ -234,7 +234,8 @@ void add_command(
   options.add("SOURCE", command->source, source).required();
   options.add("--worlds", command->worlds, "all, or numbers separated by commas");
   options.add("--sensing", command->sensing, "What the robot knows").one_of({"map", "lidar"});
-  options.add("--physics", command->physics, "What moves the robot").one_of({"unicycle", "mujoco"});
+  options.add("--physics", command->physics, "Model that moves the robot")
+      .one_of({"unicycle", "mujoco"});
   options.add("--noise", command->noise, "Errors of lidar and odometry")
       .one_of({"none", "standard"});
   options

@@ -236,7 +236,7 @@ void add_simulate_command(CommandLine& tool) {
       .one_of({"map", "lidar"});
   options.add("--noise", command->noise, "Errors of lidar and odometry; overrides the scenario")
       .one_of({"none", "standard"});
-  options.add("--physics", command->physics, "What moves the robots; overrides the scenario")
+  options.add("--physics", command->physics, "Model that moves the robots; overrides the scenario")
       .one_of({"unicycle", "mujoco"});
   options
       .add("--body", command->body,

@@ -23,7 +23,7 @@ constexpr std::size_t kMostIndex = 100'000;
 constexpr std::size_t kMostAssignments = 20;
 constexpr std::size_t kMostCorners = 100;  // of a zone
 
-// Numbers of a message; what is wrong is thrown and becomes an Error in parse_command.
+// Reads numbers of a message. Errors are thrown and become an Error in parse_command.
 double number(const Json& json, const char* key, double most = kFurthest) {
   const double value = json.at(key).get<double>();
   if (!(std::abs(value) <= most))

@@ -48,7 +48,7 @@ struct WorldView {
   std::span<const Encounter> encounters;  ///< of each robot, up to now
 };
 
-/// Observes a run and receives all inputs and outputs of the navigators, so that a recording of
+/// Observes a run. It receives all inputs and outputs of the navigators, so that a recording of
 /// them can be run again. Calls come in the order of events.
 class EpisodeObserver {
  public:

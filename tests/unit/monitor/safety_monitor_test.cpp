@@ -35,8 +35,8 @@ TEST(SafetyMonitor, LetsACommandPassInTheOpen) {
   EXPECT_EQ(verdict.reason, MonitorReason::None);
 }
 
-// 1 m/s for 0.15 s, then braking at 1 m/s2 over 0.5 m, and 0.01 m of margin: 0.66 m, and at most
-// one step of the simulation (0.01 m) more.
+// The robot drives at 1 m/s for 0.15 s, then brakes at 1 m/s2 over 0.5 m. With 0.01 m of margin
+// this is 0.66 m, and at most one step of the simulation (0.01 m) more.
 TEST(SafetyMonitor, NeedsHoldBrakingDistanceAndMargin) {
   EXPECT_EQ(ahead(plain(), 0.675).fraction, 1.0);
   EXPECT_LT(ahead(plain(), 0.655).fraction, 1.0);
@@ -111,7 +111,7 @@ TEST(SafetyMonitor, ReversesAndTurnsByTheSameRule) {
   EXPECT_LT(verdict_of(plain(), {{0.0, 0.3}}, {.angular = 2.0}, {.angular = 2.0}).fraction, 1.0);
 }
 
-// A robot that stands too near already may leave, but come no nearer.
+// A robot that is already too near may leave, but must not come nearer.
 TEST(SafetyMonitor, LeavesAPointThatIsNearerThanTheMargin) {
   MonitorSettings settings = plain();
   settings.margin = 0.1;

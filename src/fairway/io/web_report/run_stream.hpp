@@ -12,7 +12,7 @@
 
 namespace fairway::io {
 
-/// A compact run for the pages that show it: the replay page contains all of it, the live page
+/// A compact run for the pages that show it. The replay page contains all of it; the live page
 /// receives it piece by piece. viewer/src/stream.ts reads this format; change both together.
 ///
 /// A record has a kind, a length and fields. Numbers are variable-length integers: lengths in mm,
@@ -55,8 +55,8 @@ class RunStream final : public EpisodeObserver {
   /// The records written since the last call.
   [[nodiscard]] std::string take();
 
-  /// Records from which a late viewer can start: the constant data, the maps, the current plans,
-  /// and the newest time step. @pre a run has started.
+  /// Returns records from which a late viewer can start. They hold the constant data, the maps, the
+  /// current plans, and the newest time step. @pre a run has started.
   [[nodiscard]] std::string beginning(double time) const;
 
  private:

@@ -34,8 +34,8 @@ bool has_alternatives(const Workspace& w, const MpcSolution& solution) noexcept 
   return false;
 }
 
-// Loads the commands of four other starts: past all obstacles on the left, on the right, and the
-// drives that begin slowly, behind what crosses, or otherwise than the first drive.
+// Loads the commands of four other starts. They drive past all obstacles on the left, on the right,
+// begin slowly behind crossing obstacles, or otherwise than the first start.
 void load_alternatives(const SimdKernels& kernels, Workspace& w, lockstep::Lockstep& s) noexcept {
   std::size_t count = 0;
   const auto keep = [&] {

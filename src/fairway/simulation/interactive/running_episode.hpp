@@ -14,8 +14,8 @@
 
 namespace fairway {
 
-/// A run of a scenario: the world, its robots with their drivers, and the changes that a caller
-/// may make between two cycles.
+/// A run of a scenario. It holds the world and its robots with their drivers, and makes the changes
+/// that a caller requests between two cycles.
 class Episode final : public EpisodeControl {
  public:
   Episode(const Scenario& scenario, const EpisodeHooks& hooks);

@@ -16,8 +16,8 @@ using Eigen::Vector2d;
 constexpr double kGroundGap = 0.04;  // between chassis and floor [m]
 constexpr double kLift = 0.001;      // what rolls starts this much above the floor [m]
 
-// Half of how far a body of several discs reaches along one axis, seen from the robot's centre on
-// the side where it reaches less; of another body half its side.
+// Returns half of the extent of a body of several discs along one axis. It counts the side of the
+// robot's centre where the body reaches less; for another body it is half its side.
 double half_side(const RobotSettings& body, int axis) {
   if (body.discs.count == 0) {
     const double side = axis == 0 ? body.length : body.width;
