@@ -55,4 +55,7 @@ struct NamedOutput {
 /// Does the same for a picture, whose name must end in .svg, .png or .pdf.
 [[nodiscard]] Expected<void> check_picture_output(const std::string& path);
 
+/// Does the same for an animation, whose name must end in .svg.
+[[nodiscard]] Expected<void> check_animation_output(const std::string& path);
+
 }  // namespace fairway::app

@@ -12,6 +12,8 @@ class ObserverList final : public EpisodeObserver {
  public:
   void add(EpisodeObserver& observer) { observers_.push_back(&observer); }
 
+  [[nodiscard]] bool empty() const noexcept { return observers_.empty(); }
+
   void on_start(const Scenario& scenario) override {
     for (EpisodeObserver* observer : observers_)
       observer->on_start(scenario);
