@@ -36,6 +36,17 @@ TEST_P(Orders, ListsAllNodesButTheFirst) {
   EXPECT_TRUE(state["errors"].empty()) << state["errors"];
 }
 
+// The driver may stop at a node on the way; one report passes one node.
+TEST_P(Orders, PassANodeAtWhichTheDriverStopped) {
+  fleet.send_order({});
+  fleet.drive(0.0, 1.9);
+  EXPECT_EQ(fleet.state()["lastNodeId"], "n0");
+  fleet.stop_at_node(1.9);
+  EXPECT_EQ(fleet.state()["lastNodeId"], "n1");
+  fleet.stop_at_node(2.9);
+  EXPECT_EQ(fleet.state()["lastNodeId"], "n1");
+}
+
 TEST_P(Orders, RemoveNodesAndEdgesOnTheWay) {
   fleet.send_order({});
   fleet.drive(0.0, 2.5);
