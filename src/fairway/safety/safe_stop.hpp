@@ -12,9 +12,10 @@ struct StopSituation {
   Pose2 pose;
   Twist2 current;  ///< to which a slow base without delay and lag has ramped now
   CollisionEnvironment around;
-  double hold = 0.0;              ///< how long ahead moving obstacles are looked at [s]
-  double longest_interval = 0.0;  ///< until the next command, where more than usual [s]
-  bool irregular = false;         ///< the cycles come noticeably earlier and later than a period
+  double hold = 0.0;               ///< how long ahead moving obstacles are looked at [s]
+  double longest_interval = 0.0;   ///< until the next command, where more than usual [s]
+  bool irregular = false;          ///< the cycles come noticeably earlier and later than a period
+  double shortest_interval = 0.0;  ///< between the last ones, where they are irregular [s]
   const BaseResponse* response = nullptr;   ///< of the base now; null where it is at `current`
   const CommandHistory* history = nullptr;  ///< what is on its way through the delay
   double time = 0.0;                        ///< now, in the times of the history [s]
