@@ -283,6 +283,7 @@ StopSituation Navigator::situation(const NavigationInput& input) const noexcept 
           .hold = settings_.mpc.horizon * settings_.mpc.step_length,
           .longest_interval = std::max(timer_.longest_late(), first ? kFirst : 0.0),
           .irregular = timer_.irregular(),
+          .shortest_interval = timer_.shortest(period_),
           .response = &response_,
           .history = &reckoning_.history(),
           .time = input.time};

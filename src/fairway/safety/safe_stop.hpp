@@ -15,6 +15,7 @@ struct StopSituation {
   double hold = 0.0;                        ///< look-ahead for moving obstacles [s]
   double longest_interval = 0.0;            ///< until the next command, if longer than usual [s]
   bool irregular = false;                   ///< whether cycles are noticeably early or late
+  double shortest_interval = 0.0;           ///< between the last cycles, where irregular [s]
   const BaseResponse* response = nullptr;   ///< of the base now; null where it is at `current`
   const CommandHistory* history = nullptr;  ///< commands that the delay still holds back
   double time = 0.0;                        ///< now, in the times of the history [s]

@@ -14,6 +14,10 @@ struct StopManoeuvre {
   double period = 0.1;  ///< from each command of `stop` to the next [s]
   double ramp = 0.0;    ///< time in which the base ramps to `command` [s]; 0: a period
   double hold = 0.0;    ///< until the first command of `stop` is sent [s]; 0: a period
+  /// By how much later and earlier the base may follow at any time of the stop, where cycles are
+  /// late or early [s]. A base that follows late is further along the path.
+  double later = 0.0;
+  double earlier = 0.0;
   /// Whether cycles come earlier and later than a period: the base may then receive each command of
   /// `stop` up to a period early.
   bool irregular = false;
@@ -35,6 +39,10 @@ struct StopPiece {
   double apart = 0.0;   ///< along the path, in either direction [m]
   double aside = 0.0;   ///< across it [m]
   double turned = 0.0;  ///< of its heading [rad]
+  /// Between this motion and one that follows earlier or later there are others, whose heading and
+  /// path are between theirs; so far apart are the two.
+  double turned_between = 0.0;  ///< [rad]
+  double aside_between = 0.0;   ///< [m]
 };
 
 /// Iterates over the family of motions of a manoeuvre, piece by piece, until every base of the
@@ -63,6 +71,7 @@ class MotionFamily {
   [[nodiscard]] Twist2 stop_command(int k) const noexcept;
   [[nodiscard]] double fastest_in_piece(const BaseResponse& before) const noexcept;
   void deviate(const Twist2& quick, const Twist2& slow, double h, StopPiece& piece) noexcept;
+  void spread(const Twist2& slow, double h, StopPiece& piece) noexcept;
 
   StopManoeuvre m_;
   BaseResponse response_;
@@ -78,6 +87,9 @@ class MotionFamily {
   double along_ = 0.0;   // by which the quick base is ahead of the slow one [m]
   double turned_ = 0.0;  // by which it is turned further [rad]
   double aside_ = 0.0;   // by which it may be beside it [m]
+  Twist2 least_;         // of the twists of the slow base so far, and of the command
+  Twist2 greatest_;
+  double between_ = 0.0;  // sum of what is `aside_between` [m]
 };
 
 }  // namespace fairway
