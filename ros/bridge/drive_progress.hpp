@@ -8,7 +8,7 @@ namespace fairway::bridge {
 /// The length of a path from its point nearest to `position` to its end [m]; 0 for an empty one.
 [[nodiscard]] double remaining_length(const Path& path, const Eigen::Vector2d& position) noexcept;
 
-/// What a client of a goal is told about the drive, as Nav2's NavigateToPose defines it.
+/// What a client of a goal receives about the drive, as Nav2's NavigateToPose defines it.
 class DriveProgress {
  public:
   /// Starts at `time` [s].

@@ -114,7 +114,7 @@ TEST_F(Actions, TwoClientsReceiveTheirOwnAnswersOnly) {
   });
 }
 
-// Whoever comes late receives the states of the goals: the topic is transient local.
+// A late client receives the states of the goals, because the topic is transient local.
 TEST_F(Actions, ALateClientReceivesTheStates) {
   accepts(kFirst);
   Participant late(domain(), "robot_0");
