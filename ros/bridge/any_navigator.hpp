@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -34,6 +35,9 @@ class AnyNavigator {
   }
   void set_goal(const Goal& goal) {
     visit([&](auto& navigator) { navigator.set_goal(goal); });
+  }
+  void follow(const Path& path, const std::optional<double>& goal_heading) {
+    visit([&](auto& navigator) { navigator.follow(path, goal_heading); });
   }
   void set_zones(const Zones& zones) {
     visit([&](auto& navigator) { navigator.set_zones(zones); });

@@ -137,9 +137,12 @@ std::optional<FollowerSettings> Parameters::take_change() {
   });
 }
 
-std::string read_text(LifecycleNode& node, const std::string& name, const std::string& meaning) {
+std::string read_text(LifecycleNode& node,
+                      const std::string& name,
+                      const std::string& otherwise,
+                      const std::string& meaning) {
   if (!node.has_parameter(name)) {
-    node.declare_parameter(name, rclcpp::ParameterValue(std::string()), fixed(meaning));
+    node.declare_parameter(name, rclcpp::ParameterValue(otherwise), fixed(meaning));
   }
   return node.get_parameter(name).as_string();
 }
