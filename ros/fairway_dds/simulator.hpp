@@ -9,9 +9,9 @@
 namespace fairway::dds {
 
 /// One robot of a scenario in its own world, in real time, with ROS 2's topics. It subscribes
-/// `cmd_vel` and publishes `map`, `odom`, `scan`, `/tf` and `/tf_static`. In a namespace, frame
-/// names have its name as prefix. Robots of several processes do not see each other; compare their
-/// tracks to detect contacts.
+/// `cmd_vel`, and `steering_angle` for a car or tricycle, and publishes `map`, `odom`, `scan`,
+/// `/tf` and `/tf_static`. In a namespace, frame names have its name as prefix. Robots of several
+/// processes do not see each other; compare their tracks to detect contacts.
 class Simulator {
  public:
   /// The base stops by itself after this time without a command [s].
@@ -27,6 +27,7 @@ class Simulator {
   void tick();
 
  private:
+  void drive(double step, bool heard);
   void publish_map();
   void publish_mount();
   void publish_odometry(double time);
@@ -38,6 +39,7 @@ class Simulator {
   std::string prefix_;
   Participant participant_;
   Reader<geometry_msgs_msg_dds__Twist_> commands_{participant_, "cmd_vel", kSensor};
+  Reader<std_msgs_msg_dds__Float64_> steering_{participant_, "steering_angle", kSensor};
   Writer<nav_msgs_msg_dds__OccupancyGrid_> map_{participant_, "map", kLatched};
   Writer<nav_msgs_msg_dds__Odometry_> odometry_{participant_, "odom", {}};
   Writer<sensor_msgs_msg_dds__LaserScan_> scan_{participant_, "scan", {.reliable = false}};
@@ -46,7 +48,8 @@ class Simulator {
       participant_, "/tf_static", {.transient_local = true, .depth = 1}};
   std::ofstream track_;
   double start_;  // wall-clock time at which the world started [s]
-  Twist2 command_;
+  PlanarTwist command_;
+  std::optional<double> steering_angle_;  // last one sent [rad]
   double command_time_ = -1e9;
   double next_odometry_ = 0.0;  // in the world's time
 };

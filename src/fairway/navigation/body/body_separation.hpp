@@ -23,10 +23,13 @@ struct MovingSurroundings {
 /// Least distance from the body at `pose` to the obstacles as they are predicted `time` [s] from
 /// now, less the distance kept from them then [m]; infinite without obstacles. That distance grows
 /// with time only for obstacles that move.
+/// @param share  Of its velocity that each obstacle has from now on: 0 for one that stops, -1 for
+///               one that turns back. Obstacles at standstill count with a share of 1 only.
 [[nodiscard]] double body_separation(const BodyShape& body,
                                      const Pose2& pose,
                                      const MovingSurroundings& surroundings,
-                                     double time) noexcept;
+                                     double time,
+                                     double share = 1.0) noexcept;
 
 /// Whether a body at `pose` that is not faster than `speed` [m/s] cannot come near any obstacle
 /// within `horizon` [s]: a bound that costs little.
