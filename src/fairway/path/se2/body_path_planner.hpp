@@ -18,6 +18,7 @@ struct BodyPathSettings {
   double reverse_factor = 1.0;  ///< by how much driving backwards is dearer than forwards
   double cusp_factor = 1.0;     ///< by how much a cusp of a steered base is dearer than its time
   int max_states = 200000;      ///< states expanded before the search gives up, per margin
+  int total_states = 2000000;   ///< the same for all margins and cells together
   int shortcut_tries = 150;     ///< parts of the path for which a shortcut is tried
 };
 
@@ -35,6 +36,8 @@ void visit_body_path(Settings& s, Visitor&& field) {
                     "by how much a cusp of a steered base is dearer than its time", 1, 100});
   field(s.max_states,
         SettingInfo{"max_states", "", "states expanded before the search gives up", 1, 1e8});
+  field(s.total_states,
+        SettingInfo{"total_states", "", "states expanded by all searches for a path", 1, 1e8});
   field(s.shortcut_tries, SettingInfo{"shortcut_tries", "",
                                       "parts of the path for which a shortcut is tried", 0, 1e6});
 }
