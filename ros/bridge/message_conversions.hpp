@@ -10,6 +10,7 @@
 #include <string>
 
 #include "fairway/base/error.hpp"
+#include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/path/path.hpp"
 
@@ -79,14 +80,25 @@ template <typename TwistMessage>
   return {.linear = message.linear.x, .angular = message.angular.z};
 }
 
+/// Converts geometry_msgs/Twist with its lateral speed.
 template <typename TwistMessage>
-void set_twist(const Twist2& twist, TwistMessage& message) noexcept {
+[[nodiscard]] PlanarTwist to_planar_twist(const TwistMessage& message) noexcept {
+  return {.linear = message.linear.x, .lateral = message.linear.y, .angular = message.angular.z};
+}
+
+template <typename TwistMessage>
+void set_planar_twist(const PlanarTwist& twist, TwistMessage& message) noexcept {
   message.linear.x = twist.linear;
-  message.linear.y = 0.0;
+  message.linear.y = twist.lateral;
   message.linear.z = 0.0;
   message.angular.x = 0.0;
   message.angular.y = 0.0;
   message.angular.z = twist.angular;
+}
+
+template <typename TwistMessage>
+void set_twist(const Twist2& twist, TwistMessage& message) noexcept {
+  set_planar_twist({.linear = twist.linear, .angular = twist.angular}, message);
 }
 
 /// The state of a cell with this percentage in an OccupancyGrid message.

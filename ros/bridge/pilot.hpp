@@ -21,6 +21,7 @@ struct PilotOptions {
   double patience = 20.0;             ///< a goal is given up after this time without progress [s]
   double localisation_timeout = 2.0;  ///< largest age of the odometry frame's pose in the map [s]
   Zones zones{};                      ///< that hold, in the world frame
+  std::optional<RobotModel> body{};   ///< true outline and base, driven by a BodyNavigator
 };
 
 /// Checks that a robot can be driven with these options; the error names the option.
@@ -40,6 +41,8 @@ enum class GoalEnd : std::uint8_t { None, Reached, GivenUp };
 struct PilotStep {
   bool send = false;  ///< whether to publish the command
   Twist2 command;
+  double lateral = 0.0;   ///< completes the command of an omnidirectional body [m/s]
+  double steering = 0.0;  ///< angle of the steered wheel, of a car or tricycle [rad]
   NavigationStatus status = NavigationStatus::NoPlan;
   LimitingFactor limit = LimitingFactor::None;
   GoalEnd end = GoalEnd::None;
@@ -68,7 +71,7 @@ class Pilot {
   void set_settings(const Settings& settings);
 
   void set_map(const OccupancyGrid& map);
-  void add_odometry(double time, const Pose2& pose, const Twist2& twist);
+  void add_odometry(double time, const Pose2& pose, const PlanarTwist& twist);
 
   /// The pose of the odometry's frame in the map at `time`; infinite for a static one.
   void set_localisation(const Pose2& odometry_in_map, double time);
@@ -124,6 +127,7 @@ class Pilot {
   void make_navigator();
   void set_strips(Zones strips);
   void make_guard();
+  void reset_navigator(const PlanarTwist& actual);
   void guard(double time, PilotStep& answer);
   [[nodiscard]] Settings with_options(const Settings& settings) const;
   [[nodiscard]] Pose2 in_world(const Pose2& pose) const;
@@ -149,7 +153,9 @@ class Pilot {
   int zeros_left_ = 0;  // remaining commands while stopping, after standstill
   bool has_planned_ = false;
   bool fresh_goal_ = false;  // set since the last cycle
-  Twist2 sent_;
+  PlanarTwist moving_{};     // by the newest odometry
+  PlanarTwist sent_{};
+  double steering_ = 0.0;  // last one sent, or that follows from the odometry [rad]
   std::optional<CommandGuard> guard_;
 };
 

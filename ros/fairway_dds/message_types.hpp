@@ -18,6 +18,10 @@ inline const dds_topic_descriptor_t& descriptor<std_msgs_msg_dds__Empty_>() noex
   return std_msgs_msg_dds__Empty__desc;
 }
 template <>
+inline const dds_topic_descriptor_t& descriptor<std_msgs_msg_dds__Float64_>() noexcept {
+  return std_msgs_msg_dds__Float64__desc;
+}
+template <>
 inline const dds_topic_descriptor_t& descriptor<std_msgs_msg_dds__String_>() noexcept {
   return std_msgs_msg_dds__String__desc;
 }

@@ -40,6 +40,8 @@ NavigationNode::NavigationNode(const Settings& settings, const NodeOptions& opti
   } else {
     command_.emplace(participant_, "cmd_vel", Quality{});
   }
+  if (options_.pilot.body && is_steered(options_.pilot.body->base))
+    steering_.emplace(participant_, "steering_angle", Quality{});
 }
 
 std::string NavigationNode::world_frame() const {
@@ -84,7 +86,7 @@ void NavigationNode::receive() {
   odometry_.take([this](const nav_msgs_msg_dds__Odometry_& message) {
     odometry_frame_ = message.header.frame_id;
     pilot_.add_odometry(seconds_of(message.header.stamp), bridge::to_pose(message.pose.pose),
-                        bridge::to_twist(message.twist.twist));
+                        bridge::to_planar_twist(message.twist.twist));
   });
   update_localisation();
   scan_.take([this](const auto& message) { take_scan(message); });
@@ -151,7 +153,7 @@ void NavigationNode::run_cycle(double now) {
   clock_.begin(now);
   follow_piece();
   const bridge::PilotStep step = pilot_.cycle(now);
-  if (step.send) send(step.command);
+  if (step.send) send(step);
   if (!ends_piece(step, now)) report_goal(step, now);
   if (step.new_plan) {
     const Plan& plan = pilot_.navigator()->plan();
@@ -161,9 +163,12 @@ void NavigationNode::run_cycle(double now) {
   tell_fleet(now, false);
 }
 
-void NavigationNode::send(const Twist2& command) {
+void NavigationNode::send(const bridge::PilotStep& step) {
   geometry_msgs_msg_dds__Twist_ message{};
-  bridge::set_twist(command, message);
+  bridge::set_planar_twist(
+      {.linear = step.command.linear, .lateral = step.lateral, .angular = step.command.angular},
+      message);
+  if (steering_ && step.send) steering_->send(std_msgs_msg_dds__Float64_{.data = step.steering});
   if (command_) {
     command_->send(message);
     return;

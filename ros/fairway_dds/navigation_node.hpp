@@ -58,7 +58,7 @@ class NavigationNode {
   void take_robot(const fairway_msgs_msg_dds__SharedMotion_& message);
   void update_localisation();
   void run_cycle(double now);
-  void send(const Twist2& command);
+  void send(const bridge::PilotStep& step);
   void tell_status(const std::string& text);
   void tell_fleet(double now, bool leaving);
   [[nodiscard]] double now() const;
@@ -93,6 +93,7 @@ class NavigationNode {
   double simulated_time_ = 0.0;                                                  // 0: not known
   std::optional<Writer<geometry_msgs_msg_dds__Twist_>> command_;                 // one of these
   std::optional<Writer<geometry_msgs_msg_dds__TwistStamped_>> stamped_command_;  // two
+  std::optional<Writer<std_msgs_msg_dds__Float64_>> steering_;  // of a car or tricycle
   Writer<nav_msgs_msg_dds__Path_> plan_{participant_, "plan", kLatched};
   Writer<visualization_msgs_msg_dds__MarkerArray_> corridor_{participant_, "corridor", kLatched};
   Writer<std_msgs_msg_dds__String_> status_{participant_, "fairway_status", {}};

@@ -2,6 +2,7 @@
 #include "fairway_dds/simulator.hpp"
 
 #include <array>
+#include <cmath>
 #include <iomanip>
 
 #include "bridge/message_conversions.hpp"
@@ -41,8 +42,11 @@ Simulator::Simulator(const Scenario& scenario, const SimulatorOptions& options)
 }
 
 void Simulator::receive_commands() {
+  steering_.take([this](const std_msgs_msg_dds__Float64_& message) {
+    if (std::isfinite(message.data)) steering_angle_ = message.data;
+  });
   const auto take = [this](const geometry_msgs_msg_dds__Twist_& twist) {
-    command_ = bridge::to_twist(twist);
+    command_ = bridge::to_planar_twist(twist);
     command_time_ = wall_time();
   };
   if (commands_) commands_->take(take);
@@ -69,8 +73,7 @@ void Simulator::tick() {
     if (!clock_) origin_ = start_;
     step = kLongestStep;
   }
-  const bool heard = now - command_time_ <= kCommandTimeout && is_finite(command_);
-  world_.advance({heard ? command_ : Twist2{}}, step);
+  drive(step, now - command_time_ <= kCommandTimeout && is_finite(command_));
   publish_clock();
   senses_.measure(world_);
   senses_.deliver(
@@ -80,6 +83,18 @@ void Simulator::tick() {
     next_odometry_ = world_.time() + kOdometryPeriod;
     publish_odometry(origin_ + world_.time());
   }
+}
+
+void Simulator::drive(double step, bool heard) {
+  const PlanarTwist sent = heard ? command_ : PlanarTwist{};
+  if (const BodyRobot* const robot = world_.model_of(0)) {
+    const BaseModel& base = robot->model.base;
+    const double steering = steering_angle_.value_or(steering_of(base, sent, robot->input.turn));
+    world_.send(0, {.linear = sent.linear,
+                    .lateral = sent.lateral,
+                    .turn = is_steered(base) ? steering : sent.angular});
+  }
+  world_.advance({{.linear = sent.linear, .angular = sent.angular}}, step);
 }
 
 void Simulator::publish_map() {
@@ -117,7 +132,11 @@ void Simulator::publish_odometry(double time) {
   odometry.header = header(odom, time);
   odometry.child_frame_id = base.data();
   bridge::set_pose(senses_.pose(), odometry.pose.pose);
-  bridge::set_twist(robot.twist, odometry.twist.twist);
+  const BodyRobot* const body = world_.model_of(0);
+  bridge::set_planar_twist({.linear = robot.twist.linear,
+                            .lateral = body != nullptr ? body->twist().lateral : 0.0,
+                            .angular = robot.twist.angular},
+                           odometry.twist.twist);
 
   // Publishes what a localisation would: the true pose of the odometry's frame in the map.
   std::vector<geometry_msgs_msg_dds__TransformStamped_> links(2);

@@ -20,9 +20,9 @@ struct SimulatorOptions {
 };
 
 /// One robot of a scenario in its own world, in real time, with ROS 2's topics. It subscribes
-/// `cmd_vel` and publishes `map`, `odom`, `scan`, `/tf` and `/tf_static`. In a namespace, frame
-/// names have its name as prefix. Robots of several processes do not see each other; compare their
-/// tracks to detect contacts.
+/// `cmd_vel`, and `steering_angle` for a car or tricycle, and publishes `map`, `odom`, `scan`,
+/// `/tf` and `/tf_static`. In a namespace, frame names have its name as prefix. Robots of several
+/// processes do not see each other; compare their tracks to detect contacts.
 class Simulator {
  public:
   /// The base stops by itself after this time without a command [s].
@@ -36,6 +36,7 @@ class Simulator {
  private:
   void receive_commands();
   void publish_clock();
+  void drive(double step, bool heard);
   void publish_map();
   void publish_mount();
   void publish_odometry(double time);
@@ -49,6 +50,7 @@ class Simulator {
   std::optional<Reader<geometry_msgs_msg_dds__Twist_>> commands_;                 // one of these
   std::optional<Reader<geometry_msgs_msg_dds__TwistStamped_>> stamped_commands_;  // two
   std::optional<Writer<rosgraph_msgs_msg_dds__Clock_>> clock_;
+  Reader<std_msgs_msg_dds__Float64_> steering_{participant_, "steering_angle", kSensor};
   Writer<nav_msgs_msg_dds__OccupancyGrid_> map_{participant_, "map", kLatched};
   Writer<nav_msgs_msg_dds__Odometry_> odometry_{participant_, "odom", {}};
   Writer<sensor_msgs_msg_dds__LaserScan_> scan_{participant_, "scan", {.reliable = false}};
@@ -58,7 +60,8 @@ class Simulator {
   std::ofstream track_;
   double start_;   // wall-clock time at which the world started [s]
   double origin_;  // the time in messages at which the world started [s]
-  Twist2 command_;
+  PlanarTwist command_;
+  std::optional<double> steering_angle_;  // last one sent [rad]
   double command_time_ = -1e9;
   double next_odometry_ = 0.0;  // in the world's time
 };

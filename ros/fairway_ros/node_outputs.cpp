@@ -3,6 +3,7 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/Twist.h>
+#include <std_msgs/Float64.h>
 
 #include "bridge/message_conversions.hpp"
 #include "bridge/plan_markers.hpp"
@@ -42,7 +43,7 @@ std::int8_t level_of(NavigationStatus status) noexcept {
 
 }  // namespace
 
-NodeOutputs::NodeOutputs(ros::NodeHandle node, ros::NodeHandle own)
+NodeOutputs::NodeOutputs(ros::NodeHandle node, ros::NodeHandle own, bool steered)
     : command_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
       plan_(own.advertise<nav_msgs::Path>("plan", 1, true)),
       corridor_(own.advertise<visualization_msgs::MarkerArray>("corridor", 1, true)),
@@ -53,15 +54,22 @@ NodeOutputs::NodeOutputs(ros::NodeHandle node, ros::NodeHandle own)
       status_(own.advertise<DiagnosticStatus>("status", 10, true)),
       status_marker_(own.advertise<visualization_msgs::MarkerArray>("status_marker", 1)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)) {
+  if (steered) steering_ = node.advertise<std_msgs::Float64>("steering_angle", 1);
   last_status_.name = own.getNamespace().substr(1);
   last_status_.hardware_id = last_status_.name;
   last_status_.message = "no goal";
 }
 
-void NodeOutputs::send(const Twist2& command) {
+void NodeOutputs::send(const bridge::PilotStep& step) {
   geometry_msgs::Twist message;
-  bridge::set_twist(command, message);
+  bridge::set_planar_twist(
+      {.linear = step.command.linear, .lateral = step.lateral, .angular = step.command.angular},
+      message);
   command_.publish(message);
+  if (!steering_ || !step.send) return;
+  std_msgs::Float64 angle;
+  angle.data = step.steering;
+  steering_.publish(angle);
 }
 
 void NodeOutputs::show(const bridge::Pilot& pilot,

@@ -148,7 +148,10 @@ void expect_no_contact_by_driving(Walk walk, std::uint64_t seeds) {
     if (!run.collided) continue;
     SCOPED_TRACE(std::string(robot.name) + ", seed " + std::to_string(seed));
     EXPECT_GE(run.min_clearance, 0.0) << "touched a wall";
-    if (run.approach <= 1e-3) continue;
+    // People who walk straight are foreseen to the millimetre; those who turn leave a cycle less.
+    const double stopped = walk == Walk::Straight ? 1e-3 : 0.1;  // [m/s]
+    if (run.approach <= stopped) continue;
+    EXPECT_EQ(walk, Walk::Anywhere) << run.approach << " m/s towards a person";
     const double ago =
         since_turn(scenario, result.trace.rows.back().pose.position, result.trace.rows.back().time);
     EXPECT_TRUE(brakes_since(scenario, result.trace, ago))

@@ -168,6 +168,25 @@ class DriveTest(DdsTest):
             node.log.truncate(0)
 
 
+class BodyTest(DdsTest):
+    """Robots with their true outline: their commands are more than a twist."""
+
+    def drive(self, body, goal):
+        self.prepare(["solo"])
+        robot = SCENARIOS / "robots" / f"{body}.yaml"
+        self.start("solo", "fairway_dds_simulator", SCENARIOS / "maps" / "doorways.yaml", "--start=-5,-3,1.57", "--body", robot,
+                   "--track", self.path("solo.csv"))
+        self.start("solo", "fairway_dds_node", "--body", robot)
+        self.start("solo", "fairway_dds_goal", f"--goal={goal[0]},{goal[1]},1.57")
+        self.wait_for(lambda: self.track("solo") and self.distance("solo", goal) < 0.15, 60, "the robot to arrive")
+
+    def test_a_car_reaches_its_goal(self):
+        self.drive("car", (-4.8, 1.0))
+
+    def test_a_mecanum_base_reaches_its_goal(self):
+        self.drive("mecanum", (-5.0, -1.0))
+
+
 if __name__ == "__main__":
     if REASON := why_no_networks():
         print(f"skipped: no network namespaces here: {REASON}")

@@ -21,6 +21,16 @@ double speed_of(const DriveFollower& follower) noexcept {
   return std::hypot(follower.sent().linear, follower.sent().lateral);
 }
 
+// How far from the reference point a stop can lead the body [m].
+double reach_of_stop(const RobotModel& robot) noexcept {
+  constexpr double kReserve = 1.5;  // driven since the last scan, and what margins look at [m]
+  const BaseModel& base = robot.base;
+  const double speed = std::max(base.linear_max, -base.linear_min) +
+                       (base.kind == BaseKind::Omni ? base.lateral_max : 0.0);
+  return robot.body.circumscribed_radius() + kReserve + speed * base.response_time +
+         speed * speed / (2.0 * base.linear_acceleration);
+}
+
 }  // namespace
 
 BodyNavigator::State::State(const Settings& given,
@@ -28,7 +38,7 @@ BodyNavigator::State::State(const Settings& given,
                             const PreparedMap* shared_map)
     : settings(given),
       robot(model),
-      around(given, model.body, shared_map),
+      around(given, model.body, shared_map, reach_of_stop(model)),
       follower(model.base, given.navigation.control_period, given.safety),
       planning(model, kRowPeriod, given.planning.background) {
   constexpr std::size_t kManyObstacles = 256;
@@ -160,8 +170,11 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   plan_time_ = m.time;
   planned = true;
   const bool in_known_space = std::exchange(in_known_space_, false);
-  planning.start(in_known_space ? around.map_for_stops() : around.map_for_plans(),
-                 std::move(request));
+  if (in_known_space) {
+    planning.start(around.known_space(), std::move(request));
+  } else {
+    planning.start(around.map_for_plans(), std::move(request));
+  }
   take_plan();
 }
 

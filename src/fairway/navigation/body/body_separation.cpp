@@ -10,7 +10,8 @@ namespace fairway {
 double body_separation(const BodyShape& body,
                        const Pose2& pose,
                        const MovingSurroundings& surroundings,
-                       double time) noexcept {
+                       double time,
+                       double share) noexcept {
   const PredictionSettings& prediction = surroundings.prediction;
   const double ahead = time + surroundings.age;
   const double growth =
@@ -18,9 +19,11 @@ double body_separation(const BodyShape& body,
   const Eigen::Vector2d along = direction(pose.heading);
   double least = std::numeric_limits<double>::infinity();
   for (const MovingObstacle& obstacle : surroundings.obstacles) {
+    if (share != 1.0 && is_standing(obstacle)) continue;
     const double kept = prediction.obstacle_margin + (is_standing(obstacle) ? 0.0 : growth);
     const Eigen::Vector2d way =
-        (prediction.predict_motion ? predicted_position(obstacle, ahead) : obstacle.position) -
+        (prediction.predict_motion ? predicted_position(obstacle, surroundings.age + share * time)
+                                   : obstacle.position) -
         pose.position;
     // The disc about the reference is a bound that is quick to test.
     if (way.norm() - body.circumscribed_radius() - obstacle.radius - kept >= least) continue;

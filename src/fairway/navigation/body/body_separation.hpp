@@ -24,10 +24,13 @@ struct MovingSurroundings {
 /// Returns the least distance from the body at `pose` to the obstacles as predicted `time` [s] from
 /// now. The distance kept from them then is subtracted [m]; the result is infinite without
 /// obstacles. That distance grows with time only for obstacles that move.
+/// @param share  Of its velocity that each obstacle has from now on: 0 for one that stops, -1 for
+///               one that turns back. Obstacles at standstill count with a share of 1 only.
 [[nodiscard]] double body_separation(const BodyShape& body,
                                      const Pose2& pose,
                                      const MovingSurroundings& surroundings,
-                                     double time) noexcept;
+                                     double time,
+                                     double share = 1.0) noexcept;
 
 /// Returns whether a body at `pose` cannot come near any obstacle within `horizon` [s]. The body is
 /// not faster than `speed` [m/s]; the bound is quick to compute.

@@ -36,6 +36,7 @@ struct StopSurroundings {
   const BodyClearance* clearance = nullptr;  ///< static obstacles and the body
   double margin = 0.0;                       ///< clearance kept from them [m]
   MovingSurroundings moving;
+  bool may_turn = false;  ///< moving obstacles may also stop or turn back now
 };
 
 /// Returns whether the body stays free from `sent` over `input` through the stop. The inputs are

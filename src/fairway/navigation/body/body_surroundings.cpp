@@ -25,11 +25,13 @@ PerceptionSettings without_matching(PerceptionSettings settings) noexcept {
 
 BodySurroundings::BodySurroundings(const Settings& settings,
                                    const BodyShape& body,
-                                   const PreparedMap* shared)
+                                   const PreparedMap* shared,
+                                   double reach)
     : settings_(without_matching(settings.perception)),
       unknown_(unknown_cells(settings.map)),
       body_(body),
-      shared_(shared) {
+      shared_(shared),
+      reach_(reach) {
   if (shared_ != nullptr) refresh();
 }
 
@@ -47,6 +49,7 @@ bool BodySurroundings::observe(const LidarScan& scan, const Vector2d& position) 
   if (scan_refused_) return false;
   if (!perception_) perception_.emplace(settings_, position);
   perception_->observe(scan, position, 0.0);
+  center_ = position;
   refresh();
   return true;
 }
@@ -67,10 +70,11 @@ void BodySurroundings::refresh() {
     adopt(drawn_, merged_);
   } else if (perception_) {
     adopt(perception_->grid().occupied(), merged_);
-    adopt(perception_->grid().not_seen_free(), seen_free_);
+    adopt(cropped(perception_->grid().not_seen_free(), center_, reach_), seen_free_);
   }
   planned_.emplace(map_for_plans().obstacles, map_for_plans().distances, body_);
-  proven_.emplace(map_for_stops().obstacles, map_for_stops().distances, body_);
+  const PreparedMap& near = seen_free_ ? *seen_free_ : map_for_plans();
+  proven_.emplace(near.obstacles, near.distances, body_);
 }
 
 void BodySurroundings::adopt(const BitGrid& bits, std::optional<PreparedMap>& prepared) const {
@@ -86,6 +90,34 @@ void BodySurroundings::adopt(const BitGrid& bits, std::optional<PreparedMap>& pr
     prepared->distances.set_reach(enough);
   prepared->obstacles = bits;
   prepared->measure();
+}
+
+BitGrid cropped(const BitGrid& grid, const Vector2d& center, double reach) {
+  constexpr int kBlock = 64;  // cells; the part moves seldom, so that little of it changes
+  const GridFrame& frame = grid.frame();
+  const Vector2d at = frame.to_grid(center);
+  const double half = reach / frame.resolution;
+  const auto block = [&](double cell, int side) {
+    const int last = std::max(0, (side - 1) / kBlock);
+    return std::clamp(static_cast<int>(std::floor(cell / kBlock)), 0, last);
+  };
+  const int left = block(at.x() - half, frame.width);
+  const int right = block(at.x() + half, frame.width);
+  const int low = block(at.y() - half, frame.height) * kBlock;
+  const int high = std::min(frame.height, (block(at.y() + half, frame.height) + 1) * kBlock);
+  GridFrame part = frame;
+  part.width = (right - left + 1) * kBlock;
+  part.height = high - low;
+  part.origin.position = frame.to_world(Vector2d(left * kBlock, low));
+  BitGrid result(part, false);
+  result.rewrite([&](auto&& row) {
+    for (int y = 0; y < part.height; ++y) {
+      const auto from = grid.row(low + y).subspan(static_cast<std::size_t>(left),
+                                                  static_cast<std::size_t>(right - left + 1));
+      std::copy(from.begin(), from.end(), row(y).begin());
+    }
+  });
+  return result;
 }
 
 CellWindow difference(const BitGrid& a, const BitGrid& b) noexcept {

@@ -18,7 +18,11 @@ namespace fairway {
 class BodySurroundings {
  public:
   /// @param shared  The caller's map, which outlives this; null for none.
-  BodySurroundings(const Settings& settings, const BodyShape& body, const PreparedMap* shared);
+  /// @param reach   How far a stop can lead [m]: further away stops need not look.
+  BodySurroundings(const Settings& settings,
+                   const BodyShape& body,
+                   const PreparedMap* shared,
+                   double reach);
   BodySurroundings(const BodySurroundings&) = delete;
   BodySurroundings& operator=(const BodySurroundings&) = delete;
 
@@ -43,9 +47,9 @@ class BodySurroundings {
   [[nodiscard]] const PreparedMap& map_for_plans() const noexcept {
     return merged_ ? *merged_ : *map();
   }
-  /// The same where unknown space is blocked. @pre known().
-  [[nodiscard]] const PreparedMap& map_for_stops() const noexcept {
-    return seen_free_ ? *seen_free_ : map_for_plans();
+  /// A map for plans that lead only through what is known to be free. @pre known().
+  [[nodiscard]] PreparedMap known_space() const {
+    return mapless() ? PreparedMap(perception_->grid().not_seen_free()) : map_for_plans();
   }
   [[nodiscard]] const BodyClearance& for_plans() const noexcept { return *planned_; }
   [[nodiscard]] const BodyClearance& for_stops() const noexcept { return *proven_; }
@@ -70,11 +74,13 @@ class BodySurroundings {
   UnknownCells unknown_;
   BodyShape body_;
   const PreparedMap* shared_;
+  double reach_;
   std::optional<PreparedMap> own_;
   std::optional<Perception> perception_;
   BitGrid drawn_;                         // the map with the obstacles of scans
   std::optional<PreparedMap> merged_;     // the same, prepared; or the scans' obstacles alone
-  std::optional<PreparedMap> seen_free_;  // without a map
+  std::optional<PreparedMap> seen_free_;  // without a map: what is near, for stops
+  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();  // of the robot at the last scan
   std::optional<BodyClearance> planned_;
   std::optional<BodyClearance> proven_;
   bool changed_ = false;
@@ -83,6 +89,10 @@ class BodySurroundings {
 
 /// The window of cells in which two grids of the same frame differ; may be empty.
 [[nodiscard]] CellWindow difference(const BitGrid& a, const BitGrid& b) noexcept;
+
+/// The part of a grid, in whole words, that covers the square about `center` with a half side of
+/// `reach` [m], as far as it lies in the grid. @pre the grid's width is a multiple of 64.
+[[nodiscard]] BitGrid cropped(const BitGrid& grid, const Eigen::Vector2d& center, double reach);
 
 /// The goal, or where it lies outside the known window, the place in the window from which the way
 /// to it is probably shortest. Such a place has no heading: the body fits there in all of them.

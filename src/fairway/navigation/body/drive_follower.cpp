@@ -79,7 +79,9 @@ DriveFollower::Candidate DriveFollower::candidate(const Pose2& pose, double targ
 
 StopVerdict DriveFollower::prove(const FollowerView& view, const Candidate& next) noexcept {
   make_stop(base_, reference_, next.sent_for, next.input, period_, trial_);
-  return check_stop(base_, view.pose, sent_, next.input, trial_, period_, surroundings(view));
+  StopSurroundings all = surroundings(view);
+  all.may_turn = true;
+  return check_stop(base_, view.pose, sent_, next.input, trial_, period_, all);
 }
 
 StopSurroundings DriveFollower::surroundings(const FollowerView& view) const noexcept {

@@ -18,6 +18,7 @@ struct BodyPathSettings {
   double reverse_factor = 1.0;  ///< cost factor of driving backwards
   double cusp_factor = 1.0;     ///< factor of a cusp's time as its cost
   int max_states = 200000;      ///< states expanded before the search gives up, per margin
+  int total_states = 2000000;   ///< the same for all margins and cells together
   int shortcut_tries = 150;     ///< parts of the path for which a shortcut is tried
 };
 
@@ -35,6 +36,8 @@ void visit_body_path(Settings& s, Visitor&& field) {
                     100});
   field(s.max_states,
         SettingInfo{"max_states", "", "states expanded before the search gives up", 1, 1e8});
+  field(s.total_states,
+        SettingInfo{"total_states", "", "states expanded by all searches for a path", 1, 1e8});
   field(s.shortcut_tries, SettingInfo{"shortcut_tries", "",
                                       "parts of the path for which a shortcut is tried", 0, 1e6});
 }
