@@ -176,7 +176,7 @@ TEST(SafetyMonitor, SlowsDownForAPointInTheSlowZone) {
 }
 
 // A mast, or the lidar's own housing, is seen inside the body.
-TEST(SafetyMonitor, TakesNoPartOfTheBodyForAnIntruder) {
+TEST(SafetyMonitor, MistakesNoPartOfTheBodyForAnIntruder) {
   MonitorSettings settings = plain();
   settings.stop_zone = box(-1.0, 1.0, 1.0);
   settings.slow_zone = box(-1.0, 1.0, 1.0);
@@ -255,7 +255,7 @@ TEST(SafetyMonitor, DoesNotAllocateWhileTheRobotDrives) {
 }
 
 // An oracle of another kind: the base is driven in fine steps with what the monitor let pass.
-TEST(SafetyMonitor, WhatItLetsPassStopsInTimeOnTheBase) {
+TEST(SafetyMonitor, ACommandThatItAcceptsStopsInTimeOnTheBase) {
   test::Random random(5);
   for (int trial = 0; trial < 300; ++trial) {
     MonitorSettings settings = plain();
