@@ -74,6 +74,14 @@ struct WalkCommand {
 struct RemoveBodyCommand {
   std::size_t body = 0;
 };
+/// Puts a zone in the place of another one; without an index it is added.
+struct ZoneCommand {
+  std::optional<std::size_t> index{};
+  Zone zone{};
+};
+struct RemoveZoneCommand {
+  std::size_t index = 0;
+};
 /// Changes settings together: either all of them are valid together, or none is changed.
 struct SettingCommand {
   std::vector<std::string> assignments;  ///< group.name=value
@@ -105,6 +113,8 @@ using ClientCommand = std::variant<PauseCommand,
                                    PaintCommand,
                                    WalkCommand,
                                    RemoveBodyCommand,
+                                   ZoneCommand,
+                                   RemoveZoneCommand,
                                    SettingCommand,
                                    SenseCommand,
                                    ChooseMapCommand>;

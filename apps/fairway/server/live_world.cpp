@@ -8,7 +8,7 @@
 
 #include "experiments/clocks.hpp"
 #include "fairway/base/utf8_text.hpp"
-#include "fairway/io/recording/scenario_archive.hpp"
+#include "fairway/io/recording/exact/scenario_archive.hpp"
 #include "fairway/io/web_report/report.hpp"
 #include "fairway/simulation/recorded/observer_list.hpp"
 #include "server/live_maps.hpp"
@@ -167,6 +167,8 @@ void LiveWorld::serve_requests(EpisodeControl& control) {
     if (!request && !waits_on()) return;
     if (request) {
       carry_out(control, *request);
+      const bool asked = std::holds_alternative<Asked>(*request);
+      if (asked && holds() && !again_ && !step_) stream_.tell_paused_world(control);
     } else {
       control.take_plans();
     }

@@ -132,6 +132,8 @@ class LiveWorld {
   void apply(EpisodeControl& control, const PaintCommand& command);
   void apply(EpisodeControl& control, const WalkCommand& command);
   void apply(EpisodeControl& control, const RemoveBodyCommand& command);
+  void apply(EpisodeControl& control, const ZoneCommand& command);
+  void apply(EpisodeControl& control, const RemoveZoneCommand& command);
   void apply(EpisodeControl& control, const SettingCommand& command);
   void apply(EpisodeControl& control, const SenseCommand& command);
   void apply(EpisodeControl& control, const ChooseMapCommand& command);
@@ -145,6 +147,8 @@ class LiveWorld {
   void set_cells(EpisodeControl& control,
                  const std::vector<CellIndex>& cells,
                  const std::vector<CellState>& states);
+  void set_zones(EpisodeControl& control, const Zones& zones);
+  void change_zones(EpisodeControl& control, std::string label, const Zones& zones);
   void use_settings(EpisodeControl& control, const Settings& settings);
   void set_body(EpisodeControl& control, std::size_t index, const std::optional<MovingBody>& body);
   [[nodiscard]] Scenario as_saved() const;

@@ -47,6 +47,10 @@ class RollingGrid {
               const Eigen::Vector2d& robot,
               double body_radius) noexcept;
 
+  /// Unknown cells within `radius` plus a cell's diagonal of `center` become free: a part of the
+  /// robot is there.
+  void claim(const Eigen::Vector2d& center, double radius) noexcept { claim_body(center, radius); }
+
   /// Sets the zones that both readings carry; null for none.
   void set_zones(std::shared_ptr<const ZoneMap> zones) noexcept {
     occupied_.set_zones(zones);

@@ -70,6 +70,9 @@ class EpisodeObserver {
   /// The robots of the running world are these from now on; `on_navigators` follows.
   virtual void on_robots(double /*time*/, std::span<const RobotTask> /*robots*/) {}
 
+  /// These zones hold from now on, for every robot; `on_navigators` follows.
+  virtual void on_zones(double /*time*/, const Zones& /*zones*/) {}
+
   /// A robot receives a goal.
   virtual void on_goal(double /*time*/, std::size_t /*robot*/, const Goal& /*goal*/) {}
 

@@ -20,6 +20,12 @@ struct BaseInput {
 /// The velocity of a base under an input.
 [[nodiscard]] PlanarTwist twist_of(const BaseModel& base, const BaseInput& input) noexcept;
 
+/// The steering angle with which a steered base drives a twist, within its limit [rad]; `otherwise`
+/// where it hardly moves, so that the twist does not show it.
+[[nodiscard]] double steering_of(const BaseModel& base,
+                                 const PlanarTwist& twist,
+                                 double otherwise) noexcept;
+
 /// Inputs at knots in time, linear between them: motion with its timing.
 struct Trajectory {
   Pose2 start;

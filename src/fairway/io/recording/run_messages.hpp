@@ -31,6 +31,7 @@ class RunMessages final : public EpisodeObserver {
                      const Settings& settings,
                      std::span<const NavigatorStart> starts) override;
   void on_robots(double time, std::span<const RobotTask> robots) override;
+  void on_zones(double time, const Zones& zones) override;
   void on_goal(double time, std::size_t robot, const Goal& goal) override;
   void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;

@@ -21,6 +21,9 @@ namespace fairway::io {
 /// JSON that announces the robots of a running world.
 [[nodiscard]] std::string robots_text(double time, std::span<const RobotTask> robots);
 
+/// JSON that announces the zones that hold from now on.
+[[nodiscard]] std::string zones_text(double time, const Zones& zones);
+
 /// JSON that announces changed settings.
 [[nodiscard]] std::string tuning_text(double time, const Settings& settings);
 

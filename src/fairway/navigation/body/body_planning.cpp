@@ -190,7 +190,9 @@ void BodyPlanning::start(const PreparedMap& map, BodyPlanRequest request) {
 
 void BodyPlanning::make(const PreparedMap& map) {
   const double begin = clock_ ? clock_() : 0.0;
-  made_ = plan_body_drive(map, robot_, request_, row_period_, drive_settings_for(robot_.body));
+  DriveSettings settings = drive_settings_for(robot_.body);
+  settings.path.margin += request_.more_margin;
+  made_ = plan_body_drive(map, robot_, request_, row_period_, settings);
   seconds_ = clock_ ? clock_() - begin : 0.0;
 }
 

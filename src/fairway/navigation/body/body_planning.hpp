@@ -23,6 +23,7 @@ struct BodyPlanRequest {
   double kept = 0.1;                     ///< distance kept from these [m]
   /// Whether to plan as if they were not there where they leave no path: they may go away.
   bool or_without = true;
+  double more_margin = 0.0;  ///< beyond what is tried first otherwise, for maps that flicker [m]
 };
 
 /// A drive to a goal, or the reason why there is none.

@@ -52,14 +52,22 @@ RateOutlook look_ahead(const BodyShape& body,
                        double target,
                        const MovingSurroundings& surroundings,
                        double horizon) noexcept {
-  constexpr double kStep = 0.1;  // [s]
+  constexpr double kLongest = 0.1;    // [s]
+  constexpr double kShortest = 0.02;  // [s]
   RateOutlook outlook{.separation = std::numeric_limits<double>::infinity(), .time = 0.0};
+  constexpr double kOwn = 1.5;  // of the body's points, about [m/s]
+  double closing = kOwn;
+  for (const MovingObstacle& obstacle : surroundings.obstacles)
+    closing = std::max(closing, kOwn + obstacle.velocity.norm());
   DriveProgress now = progress;
-  for (double time = kStep; time <= horizon; time += kStep) {
-    now = reference.advanced(now, target, kStep);
+  double step = kLongest;
+  for (double time = step; time <= horizon; time += step) {
+    now = reference.advanced(now, target, step);
     const double separation =
         body_separation(body, reference.pose_at(now.phase), surroundings, time);
     if (separation < outlook.separation) outlook = {.separation = separation, .time = time};
+    // The nearer the obstacles are, the finer: none passes the body between two looks.
+    step = std::clamp(separation / closing, kShortest, kLongest);
   }
   return outlook;
 }

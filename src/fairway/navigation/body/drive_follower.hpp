@@ -79,6 +79,8 @@ class DriveFollower {
   [[nodiscard]] Choice choose_rate(const FollowerView& view) const noexcept;
   [[nodiscard]] Candidate candidate(const Pose2& pose, double target) const noexcept;
   [[nodiscard]] bool escape(const FollowerView& view) noexcept;
+  [[nodiscard]] bool stop_is_free(const FollowerView& view) noexcept;
+  [[nodiscard]] StopSurroundings surroundings(const FollowerView& view) const noexcept;
   [[nodiscard]] StopVerdict prove(const FollowerView& view, const Candidate& next) noexcept;
   void take(const Candidate& next) noexcept;
 

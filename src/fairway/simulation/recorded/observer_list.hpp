@@ -26,6 +26,10 @@ class ObserverList final : public EpisodeObserver {
     for (EpisodeObserver* observer : observers_)
       observer->on_robots(time, robots);
   }
+  void on_zones(double time, const Zones& zones) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_zones(time, zones);
+  }
   void on_goal(double time, std::size_t robot, const Goal& goal) override {
     for (EpisodeObserver* observer : observers_)
       observer->on_goal(time, robot, goal);
