@@ -14,7 +14,7 @@ struct StopManoeuvre {
   double period = 0.1;  ///< from each command of `stop` to the next [s]
   double ramp = 0.0;    ///< time in which the base ramps to `command` [s]; 0: a period
   double hold = 0.0;    ///< until the first command of `stop` is sent [s]; 0: a period
-  /// Whether cycles come earlier and later than a period: the base may then receive each command of
+  /// Whether cycles come earlier and later than a period. The base may then receive each command of
   /// `stop` up to a period early.
   bool irregular = false;
   /// Actuation of the base; null for one that ramps exactly linearly.
