@@ -84,8 +84,8 @@ class BodySurroundings {
 /// The window of cells in which two grids of the same frame differ; may be empty.
 [[nodiscard]] CellWindow difference(const BitGrid& a, const BitGrid& b) noexcept;
 
-/// The goal, or where it lies outside the known window, the place in the window from which the way
-/// to it is probably shortest. Such a place has no heading: the body fits there in all of them.
+/// Returns the goal, or a place in the known window if the goal lies outside. From that place the
+/// path to the goal is probably shortest. It has no heading: the body fits there in all of them.
 [[nodiscard]] Goal goal_inside(const BodyClearance& clearance, const Pose2& pose, const Goal& goal);
 
 }  // namespace fairway
