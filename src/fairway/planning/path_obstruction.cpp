@@ -168,6 +168,17 @@ std::string too_near(const char* end, const PathObstruction& o) {
                       length_text(o.needed), " (robot.radius)"});
 }
 
+// Returns the point at an arc length of the path [m]; its end beyond the length.
+Vector2d place_along(const Path& path, double length) {
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+    const Vector2d line = path.waypoints[i] - path.waypoints[i - 1];
+    const double along = line_length(line);
+    if (length < along) return path.waypoints[i - 1] + length / along * line;
+    length -= along;
+  }
+  return path.waypoints.empty() ? Vector2d(Vector2d::Zero()) : path.waypoints.back();
+}
+
 std::string sentence(const PathObstruction& o) {
   switch (o.kind) {
     case PathObstruction::Kind::StartClearance:
@@ -234,9 +245,13 @@ std::string explain(const PreparedMap& map,
   if (plan.path_status == PathStatus::GoalOutsideMap && is_finite(plan.goal.position))
     return outside("goal", plan.goal.position, map.obstacles.frame());
   if (plan.path_status == PathStatus::Found) {
+    const Vector2d place = place_along(plan.path, plan.stuck_at);
+    constexpr double kFurthest = 10.0;  // [m]
     return joined_text({to_text(plan.corridor_status), ", after ", length_text(plan.stuck_at),
-                        " of the path; try smaller values of corridor.min_overlap_area or "
-                        "robot.radius"});
+                        " of the path, at ", place_text(place), ", ",
+                        length_text(distance_to_blocked(map.obstacles, place, kFurthest)),
+                        " from the nearest obstacle; try smaller values of "
+                        "corridor.min_overlap_area or robot.radius"});
   }
   if (std::optional<std::string> zones = explain_zones(map, start, plan, radius))
     return *std::move(zones);
