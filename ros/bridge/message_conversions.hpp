@@ -16,8 +16,8 @@
 
 namespace fairway::bridge {
 
-/// Cells of an OccupancyGrid message count as occupied from this percentage on, and as free up to
-/// the other one, as in map_saver. Between them, and below 0 or above 100, they are unknown.
+/// Cells of an OccupancyGrid message count as occupied from this percentage on, as in map_saver. Up
+/// to the other one they are free. Between them, and below 0 or above 100, they are unknown.
 inline constexpr int kOccupiedPercent = 65;
 inline constexpr int kFreePercent = 25;
 
@@ -175,8 +175,8 @@ void set_grid_info(const GridFrame& frame, MapMetaData& info) noexcept {
   set_pose(frame.origin, info.origin);
 }
 
-/// The headings of a path's waypoints for nav_msgs/Path: each towards the next waypoint, and the
-/// last one along the last segment. A single point has heading 0.
+/// Returns the headings of a path's waypoints for nav_msgs/Path. Each heads towards the next
+/// waypoint, and the last one along the last segment. A single point has heading 0.
 [[nodiscard]] Pose2 waypoint_pose(const Path& path, std::size_t index) noexcept;
 
 }  // namespace fairway::bridge

@@ -39,6 +39,14 @@ def check_text(where: str, text: str) -> list:
             f"found '{' '.join(found.group().split())}'" for found in PATTERN.finditer(text)]
 
 
+def test_names(text: str) -> str:
+    """The names of the tests of a C++ source as words: each in its own line of the source."""
+    def spoken(line: str) -> str:
+        found = re.match(r"TEST(?:_F|_P)?\(\w+, *(\w*)", line)
+        return re.sub(r"(?<!^)(?=[A-Z])", " ", found.group(1)) if found else ""
+    return "\n".join(spoken(line) for line in text.split("\n"))
+
+
 def check_words(root: pathlib.Path, pages: list) -> list:
     errors = []
     for page in pages:
@@ -54,4 +62,7 @@ def check_words(root: pathlib.Path, pages: list) -> list:
             text = readable(path.read_text(encoding="utf-8", errors="replace"),
                             CPP_TOKENS if cpp else SCRIPT_TOKENS)
             errors += check_text(str(path.relative_to(root)), text)
+            if path.suffix == ".cpp":
+                names = test_names(path.read_text(encoding="utf-8", errors="replace"))
+                errors += check_text(str(path.relative_to(root)), names)
     return errors

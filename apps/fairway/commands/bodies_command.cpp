@@ -118,7 +118,8 @@ Expected<int> BodiesCommand::run() const {
   if (!json.empty()) {
     Json summary{{"tasks", std::move(rows)}, {"success_rate", rate}, {"physics", physics}};
     if (!shard.empty()) summary["shard"] = shard;
-    add_provenance(summary, {.schema = "bodies.v1", .files = {source}});
+    const Settings defaults;
+    add_provenance(summary, {.schema = "bodies.v1", .files = {source}, .settings = &defaults});
     if (const auto done = write_output(json, json_text(summary)); !done)
       return tl::unexpected(done.error());
   }

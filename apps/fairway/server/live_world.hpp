@@ -49,8 +49,7 @@ struct Refusal {
 struct LiveListener {
   std::function<void(std::string records)> on_run;      ///< a new run begins with these
   std::function<void(std::string records)> on_records;  ///< what is new
-  /// Records that begin the run in its present state, for viewers that join later and do not need
-  /// all of it.
+  /// Records that begin the run in its present state, for viewers that join later.
   std::function<void(std::string records)> on_beginning;
   std::function<void(LiveMessages::Batch batch)> on_messages;
   std::function<void(const LiveState& state)> on_state;

@@ -68,7 +68,8 @@ struct AxisActuation {
   return std::min(axis.acceleration, axis.braking);
 }
 
-/// `speed` after `time` [s] on the shortest way to `wanted` that acceleration and braking allow.
+/// Returns the speed `time` [s] after `speed`, as near to `wanted` as acceleration and braking
+/// allow.
 [[nodiscard]] inline double limited_change(double speed,
                                            double wanted,
                                            const AxisActuation& axis,

@@ -195,7 +195,7 @@ void DistanceField::update_row(int y, int first, int last) {
   const auto scale = static_cast<float>(0.5 * frame_.resolution);
   const auto reach = static_cast<float>(reach_);
   bool complete = true;
-  // Half of the way to the columns that are tried: there envelopes are faster.
+  // Half of the distance to the columns that are tried: there envelopes are faster.
   const auto hopeless =
       static_cast<std::int16_t>(near_ > 0 ? row_.far_square() : row_.far_square() / 4);
   std::array<std::int16_t, kPart> squares;

@@ -11,7 +11,7 @@ enum class NavigationStatus : std::uint8_t {
   Ok,           ///< driving on a plan that satisfies every constraint
   Degraded,     ///< driving, but a soft constraint is violated or the second-best solution is used
   Stopping,     ///< executing the last verified stop
-  Blocked,      ///< at standstill, and no way to continue is known
+  Blocked,      ///< at standstill; no recovery is known
   Recovering,   ///< turning or reversing to leave a place where the robot was stuck
   Stale,        ///< an input is too old: stopping
   BadInput,     ///< an input is not finite, or the pose jumped: stopping

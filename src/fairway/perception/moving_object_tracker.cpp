@@ -104,7 +104,7 @@ void MovingObjectTracker::correct(std::size_t index,
   const CenterFit fit =
       fit_center(cluster_, track.radius, track.position(), kPointSigma, guess_sigma);
   if (fit.deviation > 3.0 * kPointSigma && !behind) return;
-  // The errors of the points of a scan are correlated, so they do not average out: the object is
+  // The errors of the points of a scan are correlated, so they do not average out. The object is
   // not a perfect disc.
   const Eigen::Matrix2d noise =
       fit.covariance + kPointSigma * kPointSigma * Eigen::Matrix2d::Identity();

@@ -87,7 +87,7 @@ double deepest_along(const ZonePolygon& polygon, const Segment& piece) {
   return deepest;
 }
 
-// Returns zones in which the one-way zones that a path avoids are keep-outs for the centre; null if
+// Returns zones in which the one-way zones that a path avoids are keep-outs for the centre. Null if
 // there are none.
 std::shared_ptr<const ZoneMap> with_closed_lanes(const BitGrid& obstacles, const Path& path) {
   const ZoneMap* zones = obstacles.zones();

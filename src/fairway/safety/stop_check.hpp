@@ -19,7 +19,7 @@ struct CollisionEnvironment {
   /// may not where the robot stops. Without this, a robot with no more clearance could not even
   /// turn to where it has more.
   bool margin_where_it_stands = false;
-  /// Radius of a disc about the robot's centre that is kept free of static obstacles too [m]; 0:
+  /// Radius of a disc about the robot's centre that is also kept free of static obstacles [m]. 0:
   /// only the body counts. It keeps the robot from places where its body fits but cannot turn.
   double turning_radius = 0.0;
   MovingObstacles moving;      ///< assumed to keep their velocity until the robot has stopped

@@ -49,7 +49,7 @@ class EpisodeControl {
   /// Takes over plans that threads have finished, for a run that is paused.
   virtual void take_plans() = 0;
 
-  /// Tells the observer the state of the world, for a run that is paused.
+  /// Sends the state of the world to the observer, for a run that is paused.
   virtual void show_world() = 0;
 
   /// Replaces the zones of all robots.

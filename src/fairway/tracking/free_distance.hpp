@@ -11,7 +11,7 @@ namespace fairway {
 /// Returns the length along the reference path for which a disc of `radius` [m] is free, at most
 /// `limit` [m].
 ///
-/// The test advances in steps of 0.1 m, so the result may be too short by that much, never too
+/// The test advances in steps of 0.1 m. So the result may be too short by that much, never too
 /// long. If the disc is not free at the start, it is reduced to the size that is, because the robot
 /// already is there.
 [[nodiscard]] double free_length(const BitGrid& obstacles,
@@ -20,8 +20,8 @@ namespace fairway {
                                  double limit) noexcept;
 
 /// Returns the distance along the reference path within which the robot must be able to stop [m].
-/// This is the length that is free for it. The result is infinite if the whole path is free, or
-/// free beyond what matters at the robot's greatest speed.
+/// This is the length that is free for the robot. The result is infinite if the whole path is free,
+/// or free beyond what matters at the robot's greatest speed.
 /// @param horizon  Time that the controller plans ahead [s].
 [[nodiscard]] double distance_to_stop_in(const BitGrid& obstacles,
                                          const ReferencePath& path,
@@ -40,7 +40,7 @@ struct FollowingRobot {
 /// Returns the distance along the path at which the robot must be able to stop because of a moving
 /// obstacle [m]. The result is infinite without one.
 ///
-/// The robot follows the obstacle: it brakes in time to have the obstacle's speed along the path at
+/// The robot follows the obstacle. It brakes in time to have the obstacle's speed along the path at
 /// the distance to keep. The distance that is closed within the reaction time is added. This is
 /// only for robots whose braking distance is more than half of what the horizon can hold; the
 /// controller brakes the others in time by itself.

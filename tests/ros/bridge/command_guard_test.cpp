@@ -48,7 +48,7 @@ TEST(CommandGuard, IsValidForSettingsAtTheEndsOfTheirRanges) {
   EXPECT_TRUE(validate(monitor_settings(settings)));
 }
 
-TEST(CommandGuard, StopsInFrontOfWhatTheScanShows) {
+TEST(CommandGuard, StopsInFrontOfObstaclesOfTheScan) {
   CommandGuard guard{monitor_settings(Settings{})};
   const Twist2 fast{.linear = 1.0};
   EXPECT_EQ(guard.check(0.0, {}, fast, fast).reason, MonitorReason::Stale);

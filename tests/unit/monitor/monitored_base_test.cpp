@@ -15,7 +15,7 @@ using test::plain;
 using test::verdict_of;
 
 // An oracle of another kind: the base is driven in fine steps with what the monitor let pass.
-TEST(SafetyMonitor, WhatItLetsPassStopsInTimeOnTheBase) {
+TEST(SafetyMonitor, ACommandThatItAcceptsStopsInTimeOnTheBase) {
   test::Random random(5);
   for (int trial = 0; trial < 300; ++trial) {
     MonitorSettings settings = plain();

@@ -167,7 +167,7 @@ TEST(SafetyMonitor, SlowsDownForAPointInTheSlowZone) {
 }
 
 // A mast, or the lidar's own housing, is seen inside the body.
-TEST(SafetyMonitor, TakesNoPartOfTheBodyForAnIntruder) {
+TEST(SafetyMonitor, MistakesNoPartOfTheBodyForAnIntruder) {
   MonitorSettings settings = plain();
   settings.stop_zone = box(-1.0, 1.0, 1.0);
   settings.slow_zone = box(-1.0, 1.0, 1.0);

@@ -85,7 +85,7 @@ TEST(LiveCommand, SurvivesAnyBytes) {
   EXPECT_FALSE(parse_command(std::string(50'000, '[')));
 }
 
-TEST(LiveCommand, SelectsWhatRobotsKnow) {
+TEST(LiveCommand, SelectsWhatRobotsSense) {
   const auto command = parse_command(R"({"do": "sense", "sensing": "lidar", "noise": "standard"})");
   ASSERT_TRUE(command);
   EXPECT_EQ(std::get<SenseCommand>(*command).sensing, Sensing::Lidar);

@@ -11,7 +11,7 @@ namespace fairway::app {
 
 namespace {
 
-// Escapes text for troff: a dash needs a backslash, and so does a dot or quote at the start of a
+// Escapes text for troff. A dash needs a backslash, and so does a dot or quote at the start of a
 // line.
 std::string troff(std::string_view text) {
   std::string result;

@@ -83,8 +83,8 @@ class Staircases {
       store4(max(aside - reach_aside, least), &aside_[4 * count_]);
       ++count_;
     };
-    // A quadrant of the turned frame contains the end of one of the points' quadrants, and then the
-    // beginning of the next.
+    // A quadrant of the turned frame contains the end of one quadrant of the points. Then follows
+    // the beginning of the next.
     const auto c = static_cast<float>(along.x());
     const auto s = static_cast<float>(along.y());
     const Range cut = where_cut(points, c, s);

@@ -16,9 +16,10 @@ class FourStartSolver {
   explicit FourStartSolver(const interior_point::SimdKernels& kernels) noexcept
       : solver_(kernels) {}
 
-  /// Solves as InteriorPointSolver::solve; then, if obstacles shape the result, iterates four other
-  /// starts: to the left, to the right, behind and before what is in front. The result is never
-  /// worse than from one start: Solved before all others, then the least cost plus penalty.
+  /// Solves as InteriorPointSolver::solve, and tries four other starts if obstacles shape the
+  /// result. They pass to the left, to the right, behind and before the obstacles ahead. The result
+  /// is never worse than from one start: Solved before all others, then the least cost plus
+  /// penalty.
   const MpcSolution& solve(const ControlProblem& problem,
                            const InitialGuess& guess = {},
                            const InteriorPointSettings& settings = {}) noexcept;

@@ -67,8 +67,9 @@ void BodyNavigator::State::reset(const BaseInput& actual) noexcept {
   known_.reset();
 }
 
-// Returns whether a pose jumps: it differs from the pose before by more than the setting and half
-// of the distance driven since. Poses that agree among themselves are trusted again at standstill.
+// Returns whether a pose jumps. It does if it differs from the pose before by more than the setting
+// and half of the distance driven since. Poses that agree among themselves are trusted again at
+// standstill.
 bool BodyNavigator::State::jumped(const Measurements& m) noexcept {
   const double time = m.pose_time.value_or(m.time);
   bool strange = false;

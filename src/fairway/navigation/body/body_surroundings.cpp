@@ -146,7 +146,7 @@ Goal goal_inside(const BodyClearance& clearance, const Pose2& pose, const Goal& 
     return goal;
   const GoalDistance from(clearance, pose.position);
   constexpr int kApart = 6;          // cells between candidates
-  constexpr double kProgress = 0.9;  // of the way to a candidate counts, so that far ones win
+  constexpr double kProgress = 0.9;  // of the path to a candidate counts, so that far ones win
   Goal best{.position = pose.position, .heading = {}};
   double least = (goal.position - pose.position).norm();
   for (int y = 0; y < frame.height; y += kApart) {

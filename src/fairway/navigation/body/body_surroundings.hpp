@@ -94,8 +94,8 @@ class BodySurroundings {
 /// `reach` [m], as far as it lies in the grid. @pre the grid's width is a multiple of 64.
 [[nodiscard]] BitGrid cropped(const BitGrid& grid, const Eigen::Vector2d& center, double reach);
 
-/// The goal, or where it lies outside the known window, the place in the window from which the way
-/// to it is probably shortest. Such a place has no heading: the body fits there in all of them.
+/// Returns the goal, or a place in the known window if the goal lies outside. From that place the
+/// path to the goal is probably shortest. It has no heading: the body fits there in all of them.
 [[nodiscard]] Goal goal_inside(const BodyClearance& clearance, const Pose2& pose, const Goal& goal);
 
 }  // namespace fairway

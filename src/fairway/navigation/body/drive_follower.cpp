@@ -34,7 +34,7 @@ void DriveFollower::reset(const BaseInput& actual) noexcept {
 bool DriveFollower::at_rest() const noexcept { return is_at_rest(base_, sent_); }
 
 // The fastest rate at which no moving obstacle is met; where there is none, the one that keeps most
-// distance. A base that can reverse may also go back the way it came.
+// distance. A base that can reverse may also drive back along its path.
 DriveFollower::Choice DriveFollower::choose_rate(const FollowerView& view) const noexcept {
   constexpr std::array<double, 4> kRates{1.0, 0.6, 0.3, 0.0};
   const double fastest = std::max(base_.linear_max, -base_.linear_min) + base_.lateral_max;

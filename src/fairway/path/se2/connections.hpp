@@ -7,7 +7,7 @@
 
 namespace fairway {
 
-/// One way from a pose to another, without regard to obstacles.
+/// A connection from a pose to another, without regard to obstacles.
 struct Connection {
   std::vector<MotionPiece> pieces;
   double cost = 0.0;  ///< by MotionCost [s]

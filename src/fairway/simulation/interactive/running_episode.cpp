@@ -222,6 +222,7 @@ void Episode::finish() {
     const Encounter& met = world_.encounters()[i];
     robot.collided = met.collided;
     robot.approach = met.approach;
+    robot.contact = met.contact;
     robot.min_clearance = met.min_clearance;
     robot.min_separation = met.min_separation;
     robot.zones = met.zones;

@@ -91,7 +91,7 @@ TEST(ChangedRecording, IsRefusedWhereTheMessagesOfATopicAreNotInOrder) {
   expect_refused(recording, ", found 0");
 }
 
-TEST(ChangedRecording, IsRefusedBeforeMemoryForAMapIsTakenThatIsNotThere) {
+TEST(ChangedRecording, IsRefusedBeforeMemoryIsAllocatedForAMissingMap) {
   ChangedRecording recording = test::short_recording(Sensing::Map);
   auto& frame = recording.first("fairway.Scenario")["frame"];
   frame["width"] = 32768;

@@ -95,7 +95,7 @@ TEST(ScenarioFile, LetsPeopleWalk) {
   refused("people: {walkers: [{start: [0, 4]}]}\n", "goal: expected");
 }
 
-TEST(ScenarioFile, SaysWhatTheBasesReallyDo) {
+TEST(ScenarioFile, DescribesTheActualBases) {
   const TemporaryFolder folder;
   write_map(folder);
   const std::string head = "map: m.yaml\nsettings: {robot: {linear_lag: 0.05}}\nrobots:\n";
