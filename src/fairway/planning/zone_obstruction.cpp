@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/planning/zone_obstruction.hpp"
 
-#include <algorithm>
-
 #include "fairway/map/free_space.hpp"
 #include "fairway/planning/obstruction_text.hpp"
 #include "fairway/zones/zone_map.hpp"
@@ -22,20 +20,16 @@ std::optional<std::string> end_in_zone(const ZoneMap& zones,
   if (!zone) return std::nullopt;
   const Zone& cause = zones.zones()[*zone];
   const std::string named = joined_text({"the ", end, " ", place_text(point)});
-  const bool centre = cause.reference == ZoneReference::Centre;
-  if (cause.kind == ZoneKind::Strip && centre)
-    return joined_text(
-        {named, " is ", length_text(zones.excursion(point)), " outside of the strips"});
-  const double less = centre ? radius : 0.0;
-  const std::string found =
-      length_text(std::max(0.0, zones.clearance_at(point, radius + 1.0) - less));
-  const std::string needed =
-      joined_text({length_text(radius - less), centre ? "" : " (robot.radius)"});
-  if (cause.kind == ZoneKind::Strip) {
-    return joined_text({named, " is ", found, " inside the strips and the robot needs ", needed});
+  const bool strip = cause.kind == ZoneKind::Strip;
+  const std::string title = title_of(zones.zones(), *zone);
+  if (cause.reference == ZoneReference::Centre) {
+    if (!strip) return joined_text({named, " is inside the keep-out zone ", title});
+    const std::string distance = length_text(zones.excursion(point));
+    return joined_text({named, " is ", distance, " outside of the strips"});
   }
-  return joined_text({named, " is ", found, " from the keep-out zone ",
-                      title_of(zones.zones(), *zone), " and the robot needs ", needed});
+  return joined_text({named, " is ", length_text(zones.clearance_at(point, radius + 1.0)),
+                      strip ? " inside the strips" : " from the keep-out zone ", strip ? "" : title,
+                      " and the robot needs ", length_text(radius), " (robot.radius)"});
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 #include "fairway/planning/path_obstruction.hpp"
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "fairway/map/free_space.hpp"
+#include "fairway/zones/zone_map.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {
@@ -114,6 +116,31 @@ TEST(PathObstruction, ExplainsInOneSentenceWithNumbers) {
 }
 
 // The gap that is reported is smaller than what is needed, whatever the world looks like.
+TEST(PathObstruction, SaysHowNearAnEndIsToAZone) {
+  const auto reason = [](ZoneKind kind, ZoneReference reference, const Eigen::Vector2d& start,
+                         const Eigen::Vector2d& goal) {
+    BitGrid bits(GridFrame{.width = 120, .height = 80, .resolution = kCell, .origin = {}}, false);
+    const Zones zones{{.kind = kind,
+                       .polygon = {{3, 1}, {5, 1}, {5, 3}, {3, 3}},
+                       .reference = reference,
+                       .name = "pit"}};
+    bits.set_zones(std::make_shared<const ZoneMap>(zones, 0.25));
+    const PreparedMap map(std::move(bits));
+    return explain(map, start, plan_on(map, 0.25, start, goal), 0.25);
+  };
+  using enum ZoneKind;
+  EXPECT_EQ(reason(KeepOut, ZoneReference::Contour, {1, 2}, {2.9, 2}),
+            "the goal (2.90, 2.00) is 0.100 m from the keep-out zone pit and the robot needs "
+            "0.250 m (robot.radius)");
+  EXPECT_EQ(reason(KeepOut, ZoneReference::Centre, {1, 2}, {4, 2}),
+            "the goal (4.00, 2.00) is inside the keep-out zone pit");
+  EXPECT_EQ(reason(Strip, ZoneReference::Contour, {4, 2}, {4.9, 2}),
+            "the goal (4.90, 2.00) is 0.100 m inside the strips and the robot needs 0.250 m "
+            "(robot.radius)");
+  EXPECT_EQ(reason(Strip, ZoneReference::Centre, {4, 2}, {5.5, 2}),
+            "the goal (5.50, 2.00) is 0.500 m outside of the strips");
+}
+
 TEST(PathObstruction, NamesThePlaceWhereACorridorEnds) {
   const PreparedMap map = divided(1.4, 20);
   Plan plan = plan_on(map, 0.2);

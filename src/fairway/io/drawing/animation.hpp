@@ -20,7 +20,7 @@ struct MovingDrawing {
 
 /// A run that is played in an endless loop.
 struct Animation {
-  WorldDrawing world;  ///< stands still
+  WorldDrawing world;  ///< the part that does not change
   Box region;          ///< the part of the world that is shown
   std::vector<MovingDrawing> moving;
   double interval = 0.1;  ///< between two frames [s]

@@ -83,7 +83,7 @@ class RunStream final : public EpisodeObserver {
   std::vector<std::string> goals_;          // by robot with a lidar
   std::vector<std::string> scans_;          // by robot: the newest, until it is written
   bool lidar_ = false;
-  bool paused_ = false;        // the world is told between two cycles
+  bool paused_ = false;        // whether the world is shown between two cycles
   std::string newest_world_;   // record of the newest time step
   std::string newest_cycles_;  // records of its cycles and scans
 };
