@@ -25,13 +25,12 @@ from fleet_master import Broker, wait_until  # noqa: E402
 from order_builder import corridor, order  # noqa: E402
 
 VERSION = "2.1.0"
-LENGTH = 50  # of a lane [m]
-SPACING = 2.0  # of lanes [m]
+SPACING = 1.5  # of lanes [m]
 
 
-def write_map(folder, lanes):
+def write_map(folder, lanes, length):
     """An empty hall with walls, as a PGM of 0.05 m cells."""
-    width, height = int((LENGTH + 6) / 0.05), int((lanes + 1) * SPACING / 0.05)
+    width, height = int((length + 6) / 0.05), int((lanes + 1) * SPACING / 0.05)
     rows = [bytes([0]) * width]
     rows += [bytes([0]) + bytes([254]) * (width - 2) + bytes([0])] * (height - 2)
     rows += [bytes([0]) * width]
@@ -42,12 +41,12 @@ def write_map(folder, lanes):
     return folder / "workshop.yaml"
 
 
-def long_order(name, lane, nodes):
+def long_order(name, lane, nodes, length):
     """There and back, a node each metre."""
     places, x, step = [], 0, 1
     for _ in range(nodes):
         places.append((3.0 + x, SPACING * (lane + 1)))
-        if not 0 <= x + step <= LENGTH:
+        if not 0 <= x + step <= length:
             step = -step
         x += step
     strips = {i: {"corridor": corridor(VERSION, 0.4, 0.4)} for i in range(nodes - 1)}
@@ -57,8 +56,9 @@ def long_order(name, lane, nodes):
 class Watcher:
     """Sends orders to all vehicles, and judges their states."""
 
-    def __init__(self, port, vehicles, nodes):
+    def __init__(self, port, vehicles, nodes, length):
         self.nodes = nodes
+        self.length = length
         self.last = {}       # state of each vehicle
         self.orders = dict.fromkeys(vehicles, 0)
         self.driven = 0      # orders
@@ -124,7 +124,7 @@ class Watcher:
         self.driven += number > 0
         self.orders[vehicle] = number + 1
         lane = int(vehicle[3:])
-        self.send(vehicle, "order", long_order(f"{vehicle}-{number + 1}", lane, self.nodes))
+        self.send(vehicle, "order", long_order(f"{vehicle}-{number + 1}", lane, self.nodes, self.length))
 
 
 def cpu_time(process):
@@ -137,18 +137,19 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--robots", type=int, default=20)
     parser.add_argument("--nodes", type=int, default=200)
+    parser.add_argument("--length", type=int, default=20, help="of a lane [m]")
     parser.add_argument("--seconds", type=float, default=120.0)
     parser.add_argument("--speed", type=float, default=1.0, help="simulated seconds in a second")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        map_file = write_map(folder, options.robots)
+        map_file = write_map(folder, options.robots, options.length)
         vehicles = [f"amr{i}" for i in range(options.robots)]
         (folder / "fleet.yaml").write_text("robots:\n" + "".join(
             f"  - {{serial: amr{i}, start: [3.0, {SPACING * (i + 1)}, 0.0]}}\n"
             for i in range(options.robots)))
-        broker = Broker(folder)
-        watcher = Watcher(broker.port, vehicles, options.nodes)
+        broker = Broker(folder, "allow_anonymous true\nset_tcp_nodelay true\n")
+        watcher = Watcher(broker.port, vehicles, options.nodes, options.length)
         process = subprocess.Popen([options.program, "--port", str(broker.port), "--map",
                                     str(map_file), "--simulate", "--speed", str(options.speed),
                                     "--fleet", str(folder / "fleet.yaml")])
@@ -171,7 +172,7 @@ def main():
     delays = sorted(watcher.delays)
     share = lambda p: 1e3 * delays[min(len(delays) - 1, int(p * len(delays)))]  # noqa: E731
     print(f"{options.robots} robots, orders of {options.nodes} nodes, {seconds:.0f} s at speed "
-          f"{options.speed:g}: {100 * used / seconds:.0f} % of one core")
+          f"{options.speed:g}, lanes of {options.length} m: {100 * used / seconds:.0f} % of one core")
     print(f"{watcher.states} states, {watcher.driven} orders driven, {len(watcher.wrong)} wrong states")
     print(f"event to state over {len(delays)} of {number} requests: median {share(0.5):.1f} ms, "
           f"p99 {share(0.99):.1f} ms, greatest {delays[-1] * 1e3:.1f} ms")
