@@ -187,6 +187,33 @@ TEST(DrivenOrdersOfVersion3, GoRoundABlockedZone) {
   }
 }
 
+TEST(DrivenOrdersOfVersion3, GoAroundAZoneWithAPenalty) {
+  SimulatedRun run(ProtocolVersion::V3_0_0, {}, hall());
+  json zones = run.messages.header();
+  zones["zoneSet"] = {{"mapId", "floor"}, {"zoneSetId", "day"}, {"zones", json::array()}};
+  zones["zoneSet"]["zones"].push_back({{"zoneId", "busy"},
+                                       {"zoneType", "PENALTY"},
+                                       {"penaltyFactor", 0.9},
+                                       {"vertices",
+                                        {{{"x", 2.5}, {"y", -2.0}},
+                                         {{"x", 4.0}, {"y", -2.0}},
+                                         {{"x", 4.0}, {"y", 0.6}},
+                                         {{"x", 2.5}, {"y", 0.6}}}}});
+  run.send(Topic::ZoneSet, zones);
+  run.send(Topic::InstantActions,
+           run.messages.instant("enableZoneSet", "e", {{"zoneSetId", "day"}}));
+  json order = run.messages.lanes({.id = "free", .nodes = 2, .released = 2});
+  order["nodes"][1]["nodePosition"]["x"] = 6.0;
+  order["edges"][0].erase("corridor");
+  run.send(Topic::Order, order);
+  run.until_idle();
+  for (const Eigen::Vector2d& place : run.places) {
+    if (place.x() > 2.5 && place.x() < 4.0) {
+      EXPECT_GT(place.y(), 0.6 - 0.05) << place.x();
+    }
+  }
+}
+
 TEST(DrivenOrdersOfVersion3, StayOnTheLineUntilTheyHaveLeave) {
   SimulatedRun run(ProtocolVersion::V3_0_0, {}, hall(box(2.6, -3.0, 3.4, 0.2)));
   run.send(Topic::Order, run.messages.lanes({.width = 0.8, .release_required = true}));

@@ -140,6 +140,8 @@ BrokerConnection::BrokerConnection(const BrokerAddress& address,
   state->client = mosquitto_new(nullptr, true, state);
   if (state->client == nullptr) throw std::runtime_error("the MQTT client cannot be made");
   mosquitto* const client = state->client;
+  // Messages are small: none waits for the acknowledgement of the one before it.
+  check(mosquitto_int_option(client, MOSQ_OPT_TCP_NODELAY, 1), "option");
   const std::string topic = topic_path(identity, will.topic);
   check(mosquitto_will_set(client, topic.c_str(), static_cast<int>(will.payload.size()),
                            will.payload.data(), will.qos, will.retained),

@@ -87,6 +87,16 @@ double weight_of(double factor) {
   return factor < 1.0 ? std::min(kMost, factor / (1.0 - factor)) : kMost;
 }
 
+// Whether the centre of the robot keeps out of a zone on these lines.
+bool is_avoided(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
+  return std::none_of(legs.begin(), legs.end(), [&](const RouteLeg& leg) {
+    const auto line = with_short_chords(leg.line);
+    return std::any_of(line.begin(), line.end(), [&](const Point& point) {
+      return distance_to(zone.vertices, point) <= 0.0;
+    });
+  });
+}
+
 void add_zone(const vda5050::Zone& zone, bool line_guided_is_closed, Zones& area) {
   fairway::Zone added{.polygon = zone.vertices, .name = zone.id};
   switch (zone.type) {
@@ -131,7 +141,8 @@ Zones strips_behind(const RouteLeg& leg, const RouteLeg& next, double reach, dou
 Zones driving_area(std::span<const RouteLeg> legs,
                    std::span<const vda5050::Zone> zones,
                    double body,
-                   const Zones& behind) {
+                   const Zones& behind,
+                   Penalties penalties) {
   Zones area = behind;
   const auto joints = joints_of(legs, nullptr, body);
   Zones before;
@@ -149,6 +160,11 @@ Zones driving_area(std::span<const RouteLeg> legs,
   for (const vda5050::Zone& zone : zones) {
     if (!legs.empty() && !is_near(zone, legs)) continue;
     add_zone(zone, closes_line_guided(zone, legs), area);
+    if (zone.type != ZoneType::Penalty || penalties == Penalties::AreCosts) continue;
+    if (!is_avoided(zone, legs)) continue;
+    area.back().kind = ZoneKind::KeepOut;
+    area.back().reference = ZoneReference::Centre;
+    area.back().weight = 0.0;
   }
   return area;
 }

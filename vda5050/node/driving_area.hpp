@@ -20,12 +20,17 @@ namespace fairway::vda5050 {
                                   double reach,
                                   double body);
 
+/// How zones with a penalty count: in the search for a path, or as walls about a path that was
+/// found around them. The controller may leave a path inside its strip.
+enum class Penalties { AreCosts, AreAvoided };
+
 /// The regions of the legs that a robot drives now and next, and of the zones.
 /// The robot stops at the end of the last leg: its strip ends close behind it.
 /// @param behind  Further strips in which the robot may be.
 [[nodiscard]] Zones driving_area(std::span<const RouteLeg> legs,
                                  std::span<const vda5050::Zone> zones,
                                  double body,
-                                 const Zones& behind = {});
+                                 const Zones& behind = {},
+                                 Penalties penalties = Penalties::AreCosts);
 
 }  // namespace fairway::vda5050

@@ -92,7 +92,11 @@ int run(const NodeOptions& options) {
     const double now = steady_clock();
     if (now < next) {
       constexpr double kLongest = 0.1;  // [s], until a signal is noticed
-      wakeup.wait(std::min(next - now, kLongest));
+      constexpr double kOwing = 0.005;  // [s], while a state is owed
+      const bool owes = std::any_of(sessions.begin(), sessions.end(), [](const auto& session) {
+        return session->vehicle().owes_state();
+      });
+      wakeup.wait(std::min(next - now, owes ? kOwing : kLongest));
       continue;
     }
     for (const auto& session : sessions) {

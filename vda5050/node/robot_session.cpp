@@ -66,7 +66,7 @@ void RobotSession::handle_events(double now) {
         break;
     }
   }
-  if (!events.empty()) publish(now);
+  if (!events.empty() || vehicle_.owes_state()) publish(now);
 }
 
 void RobotSession::note_motion(const DrivenRoute& driven, const Pose2& pose, double now) {

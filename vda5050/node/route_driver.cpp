@@ -163,9 +163,13 @@ void RouteDriver::open_window(const Vehicle& vehicle, const Measurements& m) {
   window.count = legs.size();
   window.whole = !window.cut && window.first + window.count == route.legs.size();
   LegPath path{.closed_leg = 0};
-  if (const Zones area = driving_area(legs, vehicle.zones(), body, behind); validate(area)) {
+  for (const Penalties penalties : {Penalties::AreAvoided, Penalties::AreCosts}) {
+    if (penalties == Penalties::AreAvoided && closed_time_ >= 0.0) continue;
+    const Zones area = driving_area(legs, vehicle.zones(), body, behind, penalties);
+    if (!validate(area)) continue;
     navigator_.set_zones(area);
     path = window_path(legs, robot);
+    if (!path.closed_leg) break;
   }
   if (path.closed_leg) window.closed_leg = window.first + *path.closed_leg;
   if (!path.points.empty()) window.path = with_short_chords(path.points);

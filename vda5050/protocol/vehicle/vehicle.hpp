@@ -72,6 +72,8 @@ class Vehicle {
 
   /// Returns the messages that are due.
   [[nodiscard]] std::vector<OutgoingMessage> take_messages(double now);
+  /// Whether a change waits for the least interval between states.
+  [[nodiscard]] bool owes_state() const noexcept { return changed_; }
 
   /// Makes a message of the topic `connection`.
   [[nodiscard]] OutgoingMessage connection_message(ConnectionState state, double now);
