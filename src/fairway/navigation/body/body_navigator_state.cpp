@@ -86,6 +86,21 @@ bool BodyNavigator::State::jumped(const Measurements& m) noexcept {
   return count > 0;
 }
 
+// A stop is proven for every time until the next command up to the longest hold.
+LimitingFactor BodyNavigator::State::check_timing(double time) noexcept {
+  const double period = settings.navigation.control_period;
+  switch (timer_.next(time, period, settings.safety.longest_hold * period).punctuality) {
+    case Punctuality::Invalid:
+      return LimitingFactor::InvalidTime;
+    case Punctuality::Late:
+      return LimitingFactor::LateCycle;
+    case Punctuality::First:
+    case Punctuality::OnTime:
+      break;
+  }
+  return LimitingFactor::None;
+}
+
 LimitingFactor BodyNavigator::State::check(const Measurements& m) noexcept {
   if (!is_plausible(m.pose) || !std::isfinite(m.time)) return LimitingFactor::InvalidPose;
   const auto fresh = [&](const std::optional<double>& stamp, double timeout) {
@@ -250,7 +265,11 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
 }
 
 NavigationStep BodyNavigator::State::update(const Measurements& m) {
-  const LimitingFactor wrong = check(m);
+  const LimitingFactor timing = check_timing(m.time);
+  const LimitingFactor bad = check(m);
+  // At rest nothing was held for too long, and a plan may have taken its time.
+  const bool late = timing == LimitingFactor::LateCycle && follower.at_rest();
+  const LimitingFactor wrong = bad == LimitingFactor::None && !late ? timing : bad;
   if (wrong != LimitingFactor::None) {
     follows_new_plan = planned = false;
     return step_of(follower.stop(), status_for(wrong), wrong);

@@ -83,8 +83,15 @@ StopVerdict DriveFollower::prove(const FollowerView& view, const Candidate& next
   moving.prediction.obstacle_margin =
       std::min(safety_.moving_margin, moving.prediction.obstacle_margin);
   moving.prediction.obstacle_growth = 0.0;
-  return check_stop(base_, view.pose, sent_, next.input, trial_, period_,
-                    {.clearance = view.clearance, .margin = safety_.stop_margin, .moving = moving});
+  const StopSurroundings around{
+      .clearance = view.clearance, .margin = safety_.stop_margin, .moving = moving};
+  // The next cycle may be a period later, or as late as is promised.
+  for (const double held : {0.0, (safety_.longest_hold - 1.0) * period_}) {
+    const StopVerdict verdict =
+        check_stop(base_, view.pose, sent_, next.input, trial_, period_, around, held);
+    if (verdict != StopVerdict::Free) return verdict;
+  }
+  return StopVerdict::Free;
 }
 
 void DriveFollower::take(const Candidate& next) noexcept {
