@@ -12,8 +12,8 @@ enum class Punctuality : std::uint8_t {
   First,   ///< there was none before it
   OnTime,  ///< within the longest hold, or earlier than a period
   Late,    ///< later than the longest hold after the one before
-  /// The time is not finite, not after that of the cycle before, or not in seconds: the second time
-  /// in a row more than a hundred periods later.
+  /// The time is not finite, not after that of the cycle before, or not in seconds. Times count as
+  /// not in seconds if they are more than a hundred periods later for the second time in a row.
   Invalid,
 };
 

@@ -193,8 +193,8 @@ double SafeStop::contact_time(const StopSituation& situation) const noexcept {
     after.commands[static_cast<std::size_t>(after.count)] = command_at(now + after.count + 1);
     ++after.count;
   }
-  // What was proven with a margin is left for a contact only: obstacles are seen with errors, and
-  // one that comes within the margin is no reason to run.
+  // A stop that was proven with a margin is left for a contact only. Obstacles are seen with
+  // errors, and one that comes within the margin is no reason to evade.
   CollisionEnvironment touching = situation.around;
   touching.moving_margin = 0.0;
   const StopOutcome outcome = follow_stop(

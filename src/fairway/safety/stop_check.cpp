@@ -212,10 +212,10 @@ class StopCheck {
       if (nearest_approach(before, after) >= keep) continue;
       // Already too near: what counts is not to come nearer.
       if (after.norm() < before.norm()) return true;
-      // To a message that came late, that is: if both went round each other, both would rely on
-      // what is no longer so. One of two stops or goes straight away, within 60 degrees; then
-      // whatever the other one does in a few cycles without coming nearer to where it was, they
-      // part.
+      // This applies to late messages: if both robots drove around each other, both would rely on
+      // outdated plans. One of two stops or drives straight away, within 60 degrees. Then they
+      // separate, whatever the other one does in a few cycles without coming nearer to where it
+      // was.
       const Vector2d own = sweep.to.position - sweep.from.position;
       const bool parts = own.dot(before) >= 0.5 * own.norm() * before.norm();
       if (member.unseen > 0.0 && other.robot < surroundings_.robot && !parts) return true;
@@ -230,8 +230,8 @@ class StopCheck {
       const Vector2d last = moving_at(obstacle, sweep.start + sweep.duration);
       const double before = body.distance(inverse_transform(sweep.from, first));
       const double after = body.distance(inverse_transform(sweep.to, last));
-      // Seen from the robot it moves along a curve of at most this length, and the distance changes
-      // no faster than it moves.
+      // Seen from the robot it moves along a curve of at most this length. The distance changes no
+      // faster than it moves.
       const double length =
           (sweep.to.position - sweep.from.position - (last - first)).norm() + sweep.sagitta() +
           sweep.turn() *

@@ -64,8 +64,8 @@ bool MotionFamily::next(StopPiece& piece) noexcept {
   return true;
 }
 
-// Within a piece a member changes its speed evenly, or ever more slowly; one that follows a ramp
-// late stays between its speed and the ramp.
+// Within a piece a member changes its speed evenly, or ever more slowly. A member that follows a
+// ramp late stays between its speed and the ramp.
 double MotionFamily::fastest_in_piece(const BaseResponse& before) const noexcept {
   const auto greatest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
   if (exact_) {
@@ -104,8 +104,8 @@ void MotionFamily::follow_late(double Twist2::*member,
   quick.*member = quick_part.mean;
 }
 
-// The quick base drives along a path that is turned against the slow one's by what its heading has
-// gained, and is further along it by what its speed has gained.
+// The quick base drives along a path that is turned against the slow one's by its gain in heading.
+// It is further along this path by its gain in speed.
 void MotionFamily::deviate(const Twist2& quick,
                            const Twist2& slow,
                            double h,

@@ -39,9 +39,13 @@ BodyNavigator::BodyNavigator(BodyNavigator&&) noexcept = default;
 BodyNavigator& BodyNavigator::operator=(BodyNavigator&&) noexcept = default;
 BodyNavigator::~BodyNavigator() = default;
 
-void BodyNavigator::set_map(const OccupancyGrid& map) { state_->set_map(map); }
+void BodyNavigator::set_map(const OccupancyGrid& map) { state_->around.set_map(map); }
 
-void BodyNavigator::map_changed() noexcept { state_->note_map(); }
+void BodyNavigator::map_changed() { state_->around.note_map(); }
+
+bool BodyNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+  return state_->around.observe(scan, position);
+}
 
 void BodyNavigator::set_goal(const Goal& goal) { state_->set_goal(goal); }
 
@@ -67,6 +71,17 @@ const RobotModel& BodyNavigator::robot() const noexcept { return state_->robot; 
 const Plan& BodyNavigator::plan() const noexcept { return state_->plan; }
 bool BodyNavigator::follows_new_plan() const noexcept { return state_->follows_new_plan; }
 bool BodyNavigator::planned() const noexcept { return state_->planned; }
+bool BodyNavigator::plan_is_current() const noexcept { return state_->has_drive(); }
+
+MovingObstacles BodyNavigator::tracked() const noexcept {
+  const Perception* const perception = state_->around.perception();
+  return perception != nullptr ? perception->tracker().obstacles() : MovingObstacles();
+}
+
+const BitGrid* BodyNavigator::obstacles() const noexcept {
+  return state_->around.known() ? &state_->around.for_plans().obstacles() : nullptr;
+}
+
 void BodyNavigator::wait_for_plan() const noexcept { state_->planning.wait(); }
 
 void BodyNavigator::lend_clock(std::function<double()> clock) {
@@ -75,6 +90,18 @@ void BodyNavigator::lend_clock(std::function<double()> clock) {
 
 double BodyNavigator::planning_seconds() const noexcept {
   return state_->planned ? state_->planning.seconds() : 0.0;
+}
+
+// A stop is proven for every time until the next command up to the longest hold. At rest nothing
+// was held for too long, and a plan may have taken its time.
+LimitingFactor BodyNavigator::State::check_cycle(const Measurements& m) noexcept {
+  const double period = settings.navigation.control_period;
+  const CycleTiming timing = timer_.next(m.time, period, settings.safety.longest_hold * period);
+  const LimitingFactor bad = check(m);
+  if (bad != LimitingFactor::None) return bad;
+  if (timing.punctuality == Punctuality::Invalid) return LimitingFactor::InvalidTime;
+  const bool late = timing.punctuality == Punctuality::Late && !follower.at_rest();
+  return late ? LimitingFactor::LateCycle : LimitingFactor::None;
 }
 
 }  // namespace fairway

@@ -29,6 +29,21 @@ void make_stop(const BaseModel& base,
   stop.count = 0;
 }
 
+namespace {
+
+// That a person stops or turns back cannot be foreseen, so the stop has to fit that, too.
+bool hits_moving(const BodyShape& body,
+                 const Pose2& pose,
+                 const StopSurroundings& surroundings,
+                 double time) noexcept {
+  const auto hits = [&](double share) {
+    return body_separation(body, pose, surroundings.moving, time, share) < 0.0;
+  };
+  return hits(1.0) || (surroundings.may_turn && (hits(0.0) || hits(-1.0)));
+}
+
+}  // namespace
+
 StopVerdict check_stop(const BaseModel& base,
                        const Pose2& pose,
                        const BaseInput& sent,
@@ -49,9 +64,7 @@ StopVerdict check_stop(const BaseModel& base,
     time += duration;
     return StopVerdict::Free;
   };
-  const auto meets_moving = [&] {
-    return body_separation(clearance.body(), now, surroundings.moving, time) < 0.0;
-  };
+  const auto meets_moving = [&] { return hits_moving(clearance.body(), now, surroundings, time); };
   BaseInput from = sent;
   if (base.response_time > 0.0 && !is_at_rest(base, sent)) {
     if (drive(sent, sent, base.response_time) != StopVerdict::Free) return StopVerdict::HitsStatic;
