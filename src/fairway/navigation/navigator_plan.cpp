@@ -80,7 +80,7 @@ void Navigator::begin_cycle(double time) noexcept {
 void Navigator::end_cycle(double time, const Twist2& command) noexcept {
   // A change that is greater than usual takes the base longer.
   const auto ramp = [this](double from, double to, const AxisActuation& axis) {
-    const double change = std::abs(to - from) / change_max(axis);
+    const double change = change_time(from, to, axis);
     return change > step_ * (1.0 + 1e-9) ? change : step_;
   };
   reckoning_.sent(time, command,

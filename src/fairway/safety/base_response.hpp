@@ -26,6 +26,16 @@ struct BaseActuation {
   return {.linear = linear_actuation(robot), .angular = angular_actuation(robot)};
 }
 
+/// The time in which the base can change its speed from `from` to `to` [s].
+[[nodiscard]] inline double change_time(double from,
+                                        double to,
+                                        const AxisActuation& axis) noexcept {
+  const double kept = from * to > 0.0 ? to : 0.0;  // down to here counts as braking
+  if (std::abs(kept) < std::abs(from))
+    return std::abs(from - kept) / axis.braking + std::abs(kept - to) / axis.acceleration;
+  return std::abs(to - from) / axis.acceleration;
+}
+
 /// The twists of the two members of the family of bases that bound all others (docs/safety.md).
 ///
 /// `slow` ramps linearly to each command over the time for which its change was made; `quick`

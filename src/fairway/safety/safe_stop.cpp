@@ -87,9 +87,9 @@ void SafeStop::begin_cycle(double elapsed, double ramp) noexcept {
 StopManoeuvre SafeStop::manoeuvre(const StopSituation& situation,
                                   const Twist2& command,
                                   const StopSequence& stop) const noexcept {
-  const double change = std::max(
-      std::abs(command.linear - situation.current.linear) / change_max(actuation_.linear),
-      std::abs(command.angular - situation.current.angular) / change_max(actuation_.angular));
+  const double change =
+      std::max(change_time(situation.current.linear, command.linear, actuation_.linear),
+               change_time(situation.current.angular, command.angular, actuation_.angular));
   return {.current = situation.current,
           .command = command,
           .stop = stop,

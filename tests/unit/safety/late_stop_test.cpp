@@ -140,7 +140,7 @@ class IrregularDrive {
 
   void finish(const Twist2& command) {
     const auto ramp = [&](double from, double to, const AxisActuation& axis) {
-      const double change = std::abs(to - from) / change_max(axis);
+      const double change = change_time(from, to, axis);
       return change > step_ * (1.0 + 1e-9) ? change : step_;
     };
     history_.send(time_, command,

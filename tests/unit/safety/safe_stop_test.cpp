@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/map/free_space.hpp"
+#include "fairway/simulation/unicycle_robot.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {
@@ -93,6 +94,46 @@ TEST_F(BesideAPasser, IsTouchedByAContactOnly) {
 TEST_F(BesideAPasser, EvadesAContactWithinTheMargin) {
   const StopSituation now = at_distance(0.1, 2.0);
   EXPECT_TRUE(stop_.evade(now, {}, stop_.contact_time(now)));
+}
+
+// Found by safety_campaign: where a base brakes harder than it accelerates, the stop was looked at
+// as if its next command took longer than a period. An obstacle that moves as predicted then seemed
+// to touch the robot, which left its stop and drove into it.
+TEST(SafeStop, MeetsNoObstacleThatMovesAsPredictedWhileItIsExecuted) {
+  test::Random random(8);
+  const BitGrid open({.width = 200, .height = 200, .resolution = 0.5, .origin = {{-50, -50}, 0}},
+                     false);
+  for (int trial = 0; trial < 200; ++trial) {
+    RobotSettings robot;
+    robot.linear_max = 3.0;
+    robot.linear_acceleration_max = random.uniform(0.3, 3.0);
+    robot.linear_braking_max = random.uniform(0.3, 3.0);
+    const Twist2 sent{.linear = random.uniform(0.5, 2.0), .angular = 0.0};
+    MovingObstacle ahead{
+        .position = {0.6, 0.0}, .velocity = {random.uniform(0.0, 0.8), 0.0}, .radius = 0.3};
+    StopSituation now{.pose = {},
+                      .current = sent,
+                      .around = {.obstacles = &open,
+                                 .body = Footprint::disc(0.25),
+                                 .moving = {&ahead, 1},
+                                 .moving_margin = 0.01},
+                      .hold = 2.0};
+    SafeStop stop(robot, kPeriod, 1.5 * kPeriod);
+    stop.reset(sent);
+    const Twist2 command =
+        limited_change(sent, {.linear = robot.linear_max, .angular = 0.0}, robot, kPeriod);
+    while (!stop.take(now, {&command, 1}))
+      ahead.position.x() += 0.01;
+    UnicycleRobot base{.pose = {}, .twist = sent, .limits = limits_of(robot)};
+    for (Twist2 next = command; next.linear > 0.0; next = stop.next()) {
+      base.advance(next, kPeriod);
+      ahead.position += kPeriod * ahead.velocity;
+      now.pose = base.pose;
+      now.current = next;
+      stop.begin_cycle(kPeriod, kPeriod);
+      ASSERT_TRUE(std::isinf(stop.contact_time(now))) << trial << ", at " << next.linear;
+    }
+  }
 }
 
 // Found by safe_stop_soak: an evasion was accepted without a test for static obstacles beyond its

@@ -92,4 +92,16 @@ double BodyNavigator::planning_seconds() const noexcept {
   return state_->planned ? state_->planning.seconds() : 0.0;
 }
 
+// A stop is proven for every time until the next command up to the longest hold. At rest nothing
+// was held for too long, and a plan may have taken its time.
+LimitingFactor BodyNavigator::State::check_cycle(const Measurements& m) noexcept {
+  const double period = settings.navigation.control_period;
+  const CycleTiming timing = timer_.next(m.time, period, settings.safety.longest_hold * period);
+  const LimitingFactor bad = check(m);
+  if (bad != LimitingFactor::None) return bad;
+  if (timing.punctuality == Punctuality::Invalid) return LimitingFactor::InvalidTime;
+  const bool late = timing.punctuality == Punctuality::Late && !follower.at_rest();
+  return late ? LimitingFactor::LateCycle : LimitingFactor::None;
+}
+
 }  // namespace fairway

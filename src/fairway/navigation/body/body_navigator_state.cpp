@@ -275,7 +275,7 @@ Measurements BodyNavigator::State::merged(const Measurements& given) {
 
 NavigationStep BodyNavigator::State::update(const Measurements& given) {
   const Measurements m = merged(given);
-  const LimitingFactor wrong = check(m);
+  const LimitingFactor wrong = check_cycle(m);
   if (wrong != LimitingFactor::None) {
     follows_new_plan = planned = false;
     return step_of(follower.stop(), status_for(wrong), wrong);

@@ -9,6 +9,7 @@
 #include "fairway/navigation/body/body_planning.hpp"
 #include "fairway/navigation/body/body_surroundings.hpp"
 #include "fairway/navigation/body/drive_follower.hpp"
+#include "fairway/navigation/cycle_timing.hpp"
 
 namespace fairway {
 
@@ -34,6 +35,7 @@ struct BodyNavigator::State {
 
  private:
   [[nodiscard]] LimitingFactor check(const Measurements& m) noexcept;
+  [[nodiscard]] LimitingFactor check_cycle(const Measurements& m) noexcept;
   [[nodiscard]] bool jumped(const Measurements& m) noexcept;
   [[nodiscard]] bool is_blocked() const noexcept;
   [[nodiscard]] bool at_goal(const Pose2& pose) const noexcept;
@@ -67,6 +69,7 @@ struct BodyNavigator::State {
     int strange = 0;  // poses in a row that do not follow from the ones before
   };
   std::optional<Known> known_;
+  CycleTimer timer_;
 };
 
 }  // namespace fairway

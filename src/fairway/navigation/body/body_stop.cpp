@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/navigation/body/body_stop.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fairway/trajectory/tracking_law.hpp"
@@ -49,16 +50,26 @@ StopVerdict check_stop(const BaseModel& base,
                        const BaseInput& input,
                        const BodyStop& stop,
                        double period,
-                       const StopSurroundings& surroundings) noexcept {
+                       const StopSurroundings& surroundings,
+                       double held) noexcept {
   if (stop.count == 0) return StopVerdict::HitsStatic;
   const BodyClearance& clearance = *surroundings.clearance;
   Pose2 now = pose;
-  BaseInput from = sent;
-  if (base.response_time > 0.0 && !is_at_rest(base, sent)) {
-    const Pose2 next = driven(base, now, sent, sent, base.response_time);
+  double time = 0.0;
+  const auto drive = [&](const BaseInput& from, const BaseInput& to, double duration) {
+    const Pose2 next = driven(base, now, from, to, duration);
     if (!clearance.is_free(now, twist_between(now, next), 1.0, surroundings.margin))
       return StopVerdict::HitsStatic;
     now = next;
+    time += duration;
+    return StopVerdict::Free;
+  };
+  const auto meets_moving = [&] { return hits_moving(clearance.body(), now, surroundings, time); };
+  BaseInput from = sent;
+  if (base.response_time > 0.0 && !is_at_rest(base, sent)) {
+    if (drive(sent, sent, base.response_time) != StopVerdict::Free) return StopVerdict::HitsStatic;
+  } else {
+    time = base.response_time;
   }
   for (int i = -1; i < stop.count; ++i) {
     const BaseInput& to = i < 0 ? input : stop.inputs[static_cast<std::size_t>(i)];
@@ -66,15 +77,17 @@ StopVerdict check_stop(const BaseModel& base,
     const BaseInput middle = 0.5 * (from + to);
     // Two halves: within each the motion is an arc to less than the margin.
     for (const int half : {0, 1}) {
-      const Pose2 next =
-          driven(base, now, half == 0 ? from : middle, half == 0 ? middle : to, 0.5 * period);
-      if (!clearance.is_free(now, twist_between(now, next), 1.0, surroundings.margin))
+      if (drive(half == 0 ? from : middle, half == 0 ? middle : to, 0.5 * period) !=
+          StopVerdict::Free)
         return StopVerdict::HitsStatic;
-      now = next;
-      const double time = base.response_time + period * (i + 1 + 0.5 * (half + 1));
-      if (hits_moving(clearance.body(), now, surroundings, time)) return StopVerdict::HitsMoving;
+      if (meets_moving()) return StopVerdict::HitsMoving;
     }
     from = to;
+    for (double left = i < 0 ? held : 0.0; left > 0.0; left -= 0.5 * period) {
+      if (drive(to, to, std::min(left, 0.5 * period)) != StopVerdict::Free)
+        return StopVerdict::HitsStatic;
+      if (meets_moving()) return StopVerdict::HitsMoving;
+    }
   }
   return StopVerdict::Free;
 }

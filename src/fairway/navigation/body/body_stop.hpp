@@ -42,12 +42,15 @@ struct StopSurroundings {
 /// Returns whether the body stays free from `sent` over `input` through the stop. The inputs are
 /// linear between control periods. Static obstacles are tested along the whole motion, moving ones
 /// at its periods and their middles.
+///
+/// @param held  Time by which the stop begins later than a period from now: `input` stays [s].
 [[nodiscard]] StopVerdict check_stop(const BaseModel& base,
                                      const Pose2& pose,
                                      const BaseInput& sent,
                                      const BaseInput& input,
                                      const BodyStop& stop,
                                      double period,
-                                     const StopSurroundings& surroundings) noexcept;
+                                     const StopSurroundings& surroundings,
+                                     double held = 0.0) noexcept;
 
 }  // namespace fairway

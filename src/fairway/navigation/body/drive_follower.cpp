@@ -81,7 +81,13 @@ StopVerdict DriveFollower::prove(const FollowerView& view, const Candidate& next
   make_stop(base_, reference_, next.sent_for, next.input, period_, trial_);
   StopSurroundings all = surroundings(view);
   all.may_turn = true;
-  return check_stop(base_, view.pose, sent_, next.input, trial_, period_, all);
+  // The next cycle may be a period later, or as late as is promised.
+  for (const double held : {0.0, (safety_.longest_hold - 1.0) * period_}) {
+    const StopVerdict verdict =
+        check_stop(base_, view.pose, sent_, next.input, trial_, period_, all, held);
+    if (verdict != StopVerdict::Free) return verdict;
+  }
+  return StopVerdict::Free;
 }
 
 StopSurroundings DriveFollower::surroundings(const FollowerView& view) const noexcept {

@@ -243,6 +243,23 @@ TEST(BodyNavigator, ALateBaseArrivesToo) {
   }
 }
 
+TEST(BodyNavigator, ALateCycleBrakesAndSaysWhy) {
+  for (const BaseKind kind : kKinds) {
+    BodyRun run(kind);
+    run.navigator_.set_goal({.position = {9.5, 2.0}});
+    while (run.time_ < 20.0 && std::abs(run.robot_.twist().linear) < 0.5)
+      (void)run.cycle();
+    const double before = std::abs(run.robot_.sent.linear);
+    ASSERT_GE(before, 0.5) << to_text(kind);
+    run.time_ += 1.0;
+    const NavigationStep late = run.cycle();
+    EXPECT_EQ(late.limit, LimitingFactor::LateCycle) << to_text(kind);
+    EXPECT_EQ(late.status, NavigationStatus::Stale) << to_text(kind);
+    EXPECT_LT(std::abs(late.command.linear), before) << to_text(kind);
+    EXPECT_NE(run.cycle().limit, LimitingFactor::LateCycle) << "the next one is on time";
+  }
+}
+
 TEST(BodyNavigator, RejectsARobotThatIsNone) {
   RobotModel robot = robot_of(BaseKind::Car);
   robot.base.wheelbase = 0.0;
