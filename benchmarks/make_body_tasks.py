@@ -126,14 +126,17 @@ def corner_width(length, width, clearance):
     return max((length / 2 + width + clearance * (1 + math.sqrt(2))) / math.sqrt(2), width + 2 * clearance + 0.1)
 
 
-def random_task(draw):
-    """A passage of a random kind for a random body, with 5 to 10 cm of clearance. @return kind and task"""
+KINDS = ["corner_unicycle", "corner_omni", "corner_car", "aisle", "chicane", "dock_unicycle", "dock_tricycle", "slot", "door", "parallel",
+         "uturn"]
+
+
+def random_task(draw, kinds):
+    """A passage of one of the kinds for a random body, with 5 to 10 cm of clearance. @return kind and task"""
     clearance, length = draw.uniform(0.05, 0.1), draw.uniform(0.8, 2.4)
     width = draw.uniform(0.4, 0.9) * min(1.0, length / 1.2)
     base = omni(length, width, draw.choice([MECANUM, SWERVE]))
     turned = draw.random() < 0.5, draw.choice([0.0, draw.uniform(-3.0, 3.0)])
-    kind = draw.choice(["corner_unicycle", "corner_omni", "corner_car", "aisle", "chicane", "dock_unicycle", "dock_tricycle",
-                        "slot", "door", "parallel", "uturn"])
+    kind = draw.choice(kinds)
     if kind in ("corner_unicycle", "corner_omni"):
         robot = base if kind == "corner_omni" else unicycle(length, width, length / 2)
         opening, reach = corner_width(length, width, clearance), max(5.0, 3.0 * length)
@@ -177,12 +180,13 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--random", type=int, default=0, help="as many random tasks instead")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kinds", type=lambda text: text.split(","), default=KINDS, help="of random tasks, such as dock_unicycle,slot")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     draw = random.Random(given.seed)
     tasks = dict(TASKS)
     if given.random:
-        drawn = [random_task(draw) for _ in range(given.random)]
+        drawn = [random_task(draw, given.kinds) for _ in range(given.random)]
         tasks = {f"{i:03}_{kind}": task for i, (kind, task) in enumerate(drawn)}
     for name, task in tasks.items():
         write(given.folder, name, task)

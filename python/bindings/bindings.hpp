@@ -20,6 +20,7 @@ void bind_status(py::module_& module);
 void bind_step(py::module_& module);
 void bind_map_navigator(py::module_& module);
 void bind_mapless_navigator(py::module_& module);
+void bind_body_navigator(py::module_& module);
 
 void bind_problem(py::module_& module);
 void bind_solver(py::module_& module);

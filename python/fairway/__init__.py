@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fairway turns a map, or lidar scans, into velocity commands for a wheeled robot.
 
-`MapNavigator` drives on a map and `MaplessNavigator` on what a lidar measures. Both are made with
+`MapNavigator` drives on a map and `MaplessNavigator` on what a lidar measures; `BodyNavigator` drives
+cars, tricycles, omnidirectional and long robots with their true outline. All are made with
 `Settings` and called once per control period. The stages can also be used alone: `plan`,
 `build_corridor` and `solve`. `simulate` runs scenarios, `replay` runs recordings again.
 
@@ -12,6 +13,7 @@ Lists of them are NumPy arrays with one row each. Errors are `ValueError`s.
 from ._fairway import (
     BarnScore,
     BarnWorld,
+    BodyNavigator,
     Corridor,
     CorridorBuilder,
     CorridorResult,
@@ -28,6 +30,7 @@ from ._fairway import (
     Problem,
     Rectangle,
     Replay,
+    RobotModel,
     RobotResult,
     RunControl,
     Scenario,
@@ -52,6 +55,7 @@ from ._fairway import (
 __all__ = [
     "BarnScore",
     "BarnWorld",
+    "BodyNavigator",
     "Corridor",
     "CorridorBuilder",
     "CorridorResult",
@@ -68,6 +72,7 @@ __all__ = [
     "Problem",
     "Rectangle",
     "Replay",
+    "RobotModel",
     "RobotResult",
     "RunControl",
     "Scenario",

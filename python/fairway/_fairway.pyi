@@ -148,6 +148,10 @@ class Step:
     @property
     def angular(self) -> float: ...
     @property
+    def lateral(self) -> float: ...
+    @property
+    def steering(self) -> float: ...
+    @property
     def command(self) -> _Command: ...
     @property
     def status(self) -> NavigationStatus: ...
@@ -235,6 +239,66 @@ class MaplessNavigator(_Navigator):
     """Drives one robot to a goal without a map, on what its lidar has measured so far."""
 
     def __init__(self, settings: Settings, position: _Numbers = (0.0, 0.0)) -> None: ...
+
+class RobotModel:
+    """A robot with its true outline and its own kind of base."""
+
+    def __init__(self, keys: dict[str, object]) -> None: ...
+    @staticmethod
+    def read(path: str | os.PathLike[str]) -> RobotModel: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def outline(self) -> _Array: ...
+    def moved(self, pose: _Numbers, command: _Numbers, seconds: float) -> _Pose: ...
+
+class BodyNavigator:
+    """Drives a robot of any outline on any base to a goal on a map."""
+
+    def __init__(self, settings: Settings, robot: RobotModel, map: Map | None = None) -> None: ...
+    @property
+    def settings(self) -> Settings: ...
+    @property
+    def robot(self) -> RobotModel: ...
+    @property
+    def plan(self) -> Plan: ...
+    def set_map(self, map: Map) -> None: ...
+    def set_goal(self, x: float, y: float, heading: float | None = None) -> None: ...
+    def cancel(self) -> None: ...
+    def reset(
+        self,
+        linear: float = 0.0,
+        lateral: float = 0.0,
+        angular: float = 0.0,
+        steering: float = 0.0,
+    ) -> None: ...
+    def update(
+        self,
+        time: float,
+        pose: _Numbers,
+        *,
+        obstacles: npt.ArrayLike | None = None,
+        pose_time: float | None = None,
+        obstacles_time: float | None = None,
+        obstacles_due: bool = False,
+        map_time: float | None = None,
+    ) -> Step: ...
+    def observe(
+        self,
+        time: float,
+        ranges: npt.ArrayLike,
+        pose: _Numbers,
+        *,
+        first_angle: float = ...,
+        angle_step: float | None = None,
+        min_range: float = 0.0,
+        max_range: float = 30.0,
+        last_pose: _Numbers | None = None,
+        position: _Numbers | None = None,
+    ) -> bool: ...
+    @property
+    def tracked(self) -> _Array: ...
+    def wait_for_plan(self) -> None: ...
 
 def plan(
     map: Map, start: _Numbers, goal: _Numbers, settings: Settings | None = None

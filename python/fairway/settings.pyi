@@ -155,7 +155,7 @@ class PredictionSettings:
     obstacle_margin: float
     """[m] distance kept from moving obstacles beyond both radii"""
     predict_motion: bool
-    """predict that moving obstacles keep their velocity; if not, that they stand still"""
+    """predict that moving obstacles keep their velocity; if not, that they stop"""
     obstacle_growth: float
     """[m/s] growth of that distance per second ahead, since predictions err"""
     obstacle_growth_max: float

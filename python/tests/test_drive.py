@@ -218,3 +218,62 @@ def test_other_threads_run_during_an_update():
     for thread in threads:
         thread.join()
     assert done.is_set()
+
+
+CAR = {"kind": "car", "length": 1.6, "width": 0.7, "reference_to_front": 1.3, "wheelbase": 1.0, "steering_max": 0.6,
+       "steering_rate_max": 0.8, "linear_min": -0.6, "linear_max": 1.2, "angular_max": 1.5, "linear_acceleration": 0.8,
+       "angular_acceleration": 3.0}
+MECANUM = {"kind": "omni", "length": 1.2, "width": 0.8, "linear_min": -1.0, "linear_max": 1.0, "lateral_max": 0.6,
+           "angular_max": 1.2, "linear_acceleration": 0.8, "lateral_acceleration": 0.8, "angular_acceleration": 2.0,
+           "wheels": {"type": "mecanum", "half_sum": 0.9, "speed_max": 1.2}}
+
+
+def drive_body(navigator, pose, goal, seconds=60.0, **more):
+    navigator.set_goal(*goal)
+    for cycle in range(int(seconds / PERIOD)):
+        step = navigator.update(cycle * PERIOD, pose, **more)
+        if step.status == fairway.NavigationStatus.GoalReached:
+            return pose
+        pose = navigator.robot.moved(pose, (step.linear, step.lateral, step.angular), PERIOD)
+    raise AssertionError(f"did not arrive: {pose}, {step.status} {step.limit}")
+
+
+@pytest.mark.parametrize("keys", [CAR, MECANUM])
+def test_a_body_reaches_a_pose_around_a_wall(keys):
+    navigator = fairway.BodyNavigator(fairway.Settings(), fairway.RobotModel(keys), hall())
+    pose = drive_body(navigator, (2.0, 1.0, 0.0), (8.0, 2.0, -1.5))
+    assert math.dist(pose[:2], (8, 2)) <= 0.1
+    assert abs(pose[2] + 1.5) <= 0.1
+    assert navigator.plan.usable
+
+
+def test_a_body_drives_on_its_scans():
+    navigator = fairway.BodyNavigator(fairway.Settings(), fairway.RobotModel(MECANUM))
+    assert navigator.update(0, (0, 0, 0)).limit == fairway.LimitingFactor.StaleMap
+    angles = np.linspace(-math.pi, math.pi, 360, endpoint=False)
+    pose = (0.0, 0.0, 0.0)
+    navigator.set_goal(3, 1)
+    for cycle in range(300):
+        directions = np.column_stack([np.cos(angles + pose[2]), np.sin(angles + pose[2])])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            walls = (6 * np.sign(directions) - np.array(pose[:2])) / directions
+        assert navigator.observe(cycle * PERIOD, np.nanmin(walls, axis=1), pose, max_range=20.0)
+        step = navigator.update(cycle * PERIOD, pose)
+        if step.status == fairway.NavigationStatus.GoalReached:
+            break
+        pose = navigator.robot.moved(pose, (step.linear, step.lateral, step.angular), PERIOD)
+    assert step.status == fairway.NavigationStatus.GoalReached
+    assert navigator.tracked.shape == (0, 5)
+
+
+def test_a_robot_model_is_read_and_its_errors_name_the_key():
+    model = fairway.RobotModel(CAR)
+    assert model.kind == "car"
+    assert model.outline.shape == (4, 2)
+    assert model.outline[:, 0].max() == pytest.approx(1.3)
+    with pytest.raises(ValueError, match="wheelbase: expected"):
+        fairway.RobotModel({**CAR, "wheelbase": -1})
+    with pytest.raises(ValueError, match="expected length and width, footprint or discs"):
+        fairway.RobotModel({key: value for key, value in CAR.items() if key not in ("length", "width")})
+    with pytest.raises(ValueError, match="no_such_file"):
+        fairway.RobotModel.read("no_such_file.yaml")

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <variant>
 
+#include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
 
 namespace fairway::bridge {
 
-/// One of the library's two navigators behind one interface.
+/// One of the library's navigators behind one interface.
 class AnyNavigator {
  private:
   template <typename Visitor>
@@ -25,9 +27,12 @@ class AnyNavigator {
   explicit AnyNavigator(MapNavigator navigator) : navigator_(std::move(navigator)) {}
   explicit AnyNavigator(MaplessNavigator navigator) : navigator_(std::move(navigator)) {}
 
-  /// Ignored without a map.
+  explicit AnyNavigator(BodyNavigator navigator) : navigator_(std::move(navigator)) {}
+
+  /// Ignored by a navigator without a map.
   void set_map(const OccupancyGrid& map) {
     if (auto* const with_map = std::get_if<MapNavigator>(&navigator_)) with_map->set_map(map);
+    if (auto* const body = std::get_if<BodyNavigator>(&navigator_)) body->set_map(map);
   }
   [[nodiscard]] bool observe(const LidarScan& scan, const Eigen::Vector2d& position) {
     return visit([&](auto& navigator) { return navigator.observe(scan, position); });
@@ -35,17 +40,42 @@ class AnyNavigator {
   void set_goal(const Goal& goal) {
     visit([&](auto& navigator) { navigator.set_goal(goal); });
   }
+  /// A BodyNavigator drives to the end of the path by a path of its own.
+  void follow(const Path& path, const std::optional<double>& goal_heading) {
+    visit([&](auto& navigator) {
+      if constexpr (requires { navigator.follow(path, goal_heading); }) {
+        navigator.follow(path, goal_heading);
+      } else if (!path.waypoints.empty()) {
+        navigator.set_goal({.position = path.waypoints.back(), .heading = goal_heading});
+      }
+    });
+  }
+  /// Ignored by a BodyNavigator, which knows no zones.
   void set_zones(const Zones& zones) {
-    visit([&](auto& navigator) { navigator.set_zones(zones); });
+    visit([&](auto& navigator) {
+      if constexpr (requires { navigator.set_zones(zones); }) navigator.set_zones(zones);
+    });
   }
   void cancel() {
     visit([](auto& navigator) { navigator.cancel(); });
   }
-  void reset(const Twist2& actual) {
-    visit([&](auto& navigator) { navigator.reset(actual); });
+  /// `steering` is the angle of the steered wheel of a car or tricycle [rad].
+  void reset(const PlanarTwist& actual, double steering) {
+    if (auto* const body = std::get_if<BodyNavigator>(&navigator_)) {
+      body->reset(actual, steering);
+      return;
+    }
+    const Twist2 twist{.linear = actual.linear, .angular = actual.angular};
+    visit([&](auto& navigator) {
+      if constexpr (requires { navigator.reset(twist); }) navigator.reset(twist);
+    });
   }
+  /// Ignored by a BodyNavigator, which is made again instead.
   void set_settings(const Settings& settings) {
-    visit([&](auto& navigator) { navigator.set_settings(settings); });
+    visit([&](auto& navigator) {
+      if constexpr (requires { navigator.set_settings(settings); })
+        navigator.set_settings(settings);
+    });
   }
   [[nodiscard]] NavigationStep update(const Measurements& measurements) {
     return visit([&](auto& navigator) { return navigator.update(measurements); });
@@ -62,12 +92,19 @@ class AnyNavigator {
   [[nodiscard]] MovingObstacles tracked() const {
     return visit([](const auto& navigator) { return navigator.tracked(); });
   }
-  [[nodiscard]] SharedMotion share(std::uint32_t robot, double time, const Pose2& pose) const {
-    return visit([&](const auto& navigator) { return navigator.share(robot, time, pose); });
+  /// None of a BodyNavigator, which the fleet sees as a moving obstacle.
+  [[nodiscard]] std::optional<SharedMotion> share(std::uint32_t robot,
+                                                  double time,
+                                                  const Pose2& pose) const {
+    return visit([&](const auto& navigator) -> std::optional<SharedMotion> {
+      if constexpr (requires { navigator.share(robot, time, pose); })
+        return navigator.share(robot, time, pose);
+      return std::nullopt;
+    });
   }
 
  private:
-  std::variant<MapNavigator, MaplessNavigator> navigator_;
+  std::variant<MapNavigator, MaplessNavigator, BodyNavigator> navigator_;
 };
 
 }  // namespace fairway::bridge

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace fairway::bridge {
 
@@ -31,25 +32,67 @@ std::vector<Polygon> polygons_of(const Footprint& body) {
   return polygons;
 }
 
-}  // namespace
+std::vector<Polygon> polygons_of(const BodyShape& body) {
+  std::vector<Polygon> polygons;
+  for (const ConvexPart& part : body.parts()) {
+    if (part.count < 3 || part.radius > 0.0) {
+      polygons.clear();
+      for (const Footprint::Disc& disc : body.cover())
+        polygons.push_back(polygon_about(disc.center, disc.radius));
+      return polygons;
+    }
+    polygons.emplace_back(part.vertices.begin(), part.vertices.begin() + part.count);
+  }
+  return polygons;
+}
 
-MonitorSettings monitor_settings(const Settings& settings) {
+// What of a robot the monitor needs to know.
+struct Limits {
+  double linear_min;
+  double linear_max;
+  double linear_acceleration;
+  double angular_acceleration;
+};
+
+MonitorSettings monitor_settings(const Settings& settings,
+                                 const Limits& robot,
+                                 std::vector<Polygon> footprint) {
   constexpr double kLate = 1.5;  // periods from one command to the next, at most
-  const RobotSettings& robot = settings.robot;
   const double period = settings.navigation.control_period;
   return {
-      .footprint = polygons_of(footprint_of(robot)),
-      .linear_acceleration = std::clamp(robot.linear_acceleration_max, 0.2, 20.0),
-      .angular_acceleration = std::clamp(robot.angular_acceleration_max, 0.2, 100.0),
+      .footprint = std::move(footprint),
+      .linear_acceleration = std::clamp(robot.linear_acceleration, 0.2, 20.0),
+      .angular_acceleration = std::clamp(robot.angular_acceleration, 0.2, 100.0),
       .delay = std::clamp(settings.safety.actuation_lag * period, 0.0, 1.0),
       .hold = std::clamp(kLate * period, 0.01, 1.0),
       // Less than what the navigator keeps, so that it does not limit what was proven.
       .margin = 0.5 * settings.safety.stop_margin,
       // The navigator brakes along its own ramp where scans stop; the monitor acts if it does not.
-      .max_age = std::clamp(
-          settings.safety.map_timeout + period +
-              std::max(robot.linear_max, -robot.linear_min) / robot.linear_acceleration_max,
-          0.01, 10.0)};
+      .max_age =
+          std::clamp(settings.safety.map_timeout + period +
+                         std::max(robot.linear_max, -robot.linear_min) / robot.linear_acceleration,
+                     0.01, 10.0)};
+}
+
+}  // namespace
+
+MonitorSettings monitor_settings(const Settings& settings) {
+  const RobotSettings& robot = settings.robot;
+  return monitor_settings(settings,
+                          {.linear_min = robot.linear_min,
+                           .linear_max = robot.linear_max,
+                           .linear_acceleration = robot.linear_acceleration_max,
+                           .angular_acceleration = robot.angular_acceleration_max},
+                          polygons_of(footprint_of(robot)));
+}
+
+MonitorSettings monitor_settings(const Settings& settings, const RobotModel& robot) {
+  return monitor_settings(settings,
+                          {.linear_min = robot.base.linear_min,
+                           .linear_max = robot.base.linear_max,
+                           .linear_acceleration = robot.base.linear_acceleration,
+                           .angular_acceleration = robot.base.angular_acceleration},
+                          polygons_of(robot.body));
 }
 
 const char* to_text(MonitorReason reason) noexcept {

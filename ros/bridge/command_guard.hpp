@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fairway/geometry/robot_model.hpp"
 #include "fairway/monitor/safety_monitor.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"
@@ -12,6 +13,9 @@ namespace fairway::bridge {
 /// The settings of a monitor for this robot: its body, its limits, and the time between commands.
 [[nodiscard]] MonitorSettings monitor_settings(const Settings& settings);
 
+/// The same for a robot with its true outline. @pre its base turns freely, like a unicycle.
+[[nodiscard]] MonitorSettings monitor_settings(const Settings& settings, const RobotModel& robot);
+
 /// The text of a reason, for the status of a node.
 [[nodiscard]] const char* to_text(MonitorReason reason) noexcept;
 
@@ -20,7 +24,7 @@ namespace fairway::bridge {
 /// It works in the frame of the odometry, so that neither the map nor the localisation matters.
 class CommandGuard {
  public:
-  explicit CommandGuard(const Settings& settings) : monitor_(monitor_settings(settings)) {}
+  explicit CommandGuard(const MonitorSettings& settings) : monitor_(settings) {}
 
   /// Takes in a scan whose poses are in the odometry frame. An implausible scan is ignored.
   void observe(const LidarScan& scan);

@@ -12,8 +12,8 @@ namespace fairway::bridge {
 /// The newest pose of every frame in its parent, in the plane; replaces tf2 for nodes without ROS.
 class FrameTree {
  public:
-  /// A frame's pose in another one, and the oldest stamp among the poses used [s]; infinite if all
-  /// of them are static.
+  /// A frame's pose in another one, and the oldest stamp among the poses used [s]. The stamp is
+  /// infinite if all of them are static.
   struct Found {
     Pose2 pose;
     double time = 0.0;

@@ -10,13 +10,14 @@
 #include <string>
 
 #include "fairway/base/error.hpp"
+#include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/path/path.hpp"
 
 namespace fairway::bridge {
 
-/// Cells of an OccupancyGrid message count as occupied from this percentage on, and as free up to
-/// the other one, as in map_saver. Between them, and below 0 or above 100, they are unknown.
+/// Cells of an OccupancyGrid message count as occupied from this percentage on, as in map_saver. Up
+/// to the other one they are free. Between them, and below 0 or above 100, they are unknown.
 inline constexpr int kOccupiedPercent = 65;
 inline constexpr int kFreePercent = 25;
 
@@ -79,14 +80,25 @@ template <typename TwistMessage>
   return {.linear = message.linear.x, .angular = message.angular.z};
 }
 
+/// Converts geometry_msgs/Twist with its lateral speed.
 template <typename TwistMessage>
-void set_twist(const Twist2& twist, TwistMessage& message) noexcept {
+[[nodiscard]] PlanarTwist to_planar_twist(const TwistMessage& message) noexcept {
+  return {.linear = message.linear.x, .lateral = message.linear.y, .angular = message.angular.z};
+}
+
+template <typename TwistMessage>
+void set_planar_twist(const PlanarTwist& twist, TwistMessage& message) noexcept {
   message.linear.x = twist.linear;
-  message.linear.y = 0.0;
+  message.linear.y = twist.lateral;
   message.linear.z = 0.0;
   message.angular.x = 0.0;
   message.angular.y = 0.0;
   message.angular.z = twist.angular;
+}
+
+template <typename TwistMessage>
+void set_twist(const Twist2& twist, TwistMessage& message) noexcept {
+  set_planar_twist({.linear = twist.linear, .angular = twist.angular}, message);
 }
 
 /// The state of a cell with this percentage in an OccupancyGrid message.
@@ -163,8 +175,8 @@ void set_grid_info(const GridFrame& frame, MapMetaData& info) noexcept {
   set_pose(frame.origin, info.origin);
 }
 
-/// The headings of a path's waypoints for nav_msgs/Path: each towards the next waypoint, and the
-/// last one along the last segment. A single point has heading 0.
+/// Returns the headings of a path's waypoints for nav_msgs/Path. Each heads towards the next
+/// waypoint, and the last one along the last segment. A single point has heading 0.
 [[nodiscard]] Pose2 waypoint_pose(const Path& path, std::size_t index) noexcept;
 
 }  // namespace fairway::bridge

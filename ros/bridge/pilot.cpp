@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge/pilot.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "bridge/path_strips.hpp"
 #include "fairway/base/contract.hpp"
+#include "fairway/trajectory/trajectory.hpp"
 
 namespace fairway::bridge {
 
@@ -13,7 +17,9 @@ namespace {
 constexpr int kLastZeros = 5;    // number of final commands: a base that misses one must not coast
 constexpr double kNever = -1e9;  // [s]; time of a missing measurement
 
-bool is_zero(const Twist2& twist) noexcept { return twist.linear == 0.0 && twist.angular == 0.0; }
+bool is_zero(const NavigationStep& step) noexcept {
+  return step.command.linear == 0.0 && step.command.angular == 0.0 && step.lateral == 0.0;
+}
 
 }  // namespace
 
@@ -28,6 +34,8 @@ Expected<void> validate(const PilotOptions& options) {
     return fail("localisation_timeout: expected a positive number, found " +
                 std::to_string(options.localisation_timeout));
   }
+  if (options.body && !options.zones.empty())
+    return fail("zones: expected none for a robot with a body, found some");
   return {};
 }
 
@@ -40,7 +48,14 @@ Pilot::Pilot(const Settings& settings, const PilotOptions& options)
 
 void Pilot::make_guard() {
   guard_.reset();
-  if (options_.use_monitor && options_.use_scan) guard_.emplace(settings_);
+  if (!options_.use_monitor || !options_.use_scan) return;
+  if (options_.body) {
+    // The monitor brakes like a base that turns freely; others need the stop along their drive.
+    if (options_.body->base.kind == BaseKind::Unicycle)
+      guard_.emplace(monitor_settings(settings_, *options_.body));
+    return;
+  }
+  guard_.emplace(monitor_settings(settings_));
 }
 
 Settings Pilot::with_options(const Settings& settings) const {
@@ -52,7 +67,10 @@ Settings Pilot::with_options(const Settings& settings) const {
 }
 
 void Pilot::make_navigator() {
-  if (options_.use_map) {
+  if (options_.body) {
+    navigator_.emplace(BodyNavigator(with_options(settings_), *options_.body));
+    if (map_ && options_.use_map) navigator_->set_map(*map_);
+  } else if (options_.use_map) {
     navigator_.emplace(MapNavigator(with_options(settings_)));
     if (map_) navigator_->set_map(*map_);
   } else if (!odometry_.empty() && is_plausible(odometry_.pose())) {
@@ -65,8 +83,19 @@ void Pilot::set_settings(const Settings& settings) {
   settings_ = settings;
   make_guard();
   if (!navigator_) return;
-  navigator_->set_settings(with_options(settings));
-  navigator_->reset(sent_);
+  if (options_.body) {
+    make_navigator();
+    if (goal_ && state_ == PilotState::Driving) navigator_->set_goal(*goal_);
+  } else {
+    navigator_->set_settings(with_options(settings));
+  }
+  reset_navigator(sent_);
+}
+
+// A steered wheel is where the motion of the base shows it, and at standstill where it was sent.
+void Pilot::reset_navigator(const PlanarTwist& actual) {
+  if (options_.body) steering_ = steering_of(options_.body->base, actual, steering_);
+  navigator_->reset(actual, steering_);
 }
 
 void Pilot::set_map(const OccupancyGrid& map) {
@@ -74,8 +103,9 @@ void Pilot::set_map(const OccupancyGrid& map) {
   if (navigator_) navigator_->set_map(map);
 }
 
-void Pilot::add_odometry(double time, const Pose2& pose, const Twist2& twist) {
-  odometry_.add(time, pose, twist);
+void Pilot::add_odometry(double time, const Pose2& pose, const PlanarTwist& twist) {
+  odometry_.add(time, pose, {.linear = twist.linear, .angular = twist.angular});
+  moving_ = twist;
   if (!navigator_) make_navigator();
 }
 
@@ -113,11 +143,34 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
 
 void Pilot::set_goal(const Goal& goal) {
   goal_ = goal;
+  path_ = {};
+  set_strips({});
   fresh_goal_ = true;
+}
+
+void Pilot::follow(Path path, const std::optional<double>& goal_heading, double bound) {
+  FAIRWAY_EXPECTS(!path.waypoints.empty());
+  goal_ = Goal{.position = path.waypoints.back(), .heading = goal_heading};
+  path_ = std::move(path);
+  set_strips(bound > 0.0 ? strips_along(path_, bound) : Zones{});
+  fresh_goal_ = true;
+}
+
+// Several strips count as their union, so that those of the path would weaken those of the options.
+void Pilot::set_strips(Zones strips) {
+  const bool has_own = std::any_of(options_.zones.begin(), options_.zones.end(),
+                                   [](const Zone& zone) { return zone.kind == ZoneKind::Strip; });
+  if (has_own || (strips.empty() && strips_.empty())) return;
+  strips_ = std::move(strips);
+  Zones zones = options_.zones;
+  zones.insert(zones.end(), strips_.begin(), strips_.end());
+  if (navigator_) navigator_->set_zones(zones);
 }
 
 void Pilot::cancel() {
   goal_.reset();
+  path_ = {};
+  set_strips({});
   fresh_goal_ = false;
   if (state_ == PilotState::Idle) return;
   state_ = PilotState::Stopping;
@@ -127,7 +180,7 @@ void Pilot::cancel() {
 
 std::optional<SharedMotion> Pilot::share(std::uint32_t robot, double time) const {
   const std::optional<Pose2> now = pose();
-  if (!options_.use_map || !now) return std::nullopt;
+  if (!options_.use_map || !now || !navigator_) return std::nullopt;
   return navigator_->share(robot, time, *now);
 }
 
@@ -153,12 +206,13 @@ PilotStep Pilot::cycle(double time) {
   if (fresh_goal_) {
     state_ = PilotState::Driving;
     fresh_goal_ = false;
-    if (navigator_) navigator_->set_goal(*goal_);
+    if (navigator_ && path_.waypoints.empty()) navigator_->set_goal(*goal_);
+    if (navigator_ && !path_.waypoints.empty()) navigator_->follow(path_, goal_->heading);
   }
   if (state_ == PilotState::Idle) {
     // Other programs may drive the robot now, so a drive starts with its actual twist, which the
     // fleet also receives.
-    if (navigator_ && !odometry_.empty()) navigator_->reset(odometry_.twist());
+    if (navigator_ && !odometry_.empty()) reset_navigator(moving_);
     return answer;
   }
 
@@ -168,6 +222,8 @@ PilotStep Pilot::cycle(double time) {
 
   answer.send = true;
   answer.command = step.command;
+  answer.lateral = step.lateral;
+  answer.steering = step.steering;
   answer.status = step.status;
   answer.limit = step.limit;
   answer.rectangle = step.rectangle;
@@ -176,10 +232,13 @@ PilotStep Pilot::cycle(double time) {
   answer.new_plan = navigator_ && navigator_->follows_new_plan();
   has_planned_ = has_planned_ || answer.new_plan;
   guard(time, answer);
-  sent_ = answer.command;
+  sent_ = {.linear = answer.command.linear,
+           .lateral = answer.lateral,
+           .angular = answer.command.angular};
+  if (options_.body) steering_ = answer.steering;
   if (state_ == PilotState::Driving) {
     judge(step, answer);
-  } else if (is_zero(step.command) && --zeros_left_ <= 0) {
+  } else if (is_zero(step) && --zeros_left_ <= 0) {
     state_ = PilotState::Idle;
   }
   return answer;
@@ -189,11 +248,13 @@ PilotStep Pilot::cycle(double time) {
 void Pilot::guard(double time, PilotStep& answer) {
   if (!guard_ || odometry_.empty()) return;
   const Pose2 pose = odometry_.at(time).value_or(odometry_.pose());
-  const MonitorVerdict verdict = guard_->check(time, pose, sent_, answer.command);
+  const Twist2 last{.linear = sent_.linear, .angular = sent_.angular};
+  const MonitorVerdict verdict = guard_->check(time, pose, last, answer.command);
   answer.monitor = verdict.reason;
   if (verdict.reason == MonitorReason::None) return;
   answer.command = verdict.command;
-  if (navigator_) navigator_->reset(verdict.command);
+  if (navigator_)
+    reset_navigator({.linear = verdict.command.linear, .angular = verdict.command.angular});
 }
 
 // Decides whether the drive has ended, and how.
@@ -204,6 +265,10 @@ void Pilot::judge(const NavigationStep& step, PilotStep& answer) {
   } else if (step.status == NavigationStatus::GaveUp) {
     answer.end = GoalEnd::GivenUp;
     answer.reason = reason_of(step);
+    if (has_planned_ && !navigator_->plan().usable()) {
+      const PathStatus path = navigator_->plan().path_status;
+      answer.path = path == PathStatus::Found ? PathStatus::NoConnection : path;
+    }
     cancel();
   }
 }

@@ -21,6 +21,7 @@ struct PilotOptions {
   double patience = 20.0;             ///< a goal is given up after this time without progress [s]
   double localisation_timeout = 2.0;  ///< largest age of the odometry frame's pose in the map [s]
   Zones zones{};                      ///< that hold, in the world frame
+  std::optional<RobotModel> body{};   ///< true outline and base, driven by a BodyNavigator
 };
 
 /// Checks that a robot can be driven with these options; the error names the option.
@@ -40,11 +41,14 @@ enum class GoalEnd : std::uint8_t { None, Reached, GivenUp };
 struct PilotStep {
   bool send = false;  ///< whether to publish the command
   Twist2 command;
+  double lateral = 0.0;   ///< completes the command of an omnidirectional body [m/s]
+  double steering = 0.0;  ///< angle of the steered wheel, of a car or tricycle [rad]
   NavigationStatus status = NavigationStatus::NoPlan;
   LimitingFactor limit = LimitingFactor::None;
   GoalEnd end = GoalEnd::None;
-  std::string reason;                 ///< why the goal was given up, for the user
-  bool new_plan = false;              ///< path and corridor have changed
+  std::string reason;                   ///< why the goal was given up, for the user
+  PathStatus path = PathStatus::Found;  ///< why there was no plan when it was given up, if so
+  bool new_plan = false;                ///< path and corridor have changed
   std::size_t rectangle = 0;          ///< index of the corridor's rectangle that contains the robot
   const MpcSolution* plan = nullptr;  ///< predicted trajectory; valid until the next cycle; may be
                                       ///< null
@@ -67,7 +71,7 @@ class Pilot {
   void set_settings(const Settings& settings);
 
   void set_map(const OccupancyGrid& map);
-  void add_odometry(double time, const Pose2& pose, const Twist2& twist);
+  void add_odometry(double time, const Pose2& pose, const PlanarTwist& twist);
 
   /// The pose of the odometry's frame in the map at `time`; infinite for a static one.
   void set_localisation(const Pose2& odometry_in_map, double time);
@@ -90,6 +94,11 @@ class Pilot {
 
   /// Sets a goal in the world's frame. The next cycles refuse one that is not finite.
   void set_goal(const Goal& goal);
+
+  /// Follows a path in the world's frame instead of a goal, as MapNavigator::follow does.
+  /// @param bound  Greatest distance of the robot's centre from the path [m]; 0: none. Options with
+  /// strips of their own have precedence. @pre the waypoints are finite, and there is at least one.
+  void follow(Path path, const std::optional<double>& goal_heading, double bound = 0.0);
 
   /// Removes the goal and brakes.
   void cancel();
@@ -116,7 +125,9 @@ class Pilot {
 
  private:
   void make_navigator();
+  void set_strips(Zones strips);
   void make_guard();
+  void reset_navigator(const PlanarTwist& actual);
   void guard(double time, PilotStep& answer);
   [[nodiscard]] Settings with_options(const Settings& settings) const;
   [[nodiscard]] Pose2 in_world(const Pose2& pose) const;
@@ -136,11 +147,15 @@ class Pilot {
   SeenObstacles seen_;                     // from detectors, in this cycle
   bool scanned_ = false;                   // a scan was used
   std::optional<Goal> goal_;
+  Path path_;     // to the goal, if it was given; else empty
+  Zones strips_;  // around the path
   PilotState state_ = PilotState::Idle;
   int zeros_left_ = 0;  // remaining commands while stopping, after standstill
   bool has_planned_ = false;
   bool fresh_goal_ = false;  // set since the last cycle
-  Twist2 sent_;
+  PlanarTwist moving_{};     // by the newest odometry
+  PlanarTwist sent_{};
+  double steering_ = 0.0;  // last one sent, or that follows from the odometry [rad]
   std::optional<CommandGuard> guard_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 #include "fairway_dds/navigation_node.hpp"
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
   dds::NodeOptions options;
   std::string file;
   std::string zones;
+  std::string body;
   std::vector<std::string> assignments;
   bool no_map = false;
   bool no_scan = false;
@@ -54,6 +56,9 @@ int main(int argc, char** argv) {
   app.add_option("--settings", file, "Settings file (YAML), as printed by `fairway settings`");
   app.add_option("--set", assignments, "group.name=value");
   app.add_option("--zones", zones, "File (YAML) with a list `zones` that the robot obeys");
+  app.add_option("--body", body,
+                 "File (YAML) with the true outline and the base of the robot, as in "
+                 "scenarios/robots");
   app.add_option("--patience", options.pilot.patience,
                  "Time without progress after which a goal is given up [s]");
   app.add_flag("--no-map", no_map, "Drive without a map, on the cells seen by the lidar");
@@ -61,6 +66,12 @@ int main(int argc, char** argv) {
   app.add_flag("--no-monitor", no_monitor,
                "Do not check every command with the safety monitor, which needs a lidar");
   app.add_flag("--stamped", options.stamped, "Publish commands as TwistStamped");
+  app.add_option(
+         "--max-deviation", options.max_deviation,
+         "Greatest distance from a path of the action FollowPath, also at obstacles [m]; 0: "
+         "obstacles are driven around")
+      ->check(CLI::Range(0.0, 10.0));
+  app.add_flag("--sim-time", options.sim_time, "Take the time from the topic /clock");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -77,6 +88,11 @@ int main(int argc, char** argv) {
     const Expected<Zones> read = io::read_zones_file(zones);
     if (!read) return fail_with(read.error().message);
     options.pilot.zones = *read;
+  }
+  if (!body.empty()) {
+    const Expected<RobotModel> read = io::read_robot_model(body);
+    if (!read) return fail_with(read.error().message);
+    options.pilot.body = *read;
   }
   if (const auto valid = bridge::validate(options.pilot); !valid) {
     return fail_with(valid.error().message);

@@ -20,7 +20,7 @@ double now_seconds() { return ros::Time::now().toSec(); }
 NavigationNode::NavigationNode(const Settings& settings, const NodeOptions& options)
     : options_(options),
       pilot_(settings, options.pilot),
-      outputs_(node_, own_),
+      outputs_(node_, own_, options.pilot.body && is_steered(options.pilot.body->base)),
       parameters_(
           own_, settings, [this](const Settings& changed) { pilot_.set_settings(changed); }),
       goals_(node_,
@@ -69,7 +69,7 @@ void NavigationNode::on_map(const nav_msgs::OccupancyGrid::ConstPtr& message) {
 void NavigationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) {
   odometry_frame_ = message->header.frame_id;
   pilot_.add_odometry(message->header.stamp.toSec(), bridge::to_pose(message->pose.pose),
-                      bridge::to_twist(message->twist.twist));
+                      bridge::to_planar_twist(message->twist.twist));
 }
 
 void NavigationNode::update_localisation() {
@@ -146,7 +146,7 @@ void NavigationNode::run_cycle(double now) {
   update_localisation();
   const ros::WallTime before = ros::WallTime::now();
   const bridge::PilotStep step = pilot_.cycle(now);
-  if (step.send) outputs_.send(step.command);
+  if (step.send) outputs_.send(step);
   const double seconds = (ros::WallTime::now() - before).toSec();
   outputs_.show(pilot_, step, world_frame(), std::exchange(new_scan_, std::nullopt), seconds);
   if (const auto pose = pilot_.pose()) {

@@ -18,9 +18,11 @@ struct ScanTimes {
 class NodeOutputs {
  public:
   /// @param node  for `cmd_vel`; @param own  for the node's private topics.
-  NodeOutputs(ros::NodeHandle node, ros::NodeHandle own);
+  /// @param steered  Whether `steering_angle` is published, of a car or tricycle.
+  NodeOutputs(ros::NodeHandle node, ros::NodeHandle own, bool steered);
 
-  void send(const Twist2& command);
+  /// Publishes the command; the steering angle only of a step that is to be sent.
+  void send(const bridge::PilotStep& step);
 
   /// Publishes path, corridor, prediction, tracks, footprint and status of a cycle. Topics without
   /// subscribers are skipped.
@@ -42,6 +44,7 @@ class NodeOutputs {
                       double seconds);
 
   ros::Publisher command_;
+  ros::Publisher steering_;
   ros::Publisher plan_;
   ros::Publisher corridor_;
   ros::Publisher prediction_;
@@ -49,6 +52,7 @@ class NodeOutputs {
   ros::Publisher obstacle_markers_;
   ros::Publisher footprint_;
   ros::Publisher status_;
+  ros::Publisher status_marker_;
   ros::Publisher diagnostics_;
   diagnostic_msgs::DiagnosticStatus last_status_;
   std::size_t shown_rectangle_ = 0;

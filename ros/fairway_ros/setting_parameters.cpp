@@ -3,6 +3,7 @@
 
 #include <dynamic_reconfigure/ConfigDescription.h>
 
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/yaml/setting_text.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
@@ -89,11 +90,18 @@ Expected<void> assign_option(const std::string& key,
     options.pilot.zones = *std::move(zones);
     return {};
   }
-  return fail(
-      key +
-      ": expected a group of settings, or one of preset, use_map, use_scan, use_monitor, "
-      "patience, localisation_timeout, map_frame, base_frame, cancel_with_client, zones, found an "
-      "unknown parameter");
+  if (key == "body") {
+    if (text.empty()) return {};
+    const Expected<RobotModel> body = io::read_robot_model(text);
+    if (!body) return tl::unexpected(body.error());
+    options.pilot.body = *body;
+    return {};
+  }
+  return fail(key +
+              ": expected a group of settings, or one of preset, use_map, use_scan, use_monitor, "
+              "patience, localisation_timeout, map_frame, base_frame, cancel_with_client, zones, "
+              "body, found an "
+              "unknown parameter");
 }
 
 Config config_of(const Settings& settings) {

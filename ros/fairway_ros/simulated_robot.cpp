@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway_ros/simulated_robot.hpp"
 
+#include <cmath>
+
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
 
 #include "bridge/message_conversions.hpp"
 #include "bridge/pose_history.hpp"
@@ -44,6 +47,13 @@ SimulatedRobot::SimulatedRobot(const Scenario& scenario,
       transforms_(node_.advertise<tf2_msgs::TFMessage>("/tf", 100)),
       commands_(node_.subscribe(
           "cmd_vel", 1, &SimulatedRobot::on_command, this, ros::TransportHints().tcpNoDelay())),
+      steering_(
+          node_.subscribe<std_msgs::Float64>("steering_angle",
+                                             1,
+                                             [this](const std_msgs::Float64::ConstPtr& message) {
+                                               if (std::isfinite(message->data))
+                                                 steering_angle_ = message->data;
+                                             })),
       mutes_(node_.subscribe<std_msgs::String>(
           "mute", 1, [this](const std_msgs::String::ConstPtr& names) { muted_ = names->data; })) {
   contact_.publish(std_msgs::Bool());
@@ -54,13 +64,21 @@ bool SimulatedRobot::muted(const char* topic) const {
 }
 
 void SimulatedRobot::on_command(const geometry_msgs::Twist::ConstPtr& message) {
-  command_ = bridge::to_twist(*message);
+  command_ = bridge::to_planar_twist(*message);
   command_time_ = ros::Time::now().toSec();
 }
 
-Twist2 SimulatedRobot::command(double time) const noexcept {
-  const bool heard = time - command_time_ <= kCommandTimeout;
-  return heard && is_finite(command_) ? command_ : Twist2{};
+Twist2 SimulatedRobot::command(double time, World& world) const {
+  const bool heard = time - command_time_ <= kCommandTimeout && is_finite(command_);
+  const PlanarTwist sent = heard ? command_ : PlanarTwist{};
+  if (const BodyRobot* const body = world.model_of(robot_)) {
+    const BaseModel& base = body->model.base;
+    const double steering = steering_angle_.value_or(steering_of(base, sent, body->input.turn));
+    world.send(robot_, {.linear = sent.linear,
+                        .lateral = sent.lateral,
+                        .turn = is_steered(base) ? steering : sent.angular});
+  }
+  return {.linear = sent.linear, .angular = sent.angular};
 }
 
 geometry_msgs::TransformStamped SimulatedRobot::mount() const {
@@ -97,7 +115,11 @@ void SimulatedRobot::publish_odometry(const World& world, double time) {
   odometry.header = header(prefix_ + "odom", time);
   odometry.child_frame_id = prefix_ + "base_link";
   bridge::set_pose(senses_.pose(), odometry.pose.pose);
-  bridge::set_twist(robot.twist, odometry.twist.twist);
+  const BodyRobot* const body = world.model_of(robot_);
+  bridge::set_planar_twist({.linear = robot.twist.linear,
+                            .lateral = body != nullptr ? body->twist().lateral : 0.0,
+                            .angular = robot.twist.angular},
+                           odometry.twist.twist);
   odometry_.publish(odometry);
 
   // Publishes what a localisation would: the true pose of the odometry's frame in the map.

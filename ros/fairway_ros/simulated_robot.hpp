@@ -3,6 +3,8 @@
 
 #include <tf2_msgs/TFMessage.h>
 
+#include <optional>
+
 #include <geometry_msgs/Twist.h>
 #include <ros/node_handle.h>
 #include <std_msgs/String.h>
@@ -28,8 +30,9 @@ class SimulatedRobot {
                  std::size_t robot,
                  const std::string& space);
 
-  /// The command that the base executes at `time` [s], by the wall clock.
-  [[nodiscard]] Twist2 command(double time) const noexcept;
+  /// The command that the base executes at `time` [s], by the wall clock. A robot with a model
+  /// receives it in `world`.
+  [[nodiscard]] Twist2 command(double time, World& world) const;
 
   /// Measures, and publishes due messages. @param start  wall-clock time of the world's start [s].
   void publish(const World& world, double start);
@@ -58,9 +61,11 @@ class SimulatedRobot {
   ros::Publisher contact_;
   ros::Publisher transforms_;
   ros::Subscriber commands_;
+  ros::Subscriber steering_;
   ros::Subscriber mutes_;
   std::string muted_;
-  Twist2 command_;
+  PlanarTwist command_;
+  std::optional<double> steering_angle_;  // last one sent [rad]
   double command_time_ = -1e9;
   double next_odometry_ = 0.0;  // in the world's time
   bool contact_told_ = false;

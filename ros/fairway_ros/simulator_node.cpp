@@ -81,7 +81,7 @@ void SimulatorNode::tick() {
   std::vector<Twist2> commands;
   commands.reserve(robots_.size());
   for (const auto& robot : robots_)
-    commands.push_back(robot->command(now));
+    commands.push_back(robot->command(now, world_));
   world_.advance(commands, step);
   for (const auto& robot : robots_)
     robot->publish(world_, start_);

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
 import { launch, openPage } from './support/browser.mjs';
 import { camera } from './support/replay_page.mjs';
-import { cellAt, click, drag, last, pause, spot, until, withLive as liveWith } from './support/live.mjs';
+import { cellAt, cellBecomes, click, drag, last, pause, spot, until, withLive as liveWith } from './support/live.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -73,18 +73,18 @@ test('edits can be undone and redone: goal, obstacle, person, pose, robot', () =
   await page.click('#tool-wall');
   await drag(page, [9, 9], [12, 9]);
   await until(page, () => window.fairway.run.grids[0][0].changes.length > 0);
-  while (await cellAt(page, 11.9, 9) !== 1) await page.waitForTimeout(30);
+  await cellBecomes(page, 11.9, 9, 1);
   await page.click('#undo');
-  while (await cellAt(page, 11.9, 9) !== 0) await page.waitForTimeout(30);
+  await cellBecomes(page, 11.9, 9, 0);
   assert.equal(await cellAt(page, 9.2, 9), 0, 'a stroke is undone as a whole');
   await page.keyboard.press('Control+y');
-  while (await cellAt(page, 9.2, 9) !== 1) await page.waitForTimeout(30);
+  await cellBecomes(page, 9.2, 9, 1);
   await page.click('#tool-goal');
   await click(page, 5, 11);
-  const goalX = () => page.evaluate(() => window.fairway.run.plans[0].at(-1).goal.x);
-  while (Math.abs(await goalX() - 5) > 0.1) await page.waitForTimeout(30);
+  const goalIsAt = (x) => Math.abs(window.fairway.run.plans[0].at(-1).goal.x - x) < 0.1;
+  await until(page, goalIsAt, 5);
   await page.keyboard.press('Control+z');
-  while (Math.abs(await goalX() - 17) > 0.1) await page.waitForTimeout(30);
+  await until(page, goalIsAt, 17);
   await page.click('#tool-robot');
   await click(page, 4, 12);
   await until(page, () => window.fairway.run.begin.robots.length === 2);
@@ -103,7 +103,7 @@ test('what cannot be is refused at the cursor, with the reason', () => withLive(
   await until(page, () => /outside the map/.test(document.getElementById('hint').textContent));
   await page.click('#tool-wall');
   await drag(page, [8, 8], [8.4, 8]);
-  while (await cellAt(page, 8.2, 8) !== 1) await page.waitForTimeout(30);
+  await cellBecomes(page, 8.2, 8, 1);
   for (const [tool, reason] of [['pose', /does not fit here: its body overlaps an obstacle by/], ['robot', /does not fit/], ['person', /0\.30 m are needed/]]) {
     await page.click(`#tool-${tool}`);
     await click(page, 8.2, 8);
@@ -208,7 +208,7 @@ test('drawn obstacles are kept when another map is chosen, and can be discarded;
   await pause(page);
   await page.click('#tool-wall');
   await drag(page, [9, 9], [9.5, 9]);
-  while (await cellAt(page, 9.2, 9) !== 1) await page.waitForTimeout(30);
+  await cellBecomes(page, 9.2, 9, 1);
   await page.click('#theme');
   await page.selectOption('#map-choice', { label: 'Clutter, 20 m' });
   await until(page, () => document.getElementById('title').textContent === 'Clutter, 20 m');
@@ -216,7 +216,7 @@ test('drawn obstacles are kept when another map is chosen, and can be discarded;
   await until(page, () => document.getElementById('title').textContent === 'Empty hall');
   assert.equal(await cellAt(page, 9.2, 9), 1);
   await page.click('#revert');
-  while (await cellAt(page, 9.2, 9) !== 0) await page.waitForTimeout(30);
+  await cellBecomes(page, 9.2, 9, 0);
   await page.reload();
   await until(page, () => window.fairway?.drawn > 0);
   assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), 'dark');
@@ -256,13 +256,12 @@ test('cancel and emergency stop', () => withLive(async (page) => {
   await until(page, () => window.fairway.run.frames.at(-1).robots[0].cycle?.linear > 0.5);
   await page.click('#halt');
   await until(page, () => document.getElementById('connection').textContent === 'emergency stop');
-  const moved = () => page.evaluate(() => {
+  await until(page, () => {
     const { frames } = window.fairway.run;
-    if (frames.length < 6) return Infinity;
+    if (frames.length < 6) return false;
     const [a, b] = [frames.at(-1).robots[0], frames.at(-6).robots[0]];
-    return Math.hypot(a.x - b.x, a.y - b.y);
+    return Math.hypot(a.x - b.x, a.y - b.y) < 1e-3;
   });
-  while (await moved() > 1e-3) await page.waitForTimeout(50);
   await page.click('#halt');
   await until(page, () => window.fairway.run.frames.at(-1).robots[0].cycle?.linear > 0.3);
   await page.click('.cancel');
@@ -309,7 +308,6 @@ test('many robots are a table, and 20 robots keep the page quick', () => withLiv
   await page.click('#tool-robot');
   for (let i = 0; i < 19; ++i) await click(page, 4 + (i % 7) * 2, 5 + Math.floor(i / 7) * 3);
   await until(page, () => window.fairway.run.begin.robots.length === 20);
-  await page.click('#forward');  // a paused world shows its robots with the next frame
   await until(page, () => document.querySelectorAll('.fleet tbody tr').length === 20);
   assert.equal(await page.locator('.card:visible').count(), 1);
   await page.click('.fleet tbody tr:nth-child(5) button');
@@ -355,7 +353,7 @@ test('everything on the map by keyboard', () => withLive(async (page) => {
   for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowDown');
   const end = await page.evaluate(() => window.fairway.cursor.at);
   await page.keyboard.press('Enter');
-  while (await cellAt(page, end.x, end.y) !== 1) await page.waitForTimeout(30);
+  await cellBecomes(page, end.x, end.y, 1);
   // Letters can be switched off.
   await page.click('#show-help');
   await page.uncheck('#letters');

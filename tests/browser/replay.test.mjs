@@ -28,7 +28,9 @@ test('plays, pauses, and runs at the selected speed', () => withPage(async (page
   assert.ok(Math.abs(await pace() - 8) < 0.8);
   await page.click('#play');
   const stopped = await time(page);
-  await page.waitForTimeout(200);
+  await page.evaluate(async () => {
+    for (let n = 0; n < 12; ++n) await new Promise((done) => requestAnimationFrame(done));
+  });
   assert.equal(await time(page), stopped);
   assert.equal(await page.getAttribute('#play', 'aria-label'), 'Play');
 }));

@@ -47,9 +47,9 @@ def main() -> int:
         errors, counts["shell blocks"] = commands.check_commands(root, tool, all_pages)
         return errors
 
-    checks = {"links": lambda: pages.check_links(root, all_pages),
+    checks = {"links": lambda: pages.check_links(root, all_pages) + pages.check_tables(root, all_pages),
               "words": lambda: words.check_words(root, all_pages),
-              "statuses": lambda: names.check_statuses(root),
+              "statuses": lambda: names.check_statuses(root) + names.check_provoked(root),
               "keys": lambda: names.check_keys(root),
               "code": code}
     if tool:

@@ -38,6 +38,11 @@ class Checks(unittest.TestCase):
     def test_anchors_are_those_of_github(self):
         self.assertEqual(pages.slug("The `stop`: a proof, (S1)"), "the-stop-a-proof-s1")
 
+    def test_tables_have_as_many_cells_in_every_row(self):
+        page = self.page("| a | b |\n|---|---|\n| `x|y` | 2 |\n| 1 |\n\n| 1 | 2 | 3 |\n")
+        errors = pages.check_tables(self.root, [page])
+        self.assertEqual([error.split(":")[1] for error in errors], ["4"])
+
     def run_page(self, text: str) -> list:
         return commands.check_page(self.root, self.tool, self.page(text))[0]
 
@@ -83,6 +88,11 @@ class Checks(unittest.TestCase):
         self.assertEqual([error.split("'")[1] for error in found], ["for ever", "nobody"])
         joined = words.check_text("a.md", "It waits for\never.")
         self.assertEqual(len(joined), 1)
+
+    def test_words_are_found_in_names_of_tests(self):
+        names = words.test_names("int a;\nTEST(Robot, GetsOnWithNobody) {\nTEST_F(Robot, Drives) {\n")
+        found = [error.split(":")[1:] for error in words.check_text("a.cpp", names)]
+        self.assertEqual([number for number, *_ in found], ["2", "2"])
 
     def test_every_command_and_option_is_described(self):
         self.tool.write_text("#!/bin/sh\n[ $# = 1 ] && printf 'Subcommands:\\n  go    Goes\\n' ||"

@@ -102,3 +102,24 @@ def check_links(root: pathlib.Path, pages: list) -> list:
                 elif anchor and file in known and anchor not in known[file].anchors:
                     errors.append(f"{where}: expected a link to a heading, found {target}")
     return errors
+
+
+def cells_in(row: str) -> int:
+    """How many cells a row of a table has; bars in code and escaped bars separate none."""
+    return len(re.sub(r"`[^`]*`|\\\|", "x", row).strip().strip("|").split("|"))
+
+
+def check_tables(root: pathlib.Path, pages: list) -> list:
+    """Every row of a table has as many cells as its head."""
+    errors = []
+    for page in pages:
+        head = 0
+        for (_, before), (number, line) in zip(page.prose, page.prose[1:]):
+            if re.match(r"^\|[-| :]+\|$", line):
+                head = cells_in(before)
+            elif not line.startswith("|"):
+                head = 0
+            if head and cells_in(line) != head:
+                errors.append(f"{page.path.relative_to(root)}:{number}: expected {head} cells, "
+                              f"found {cells_in(line)}")
+    return errors

@@ -27,7 +27,7 @@ json batch(std::initializer_list<int> worlds, double score) {
   return result;
 }
 
-TEST(Provenance, SaysWhatAResultWasMadeFrom) {
+TEST(Provenance, NamesTheInputsOfAResult) {
   const TemporaryFolder folder;
   write_room(folder);
   folder.write("own.yaml", "robot: {radius: 0.2}\n");
@@ -47,7 +47,7 @@ TEST(Provenance, SaysWhatAResultWasMadeFrom) {
   EXPECT_EQ(from.at("map").at("width"), 80);
 }
 
-TEST(Provenance, TellsMapsApartByTheirCells) {
+TEST(Provenance, DistinguishesMapsByTheirCells) {
   const TemporaryFolder folder;
   write_room(folder);
   const auto sum = [&] {
@@ -80,7 +80,7 @@ TEST(Compare, IsSilentAboutTimesAndFailsWhereResultsDiffer) {
   EXPECT_FALSE(differences.at("same").get<bool>());
 }
 
-TEST(Compare, MatchesRunsByNameAndToleratesWhatItIsTold) {
+TEST(Compare, MatchesRunsByNameAndToleratesTheGivenDifference) {
   const TemporaryFolder folder;
   folder.write("a.json", R"({"worlds": [{"world": 1, "time": 5.0}, {"world": 2, "time": 6.0}]})");
   folder.write("b.json", R"({"worlds": [{"world": 2, "time": 6.006}, {"world": 1, "time": 5.0}]})");
@@ -91,7 +91,7 @@ TEST(Compare, MatchesRunsByNameAndToleratesWhatItIsTold) {
   EXPECT_EQ(run_tool(folder, "compare a.json b.json --tolerance 0.01").code, 0);
 }
 
-TEST(Compare, RefusesWhatIsNoResultInOneLine) {
+TEST(Compare, RefusesOtherFilesInOneLine) {
   const TemporaryFolder folder;
   folder.write("a.json", "{}");
   folder.write("list.json", "[1]");

@@ -171,5 +171,37 @@ TEST(Simulate, IsTheSameEveryTime) {
   EXPECT_EQ(content_of(folder.path("a.csv")), content_of(folder.path("b.csv")));
 }
 
+// What a robot touched, and why there is no path, are in the message and in the JSON.
+TEST(Simulate, AContactNamesWhatWasTouched) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write("run.yaml",
+               "map: room.yaml\ntime_limit: 1\nrobots: [{start: [1, 2, 0], goal: [7, 2]}]\n"
+               "obstacles: [{name: cart, radius: 0.3, key_frames: [[0, 1.2, 2]]}]\n");
+  const ToolRun run = run_tool(folder, "simulate run.yaml --json out.json");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("touched cart at 0.00 s, near (1.00, 2.00)"), std::string::npos)
+      << run.err;
+  const auto result = nlohmann::json::parse(content_of(folder.path("out.json")));
+  EXPECT_EQ(result.at("robots").at(0).at("touched"), "cart");
+}
+
+TEST(Simulate, ABodyWithoutAPathIsExplainedWithNumbers) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write("run.yaml",
+               "map: room.yaml\ntime_limit: 1\nrobots:\n  - start: [2, 2, 0]\n    goal: [6.5, 2]\n"
+               "    robot: {kind: unicycle, length: 1.4, width: 1.2, linear_max: 1, linear_min: 0, "
+               "angular_max: 1, linear_acceleration: 1, angular_acceleration: 2}\n");
+  const ToolRun run = run_tool(folder, "simulate run.yaml --json out.json");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("is 1.000 m wide and the body is 1.200 m wide"), std::string::npos)
+      << run.err;
+  const auto result = nlohmann::json::parse(content_of(folder.path("out.json")));
+  const auto& obstruction = result.at("robots").at(0).at("obstruction");
+  EXPECT_EQ(obstruction.at("kind"), "narrow gap");
+  EXPECT_NEAR(obstruction.at("needed").get<double>(), 1.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace fairway::test

@@ -118,7 +118,8 @@ Expected<int> BodiesCommand::run() const {
   if (!json.empty()) {
     Json summary{{"tasks", std::move(rows)}, {"success_rate", rate}, {"physics", physics}};
     if (!shard.empty()) summary["shard"] = shard;
-    add_provenance(summary, {.schema = "bodies.v1", .files = {source}});
+    const Settings defaults;
+    add_provenance(summary, {.schema = "bodies.v1", .files = {source}, .settings = &defaults});
     if (const auto done = write_output(json, json_text(summary)); !done)
       return tl::unexpected(done.error());
   }
@@ -137,8 +138,9 @@ void add(
   options.add("--tasks", command->tasks, "all, or names with commas between them");
   options
       .add("--physics", command->physics,
-           "What moves the robot: the kinematics of its base, or MuJoCo")
+           "Model that moves the robot: the kinematics of its base, or MuJoCo")
       .one_of({"unicycle", "mujoco"});
+  add_shard_option(options, command->shard);
   options.add("--trace-dir", command->trace_dir, "Write the rows of every drive here, as NAME.csv");
   options.add("--json", command->json, "Write the result as JSON; - is standard output")
       .type_name("FILE");

@@ -11,6 +11,7 @@
 
 #include "fairway/io/drawing/speed_picture.hpp"
 #include "fairway/io/drawing/world_picture.hpp"
+#include "fairway/planning/body_obstruction.hpp"
 #include "fairway/planning/path_obstruction.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
 #include "fairway/zones/zone_map.hpp"
@@ -68,6 +69,32 @@ const TraceRow* last_row(const EpisodeResult& result, std::size_t robot) {
   return found == rows.rend() ? nullptr : &*found;
 }
 
+// The name of what a robot touched; "the map" for a static obstacle.
+std::string touched(const Scenario& scenario, const Contact& contact) {
+  switch (contact.with) {
+    case Contact::With::StaticObstacle:
+      return "the map";
+    case Contact::With::Body:
+      if (contact.other < scenario.bodies.size()) return scenario.bodies[contact.other].name;
+      return "a moving obstacle";
+    case Contact::With::Robot:
+      if (contact.other < scenario.robots.size()) return scenario.robots[contact.other].name;
+      return "another robot";
+    case Contact::With::Nothing:
+      break;
+  }
+  return "an obstacle";
+}
+
+PreparedMap prepared_map(const Scenario& scenario) {
+  BitGrid obstacles(scenario.map, unknown_cells(scenario.settings.map));
+  if (!scenario.zones.empty()) {
+    obstacles.set_zones(
+        std::make_shared<const ZoneMap>(scenario.zones, scenario.settings.robot.radius));
+  }
+  return PreparedMap(std::move(obstacles));
+}
+
 // Why a robot is not at its goal.
 std::string failure_reason(const Scenario& scenario,
                            const EpisodeResult& result,
@@ -77,20 +104,16 @@ std::string failure_reason(const Scenario& scenario,
   const Pose2 pose = last != nullptr ? last->pose : scenario.robots[index].start;
   const Eigen::Vector2d& position = pose.position;
   if (robot.collided) {
-    return fmt::format("touched something at {:.2f} s, near ({:.2f}, {:.2f})", robot.time,
-                       position.x(), position.y());
+    return fmt::format("touched {} at {:.2f} s, near ({:.2f}, {:.2f}), with {:.2f} m/s towards it",
+                       touched(scenario, robot.contact), robot.time, position.x(), position.y(),
+                       std::max(0.0, robot.approach));
   }
   if (robot.reached && !robot.zones.none()) return zones_text(robot.zones);
-  // What is narrow for a disc is not what is narrow for a body of its own.
-  const bool disc = !scenario.robots[index].model;
-  if (!robot.plan.usable() && disc && scenario.sensing.sensing == Sensing::Map) {
-    BitGrid obstacles(scenario.map, unknown_cells(scenario.settings.map));
-    if (!scenario.zones.empty()) {
-      obstacles.set_zones(
-          std::make_shared<const ZoneMap>(scenario.zones, scenario.settings.robot.radius));
-    }
-    const PreparedMap map(std::move(obstacles));
-    return explain(map, position, robot.plan, scenario.settings.robot.radius);
+  if (!robot.plan.usable() && scenario.sensing.sensing == Sensing::Map) {
+    const PreparedMap map = prepared_map(scenario);
+    const auto& model = scenario.robots[index].model;
+    return model ? explain_body(map, model->body, position, robot.plan)
+                 : explain(map, position, robot.plan, scenario.settings.robot.radius);
   }
   if (!robot.plan.usable()) return robot.plan.reason();
   const double distance = (scenario.robots[index].goal.position - position).norm();
@@ -110,10 +133,11 @@ std::optional<PathObstruction> obstruction_of(const Scenario& scenario,
                                               std::size_t index) {
   const RobotResult& robot = result.robots[index];
   if (robot.collided || robot.plan.usable() || scenario.sensing.sensing != Sensing::Map) return {};
-  if (scenario.robots[index].model) return {};
   const TraceRow* const last = last_row(result, index);
   const Pose2 pose = last != nullptr ? last->pose : scenario.robots[index].start;
-  const PreparedMap map(scenario.map, unknown_cells(scenario.settings.map));
+  const PreparedMap map = prepared_map(scenario);
+  const auto& model = scenario.robots[index].model;
+  if (model) return find_body_obstruction(map, model->body, pose.position, robot.plan);
   return find_obstruction(map, pose.position, robot.plan, scenario.settings.robot.radius);
 }
 
@@ -140,6 +164,7 @@ Json episode_json(const Scenario& scenario, const EpisodeResult& result) {
                           {"solve_us", microseconds_json(robot.solve_seconds)},
                           {"plan_us", microseconds_json(robot.plan_seconds)}});
     if (!scenario.zones.empty()) robots.back()["zones"] = zones_json(robot.zones);
+    if (robot.collided) robots.back()["touched"] = touched(scenario, robot.contact);
     if (robot.reached && !robot.collided && robot.zones.none()) continue;
     robots.back()["reason"] = failure_reason(scenario, result, i);
     if (const auto found = obstruction_of(scenario, result, i))

@@ -15,6 +15,12 @@ void bind_step(py::module_& module) {
           "angular", [](const Step& s) { return s.step.command.angular; },
           "Angular speed to send until the next cycle [rad/s].")
       .def_property_readonly(
+          "lateral", [](const Step& s) { return s.step.lateral; },
+          "Lateral speed to the left, of an omnidirectional base [m/s]; otherwise 0.")
+      .def_property_readonly(
+          "steering", [](const Step& s) { return s.step.steering; },
+          "Angle of the steered wheel, of a car or tricycle [rad]; otherwise 0.")
+      .def_property_readonly(
           "command", [](const Step& s) { return s.step.command; },
           "Both: finite and within the limits in every status.")
       .def_property_readonly("status", [](const Step& s) { return s.step.status; })

@@ -11,7 +11,7 @@ enum class NavigationStatus : std::uint8_t {
   Ok,           ///< driving on a plan that satisfies every constraint
   Degraded,     ///< driving, but a soft constraint is violated or the second-best solution is used
   Stopping,     ///< executing the last verified stop
-  Blocked,      ///< at standstill, and no way to continue is known
+  Blocked,      ///< at standstill; no recovery is known
   Recovering,   ///< turning or reversing to leave a place where the robot was stuck
   Stale,        ///< an input is too old: stopping
   BadInput,     ///< an input is not finite, or the pose jumped: stopping
@@ -79,7 +79,7 @@ enum class LimitingFactor : std::uint8_t {
   SolverFailed,
   NoPath,
   InvalidGoal,  ///< the goal is not finite, or its heading is not in radians
-  InvalidTime,  ///< the times of the cycles are not in seconds, stand still or run backwards
+  InvalidTime,  ///< the times of the cycles are not in seconds, do not advance or run backwards
   SmallerPlan,  ///< the plan was made for a smaller robot
   InvalidScan,  ///< the last scan was refused: not finite, or absurd
   LateCycle,    ///< the cycle came later than `safety.longest_hold` after the one before

@@ -31,6 +31,9 @@ class Perception {
     grid_.set_zones(std::move(zones));
   }
 
+  /// Makes the unknown cells under a part of the robot free, as RollingGrid::claim.
+  void claim(const Eigen::Vector2d& center, double radius) noexcept { grid_.claim(center, radius); }
+
   /// Doubts occupied cells that none of the last scans has touched, as RollingGrid::doubt_unseen.
   CellWindow doubt_unseen(int scans) noexcept { return grid_.doubt_unseen(scans); }
 

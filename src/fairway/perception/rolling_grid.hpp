@@ -47,6 +47,10 @@ class RollingGrid {
               const Eigen::Vector2d& robot,
               double body_radius) noexcept;
 
+  /// Unknown cells within `radius` plus a cell's diagonal of `center` become free: a part of the
+  /// robot is there.
+  void claim(const Eigen::Vector2d& center, double radius) noexcept { claim_body(center, radius); }
+
   /// Sets the zones that both readings carry; null for none.
   void set_zones(std::shared_ptr<const ZoneMap> zones) noexcept {
     occupied_.set_zones(zones);
@@ -66,7 +70,7 @@ class RollingGrid {
   /// Returns Occupied, Free or Unknown; Unknown outside the window.
   [[nodiscard]] CellState at(CellIndex cell) const noexcept;
 
-  /// Returns whether an obstacle in this cell must have come there recently: beams had crossed the
+  /// Returns whether an obstacle in this cell must have come there recently. Beams had crossed the
   /// cell until it was surely free, and since then at most kNewScans scans hit it. False outside
   /// the window.
   [[nodiscard]] bool would_be_new(CellIndex cell) const noexcept;

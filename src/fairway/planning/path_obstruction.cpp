@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <initializer_list>
 #include <limits>
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 #include "fairway/map/free_space.hpp"
 #include "fairway/path/search_grid.hpp"
+#include "fairway/planning/obstruction_text.hpp"
 #include "fairway/planning/zone_obstruction.hpp"
 
 namespace fairway {
@@ -157,36 +155,28 @@ PathObstruction narrowest(const PreparedMap& map,
           .needed = needed};
 }
 
-std::string fixed(double value, int decimals) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
-// Concatenates the pieces. With operator+, g++ 12 warns of overlaps that cannot occur.
-std::string joined(std::initializer_list<std::string_view> pieces) {
-  std::string text;
-  for (const std::string_view piece : pieces)
-    text.append(piece);
-  return text;
-}
-
-std::string metres(double length) { return joined({fixed(length, 3), " m"}); }
-
-std::string at(const Vector2d& point) {
-  return joined({"(", fixed(point.x(), 2), ", ", fixed(point.y(), 2), ")"});
-}
-
 std::string outside(const char* what, const Vector2d& point, const GridFrame& frame) {
-  return joined({"the ", what, " ", at(point), " is outside the map, which is ",
-                 fixed(frame.width * frame.resolution, 2), " m x ",
-                 fixed(frame.height * frame.resolution, 2), " m from ", at(frame.origin.position)});
+  return joined_text({"the ", what, " ", place_text(point), " is outside the map, which is ",
+                      fixed_text(frame.width * frame.resolution, 2), " m x ",
+                      fixed_text(frame.height * frame.resolution, 2), " m from ",
+                      place_text(frame.origin.position)});
 }
 
 std::string too_near(const char* end, const PathObstruction& o) {
-  return joined({"the robot does not fit at the ", end, " ", at(o.position), ": it is ",
-                 metres(o.found), " from an obstacle and the robot needs ", metres(o.needed),
-                 " (robot.radius)"});
+  return joined_text({"the robot does not fit at the ", end, " ", place_text(o.position),
+                      ": it is ", length_text(o.found), " from an obstacle and the robot needs ",
+                      length_text(o.needed), " (robot.radius)"});
+}
+
+// Returns the point at an arc length of the path [m]; its end beyond the length.
+Vector2d place_along(const Path& path, double length) {
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+    const Vector2d line = path.waypoints[i] - path.waypoints[i - 1];
+    const double along = line_length(line);
+    if (length < along) return path.waypoints[i - 1] + length / along * line;
+    length -= along;
+  }
+  return path.waypoints.empty() ? Vector2d(Vector2d::Zero()) : path.waypoints.back();
 }
 
 std::string sentence(const PathObstruction& o) {
@@ -196,14 +186,15 @@ std::string sentence(const PathObstruction& o) {
     case PathObstruction::Kind::GoalClearance:
       return too_near("goal", o);
     case PathObstruction::Kind::NarrowGap:
-      return joined({"there is no path wide enough: the narrowest gap on the best route, at ",
-                     at(o.position), ", is ", metres(o.found), " wide and the robot needs ",
-                     metres(o.needed), " (twice robot.radius plus the least path.margin)"});
+      return joined_text({"there is no path wide enough: the narrowest gap on the best route, at ",
+                          place_text(o.position), ", is ", length_text(o.found),
+                          " wide and the robot needs ", length_text(o.needed),
+                          " (twice robot.radius plus the least path.margin)"});
     case PathObstruction::Kind::ClosedRoute:
-      return joined(
+      return joined_text(
           {"there is no path: obstacles or unknown cells close every route; the best one "
            "is closed at ",
-           at(o.position)});
+           place_text(o.position)});
   }
   return {};
 }
@@ -254,9 +245,13 @@ std::string explain(const PreparedMap& map,
   if (plan.path_status == PathStatus::GoalOutsideMap && is_finite(plan.goal.position))
     return outside("goal", plan.goal.position, map.obstacles.frame());
   if (plan.path_status == PathStatus::Found) {
-    return joined({to_text(plan.corridor_status), ", after ", metres(plan.stuck_at),
-                   " of the path; try smaller values of corridor.min_overlap_area or "
-                   "robot.radius"});
+    const Vector2d place = place_along(plan.path, plan.stuck_at);
+    constexpr double kFurthest = 10.0;  // [m]
+    return joined_text({to_text(plan.corridor_status), ", after ", length_text(plan.stuck_at),
+                        " of the path, at ", place_text(place), ", ",
+                        length_text(distance_to_blocked(map.obstacles, place, kFurthest)),
+                        " from the nearest obstacle; try smaller values of "
+                        "corridor.min_overlap_area or robot.radius"});
   }
   if (std::optional<std::string> zones = explain_zones(map, start, plan, radius))
     return *std::move(zones);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/planning/zone_obstruction.hpp"
 
-#include <array>
-#include <cstdio>
+#include <algorithm>
 
 #include "fairway/map/free_space.hpp"
+#include "fairway/planning/obstruction_text.hpp"
 #include "fairway/zones/zone_map.hpp"
 
 namespace fairway {
@@ -13,12 +13,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::string place(const Vector2d& point) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "(%.2f, %.2f)", point.x(), point.y());
-  return text.data();
-}
-
 std::optional<std::string> end_in_zone(const ZoneMap& zones,
                                        const char* end,
                                        const Vector2d& point,
@@ -26,14 +20,22 @@ std::optional<std::string> end_in_zone(const ZoneMap& zones,
   const auto zone =
       zones.forbidding(segment_rectangle(point, point), radius + kFreeSpaceSkin, ZoneSubject::Disc);
   if (!zone) return std::nullopt;
-  std::string text = std::string("the ") + end + " " + place(point);
-  if (zones.zones()[*zone].kind == ZoneKind::Strip) {
-    text += " is not inside the strips with the robot";
-  } else {
-    text += " is inside a keep-out zone with the robot, or too near to it: ";
-    text += title_of(zones.zones(), *zone);
+  const Zone& cause = zones.zones()[*zone];
+  const std::string named = joined_text({"the ", end, " ", place_text(point)});
+  const bool centre = cause.reference == ZoneReference::Centre;
+  if (cause.kind == ZoneKind::Strip && centre)
+    return joined_text(
+        {named, " is ", length_text(zones.excursion(point)), " outside of the strips"});
+  const double less = centre ? radius : 0.0;
+  const std::string found =
+      length_text(std::max(0.0, zones.clearance_at(point, radius + 1.0) - less));
+  const std::string needed =
+      joined_text({length_text(radius - less), centre ? "" : " (robot.radius)"});
+  if (cause.kind == ZoneKind::Strip) {
+    return joined_text({named, " is ", found, " inside the strips and the robot needs ", needed});
   }
-  return text;
+  return joined_text({named, " is ", found, " from the keep-out zone ",
+                      title_of(zones.zones(), *zone), " and the robot needs ", needed});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Forecast {
 };
 
 /// Standard deviation of a predicted position, per coordinate, `ahead` seconds ahead [m]. It grows
-/// more slowly for obstacles that move slowly: those that stand usually go on to stand.
+/// more slowly for obstacles that move slowly: obstacles at standstill usually stay there.
 [[nodiscard]] double forecast_deviation(const PredictionSettings& settings,
                                         double speed,
                                         double ahead) noexcept;

@@ -53,6 +53,7 @@ class StopCheck {
   // One piece of the slow base's motion, grown by what the others of the family deviate from it.
   [[nodiscard]] StopVerdict follow(const StopPiece& piece) noexcept {
     piece_ = piece;
+    piece_.ahead += between_members();
     const StopVerdict verdict = check_piece(piece.mean, piece.duration);
     if (verdict != StopVerdict::Free) return verdict;
     pose_ = step(pose_, piece.mean, piece.duration, Integration::Midpoint);
@@ -61,6 +62,17 @@ class StopCheck {
   }
 
  private:
+  // By how much a body between two members of the family that are free may be ahead of what both
+  // sweep: two discs beside each other leave a notch, and two bodies turned against each other a
+  // wedge.
+  [[nodiscard]] double between_members() const noexcept {
+    const double radius = surroundings_.body.circumscribed_radius();
+    const bool disc = surroundings_.body.inscribed_radius() >= radius;
+    const double apart = std::min(piece_.aside_between, 2.0 * radius);
+    const double notch = radius > 0.0 ? apart * apart / (8.0 * radius) : 0.0;
+    return notch + (disc ? 0.0 : 0.5 * radius * piece_.turned_between);
+  }
+
   // First with the disc that covers the body; where that touches, with the body itself.
   [[nodiscard]] StopVerdict check_piece(const Twist2& mean, double h) const noexcept {
     const Footprint& body = surroundings_.body;
@@ -200,10 +212,10 @@ class StopCheck {
       if (nearest_approach(before, after) >= keep) continue;
       // Already too near: what counts is not to come nearer.
       if (after.norm() < before.norm()) return true;
-      // To a message that came late, that is: if both went round each other, both would rely on
-      // what is no longer so. One of two stops or goes straight away, within 60 degrees; then
-      // whatever the other one does in a few cycles without coming nearer to where it was, they
-      // part.
+      // This applies to late messages: if both robots drove around each other, both would rely on
+      // outdated plans. One of two stops or drives straight away, within 60 degrees. Then they
+      // separate, whatever the other one does in a few cycles without coming nearer to where it
+      // was.
       const Vector2d own = sweep.to.position - sweep.from.position;
       const bool parts = own.dot(before) >= 0.5 * own.norm() * before.norm();
       if (member.unseen > 0.0 && other.robot < surroundings_.robot && !parts) return true;
@@ -218,8 +230,8 @@ class StopCheck {
       const Vector2d last = moving_at(obstacle, sweep.start + sweep.duration);
       const double before = body.distance(inverse_transform(sweep.from, first));
       const double after = body.distance(inverse_transform(sweep.to, last));
-      // Seen from the robot it moves along a curve of at most this length, and the distance changes
-      // no faster than it moves.
+      // Seen from the robot it moves along a curve of at most this length. The distance changes no
+      // faster than it moves.
       const double length =
           (sweep.to.position - sweep.from.position - (last - first)).norm() + sweep.sagitta() +
           sweep.turn() *

@@ -20,6 +20,7 @@ struct RobotResult {
   bool reached = false;         ///< has stopped at its goal
   bool collided = false;        ///< touched something, judged by the simulator
   double approach = 0.0;        ///< own speed at the contact, see Encounter::approach [m/s]
+  Contact contact{};            ///< what it touched
   double time = 0.0;            ///< when it stopped at the goal, or when the run ended [s]
   double length = 0.0;          ///< of the driven path [m]
   double min_clearance = 0.0;   ///< least distance from the body to static obstacles [m]

@@ -3,11 +3,11 @@
 
 #include <limits>
 
-#include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
 #include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/perception/perception.hpp"
+#include "fairway/simulation/body_driver.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/lidar_senses.hpp"
 
@@ -197,91 +197,13 @@ class LidarDriver final : public RobotDriver {
   std::size_t robot_;
 };
 
-// Drives a robot with a model. Knows its pose, the map and all moving obstacles.
-class BodyDriver final : public RobotDriver {
- public:
-  BodyDriver(const DriverContext& context,
-             const World& world,
-             std::size_t robot,
-             RobotResult& result)
-      : context_(context),
-        robot_(robot),
-        result_(result),
-        navigator_(context.settings, world.model_of(robot)->model, context.map) {
-    const BodyRobot& actual = *world.model_of(robot);
-    navigator_.reset(actual.twist(), actual.input.turn);
-    navigator_.lend_clock(context.clock);
-  }
-
-  [[nodiscard]] double next_measurement() const override {
-    return std::numeric_limits<double>::infinity();
-  }
-  void measure(const World& /*world*/) override {}
-  [[nodiscard]] const Plan& plan() const override { return navigator_.plan(); }
-  [[nodiscard]] LimitMark mark(const NavigationStep& /*step*/) const override { return {}; }
-  void tell_standing(const World& /*world*/) override {}
-
-  [[nodiscard]] DrivenCycle drive(const World& world) override {
-    world.moving_around(robot_, seen_);
-    const Measurements measured{
-        .time = world.time(), .pose = world.robots()[robot_].pose, .obstacles = seen_};
-    const double before = now(context_);
-    const NavigationStep step = navigator_.update(measured);
-    const double seconds = now(context_) - before - navigator_.planning_seconds();
-    note_planning();
-    NavigationInput input = input_of(measured);
-    input.map = &context_.map.obstacles;
-    return {.input = input,
-            .step = step,
-            .seconds = seconds,
-            .new_plan = navigator_.follows_new_plan()};
-  }
-
-  bool head_for(const Goal& goal, const World& world) override {
-    navigator_.set_goal(goal);
-    return plan_now(world);
-  }
-
-  bool cancel(const World& /*world*/) override {
-    navigator_.cancel();
-    return true;
-  }
-  bool take_plan(const World& /*world*/) override { return false; }
-
-  bool note_map_change(const World& world) override {
-    navigator_.map_changed();
-    return plan_now(world);
-  }
-
- private:
-  [[nodiscard]] bool plan_now(const World& world) {
-    world.moving_around(robot_, seen_);
-    const bool new_plan = navigator_.plan_now(
-        {.time = world.time(), .pose = world.robots()[robot_].pose, .obstacles = seen_});
-    note_planning();
-    return new_plan;
-  }
-
-  void note_planning() {
-    if (context_.clock && navigator_.planned())
-      result_.plan_seconds.push_back(navigator_.planning_seconds());
-  }
-
-  DriverContext context_;
-  std::size_t robot_;
-  RobotResult& result_;
-  BodyNavigator navigator_;
-  std::vector<MovingObstacle> seen_;
-};
-
 }  // namespace
 
 std::unique_ptr<RobotDriver> make_driver(const DriverContext& context,
                                          const World& world,
                                          std::size_t robot,
                                          RobotResult& result) {
-  if (world.model_of(robot) != nullptr)
-    return std::make_unique<BodyDriver>(context, world, robot, result);
+  if (world.model_of(robot) != nullptr) return make_body_driver(context, world, robot, result);
   if (context.scenario.sensing.sensing == Sensing::Lidar) {
     return std::make_unique<LidarDriver>(context, world, robot, result);
   }

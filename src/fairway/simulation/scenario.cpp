@@ -12,8 +12,6 @@ bool has_models(const Scenario& scenario) noexcept {
 
 Expected<void> check_models(const Scenario& scenario) {
   if (!has_models(scenario)) return {};
-  if (scenario.sensing.sensing != Sensing::Map)
-    return fail("sensing: expected map for robots with their own body (robot:), found lidar");
   if (scenario.engine != Engine::Unicycle)
     return fail("physics: expected unicycle for robots with their own body (robot:), found mujoco");
   if (!scenario.zones.empty())

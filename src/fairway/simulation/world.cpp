@@ -32,6 +32,18 @@ double approach(const UnicycleRobot& robot, bool standing, const Eigen::Vector2d
                         : std::abs(robot.twist.linear);
 }
 
+// The same with the true outline: by how much the robot's own motion shortens the distance.
+double approach(const BodyRobot& robot, bool standing, const Eigen::Vector2d& other) noexcept {
+  const PlanarTwist twist = robot.twist();
+  if (standing) return std::hypot(twist.linear, twist.lateral);
+  constexpr double kShort = 1e-3;  // [s]
+  const BodyShape& body = robot.model.body;
+  const Pose2 before = moved(robot.pose, twist, -kShort);
+  return (body.distance(inverse_transform(before, other)) -
+          body.distance(inverse_transform(robot.pose, other))) /
+         kShort;
+}
+
 }  // namespace
 
 World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
@@ -186,7 +198,9 @@ void World::judge(std::size_t robot) {
   if (physics_ ? touched_[robot] != 0 : touches) {
     met.collided = true;
     met.collision_time = time_;
-    met.approach = approach(robots_[robot], met.min_clearance < 0.0, gap.position);
+    const bool hits_static = met.min_clearance < 0.0;
+    met.approach = models_[robot] ? approach(*models_[robot], hits_static, gap.position)
+                                  : approach(robots_[robot], hits_static, gap.position);
     const bool is_static = met.min_clearance < gap.length;
     met.contact = {.with = is_static ? Contact::With::StaticObstacle : gap.with,
                    .other = gap.other,

@@ -17,8 +17,8 @@ double cross(const Vector2d& a, const Vector2d& b) noexcept {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// The part of the segment a -> b inside the convex patch, as parameters; first > second if it is
-// empty.
+// Returns the part of the segment a -> b inside the convex patch, as parameters. It is empty if
+// first > second.
 struct Crossing {
   double first = 0.0;
   double second = 1.0;

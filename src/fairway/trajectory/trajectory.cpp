@@ -24,6 +24,13 @@ PlanarTwist twist_of(const BaseModel& base, const BaseInput& input) noexcept {
           .angular = input.linear * std::tan(input.turn) / base.wheelbase};
 }
 
+double steering_of(const BaseModel& base, const PlanarTwist& twist, double otherwise) noexcept {
+  constexpr double kMoving = 0.05;  // [m/s]
+  if (!is_steered(base) || std::abs(twist.linear) <= kMoving) return otherwise;
+  return std::clamp(std::atan(base.wheelbase * twist.angular / twist.linear), -base.steering_max,
+                    base.steering_max);
+}
+
 double Trajectory::duration() const noexcept {
   return std::accumulate(steps.begin(), steps.end(), 0.0);
 }

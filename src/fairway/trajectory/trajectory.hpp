@@ -7,7 +7,7 @@
 
 namespace fairway {
 
-/// What a base is driven with.
+/// The input of a base.
 struct BaseInput {
   double linear = 0.0;   ///< along the heading [m/s]
   double lateral = 0.0;  ///< to the left [m/s]; omnidirectional bases only
@@ -19,6 +19,12 @@ struct BaseInput {
 
 /// The velocity of a base under an input.
 [[nodiscard]] PlanarTwist twist_of(const BaseModel& base, const BaseInput& input) noexcept;
+
+/// The steering angle with which a steered base drives a twist, within its limit [rad]; `otherwise`
+/// where it hardly moves, so that the twist does not show it.
+[[nodiscard]] double steering_of(const BaseModel& base,
+                                 const PlanarTwist& twist,
+                                 double otherwise) noexcept;
 
 /// Inputs at knots in time, linear between them: motion with its timing.
 struct Trajectory {
@@ -49,7 +55,7 @@ struct TrajectoryRow {
 
 /// A trajectory in control periods of `period` [s] from its begin on; the last row is at rest.
 ///
-/// Inputs are means over each period, so they change between rows by no more than their greatest
+/// Inputs are means over each period. So they change between rows by no more than their greatest
 /// slope times the period. Poses follow from the rows' own twists. The trajectory is stretched in
 /// time to end with a whole period.
 [[nodiscard]] std::vector<TrajectoryRow> sampled(const BaseModel& base,

@@ -72,8 +72,8 @@ export const drag = async (page, ...points) => {
   await page.mouse.up();
 };
 
-/** The value of the true map's cell: 0 free, 1 occupied. */
-export const cellAt = (page, x, y) => page.evaluate(([wx, wy]) => {
+// Runs in the page.
+const cellValue = ([wx, wy]) => {
   const grid = window.fairway.run.grids[0][0];
   const { frame } = grid;
   const [i, j] = [Math.floor((wx - frame.origin.x) / frame.resolution), Math.floor((wy - frame.origin.y) / frame.resolution)];
@@ -84,7 +84,13 @@ export const cellAt = (page, x, y) => page.evaluate(([wx, wy]) => {
     }
   }
   return value;
-}, [x, y]);
+};
+
+/** The value of the true map's cell: 0 free, 1 occupied. */
+export const cellAt = (page, x, y) => page.evaluate(cellValue, [x, y]);
+
+/** Waits until the true map's cell has a value, at most for the time limit of the page. */
+export const cellBecomes = (page, x, y, value) => page.waitForFunction(`(${cellValue})([${x}, ${y}]) === ${value}`);
 
 /** Pauses the world, and waits until the page shows it. */
 export const pause = async (page) => {

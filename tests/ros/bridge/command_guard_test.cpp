@@ -48,8 +48,8 @@ TEST(CommandGuard, IsValidForSettingsAtTheEndsOfTheirRanges) {
   EXPECT_TRUE(validate(monitor_settings(settings)));
 }
 
-TEST(CommandGuard, StopsInFrontOfWhatTheScanShows) {
-  CommandGuard guard{Settings{}};
+TEST(CommandGuard, StopsInFrontOfObstaclesOfTheScan) {
+  CommandGuard guard{monitor_settings(Settings{})};
   const Twist2 fast{.linear = 1.0};
   EXPECT_EQ(guard.check(0.0, {}, fast, fast).reason, MonitorReason::Stale);
   guard.observe(Ahead(5.0).scan);
@@ -60,7 +60,7 @@ TEST(CommandGuard, StopsInFrontOfWhatTheScanShows) {
 }
 
 TEST(CommandGuard, IgnoresAnImplausibleScanAndBeamsThatHitNothing) {
-  CommandGuard guard{Settings{}};
+  CommandGuard guard{monitor_settings(Settings{})};
   Ahead bad(0.5);
   bad.scan.angle_step = std::numeric_limits<double>::quiet_NaN();
   guard.observe(bad.scan);

@@ -41,7 +41,7 @@ TEST(FleetBoard, PrefersTheNewestMessage) {
 }
 
 // One wrong clock or one broken message must not silence a robot: its next good message counts.
-TEST(FleetBoard, RefusesWhatCannotBeTrueAndTakesTheNextGoodMessage) {
+TEST(FleetBoard, RefusesAnImplausibleMessageAndUsesTheNextGoodOne) {
   constexpr double kNow = 10.0;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double stamp : {nan, 3600.0, 1e18, kNow + 2.0 * FleetBoard::kMostAhead}) {
@@ -63,7 +63,7 @@ TEST(FleetBoard, AllowsForClocksThatDifferALittle) {
   EXPECT_TRUE(board.receive("b", motion_at(3.0, 10.0 + 0.9 * FleetBoard::kMostAhead), 10.0));
 }
 
-TEST(FleetBoard, KeepsWhoIsSilentAndForgetsOnlyWhoLeaves) {
+TEST(FleetBoard, KeepsSilentRobotsAndForgetsOnlyThoseThatLeave) {
   FleetBoard board;
   EXPECT_TRUE(board.receive("b", motion_at(3.0, 10.0), 10.0));
   EXPECT_EQ(board.around({0, 0}, 1000.0).size(), 1U);

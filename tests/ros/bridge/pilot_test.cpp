@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/lidar_senses.hpp"
+#include "support/robot_presets.hpp"
 
 namespace fairway::bridge {
 namespace {
@@ -38,7 +39,9 @@ struct Rig {
     const UnicycleRobot& robot = world.robots()[0];
     if (odometry_alive) {
       const Pose2 in_odometry = compose(inverse(odometry_in_map), robot.pose);
-      pilot.add_odometry(world.time(), in_odometry, robot.twist);
+      const BodyRobot* const body = world.model_of(0);
+      const PlanarTwist twist{.linear = robot.twist.linear, .angular = robot.twist.angular};
+      pilot.add_odometry(world.time(), in_odometry, body != nullptr ? body->twist() : twist);
     }
     if (localisation_alive) pilot.set_localisation(odometry_in_map, world.time());
     senses.deliver(world.time(), [this](const LidarScan& scan, const Eigen::Vector2d&) {
@@ -48,6 +51,12 @@ struct Rig {
     });
     const PilotStep answer = pilot.cycle(world.time());
     if (answer.send) command = answer.command;
+    if (const BodyRobot* const body = world.model_of(0); body != nullptr && answer.send) {
+      const bool steered = is_steered(body->model.base);
+      world.send(0, {.linear = answer.command.linear,
+                     .lateral = answer.lateral,
+                     .turn = steered ? answer.steering : answer.command.angular});
+    }
     world.advance({command}, scenario.settings.navigation.control_period);
     return answer;
   }
@@ -199,7 +208,25 @@ TEST(Pilot, GivesUpAnUnreachableGoalWithAReason) {
   EXPECT_EQ(answer.end, GoalEnd::GivenUp);
   EXPECT_NE(answer.reason.find("the robot does not fit at the goal"), std::string::npos)
       << answer.reason;
+  EXPECT_EQ(answer.path, PathStatus::GoalBlocked);
   EXPECT_NEAR(rig.world.time(), rig.pilot.options().patience, 0.5);
+}
+
+TEST(Pilot, FollowsAPathInsteadOfTheShortestOne) {
+  Rig rig(kMapOnly);
+  rig.pilot.follow({.waypoints = {{1.5, 1.5}, {1.5, 5.0}, {4.0, 5.0}}}, 0.5, 0.2);
+  double furthest_from_diagonal = 0.0;
+  PilotStep last;
+  while (rig.world.time() < 40.0 && last.end == GoalEnd::None) {
+    last = rig.step();
+    const Eigen::Vector2d at = rig.world.robots()[0].pose.position;
+    furthest_from_diagonal = std::max(furthest_from_diagonal, at.y() - at.x());
+  }
+  EXPECT_EQ(last.end, GoalEnd::Reached);
+  EXPECT_GT(furthest_from_diagonal, 2.5) << "the corner of the path is 3.5 m from the diagonal";
+  EXPECT_NEAR(rig.world.robots()[0].pose.heading, 0.5, 0.15);
+  rig.pilot.set_goal({.position = {2.0, 4.0}, .heading = {}});
+  EXPECT_EQ(rig.drive(30.0).end, GoalEnd::Reached) << "a goal replaces the path";
 }
 
 TEST(Pilot, AcceptsANewGoalDuringADrive) {
@@ -230,6 +257,36 @@ TEST(PilotOptions, AreChecked) {
             "use_map, use_scan: expected one of them true, found both false");
   EXPECT_FALSE(validate(PilotOptions{.patience = std::nan("")}));
   EXPECT_FALSE(validate(PilotOptions{.localisation_timeout = 0.0}));
+}
+
+// Bodies whose covering disc would not turn where they stop.
+TEST(Pilot, DrivesEveryBodyOnAMapAndWithoutOne) {
+  for (const test::NamedRobot& robot : test::robot_presets()) {
+    for (const bool use_map : {true, false}) {
+      SCOPED_TRACE(std::string(robot.name) + (use_map ? " on a map" : " without a map"));
+      PilotOptions options{.use_map = use_map, .plan_in_background = false};
+      options.body = robot.model;
+      ASSERT_TRUE(validate(options));
+      Scenario truth = room();
+      truth.robots[0].model = robot.model;
+      Rig rig(options, truth);
+      rig.step();
+      const Goal goal{.position = {3.6, 4.0}, .heading = {}};
+      rig.pilot.set_goal(use_map ? goal : rig.in_odometry(goal));
+      const PilotStep last = rig.drive(60.0);
+      EXPECT_EQ(last.end, GoalEnd::Reached) << to_text(last.status) << ' ' << to_text(last.limit);
+      EXPECT_FALSE(rig.world.encounters()[0].collided);
+      EXPECT_LT((rig.world.robots()[0].pose.position - goal.position).norm(), 0.15);
+    }
+  }
+}
+
+TEST(Pilot, ABodyHasNoZones) {
+  PilotOptions options;
+  options.body = RobotModel();
+  options.zones = {Zone{}};
+  EXPECT_EQ(validate(options).error().message,
+            "zones: expected none for a robot with a body, found some");
 }
 
 }  // namespace

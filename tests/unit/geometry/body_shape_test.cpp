@@ -32,7 +32,7 @@ TEST(BodyShape, TakesPolygonsInEitherOrientation) {
   EXPECT_NEAR(body->inscribed_radius(inside), 0.2, 1e-12);
 }
 
-TEST(BodyShape, RefusesWhatIsNoBody) {
+TEST(BodyShape, RefusesShapesThatAreNoBody) {
   const std::array<Vector2d, 4> arrow{Vector2d(0, 0), Vector2d(1, 1), Vector2d(0, 2),
                                       Vector2d(0.5, 1)};
   EXPECT_NE(BodyShape::polygon(arrow).error().message.find("convex"), std::string::npos);

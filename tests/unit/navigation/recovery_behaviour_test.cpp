@@ -21,7 +21,7 @@ RecoveryView view(double remaining, bool still, bool aligned, bool can_reverse) 
           .patience = kPatience};
 }
 
-TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
+TEST(RecoveryBehaviour, NothingWhileTheRobotMakesProgressOrHasJustStopped) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(recovery.update(view(20.0 - 0.1 * i, false, false, true)), RecoveryAction::None);
@@ -31,7 +31,7 @@ TEST(RecoveryBehaviour, NothingWhileTheRobotGetsOnOrHasJustStopped) {
   }
 }
 
-TEST(RecoveryBehaviour, StandingGoesThroughAllThatCanBeTried) {
+TEST(RecoveryBehaviour, StandstillGoesThroughAllRecoveryActions) {
   for (const bool can_back : {false, true}) {
     RecoveryBehaviour recovery;
     std::set<RecoveryAction> seen;
@@ -46,7 +46,7 @@ TEST(RecoveryBehaviour, StandingGoesThroughAllThatCanBeTried) {
   }
 }
 
-TEST(RecoveryBehaviour, WhatIsRefusedGivesWayToTheNextThingSoon) {
+TEST(RecoveryBehaviour, ARefusedActionIsSoonFollowedByTheNext) {
   RecoveryBehaviour recovery;
   std::set<RecoveryAction> seen;
   int cycles = 0;
@@ -72,7 +72,7 @@ TEST(RecoveryBehaviour, TwoRefusalsAreNoReasonToGiveUp) {
   }
 }
 
-TEST(RecoveryBehaviour, AnAlignedRobotThatStandsIsPlannedForAtOnce) {
+TEST(RecoveryBehaviour, AnAlignedRobotAtStandstillIsPlannedForAtOnce) {
   RecoveryBehaviour recovery;
   for (int i = 0; i < 3; ++i)
     (void)recovery.update(view(5.0, true, true, false));
@@ -89,7 +89,7 @@ TEST(RecoveryBehaviour, SwingingOnTheSpotIsNoProgress) {
   EXPECT_GE(plans, 3);
 }
 
-TEST(RecoveryBehaviour, ALongerWayIsNoLackOfProgressAndAShorterOneIsNone) {
+TEST(RecoveryBehaviour, ALongerPathIsNoLackOfProgressAndAShorterOneIsNoProgress) {
   for (const double step : {0.1, 0.0}) {  // [m] per cycle: driving on, and not
     RecoveryBehaviour recovery;
     double remaining = 10.0;
@@ -115,8 +115,8 @@ TEST(RecoveryBehaviour, ProgressEndsIt) {
   EXPECT_EQ(recovery.update(view(4.8, false, false, false)), RecoveryAction::None);
 }
 
-// In front of a goal that is taken the controller turns one way and the recovery the other: after a
-// few rounds the robot faces its path and stays.
+// In front of an occupied goal the controller turns one way and the recovery the other. After a few
+// rounds the robot faces its path and stays.
 TEST(RecoveryBehaviour, StaysOnceAllRoundsHaveFailed) {
   for (const bool can_reverse : {false, true}) {
     RecoveryBehaviour recovery;

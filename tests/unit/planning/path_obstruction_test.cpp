@@ -114,6 +114,19 @@ TEST(PathObstruction, ExplainsInOneSentenceWithNumbers) {
 }
 
 // The gap that is reported is smaller than what is needed, whatever the world looks like.
+TEST(PathObstruction, NamesThePlaceWhereACorridorEnds) {
+  const PreparedMap map = divided(1.4, 20);
+  Plan plan = plan_on(map, 0.2);
+  ASSERT_TRUE(plan.usable());
+  plan.path.waypoints = {{1.0, 2.0}, {2.0, 2.0}, {2.0, 3.0}};
+  plan.corridor_status = CorridorStatus::NoOverlap;
+  plan.stuck_at = 1.5;
+  const std::string text = explain(map, kStart, plan, 0.2);
+  EXPECT_NE(text.find("after 1.500 m of the path, at (2.00, 2.50), 1.000 m from the nearest"),
+            std::string::npos)
+      << text;
+}
+
 TEST(PathObstruction, ReportsLessThanTheRobotNeeds) {
   constexpr double kRadius = 0.3;
   test::Random random(11);

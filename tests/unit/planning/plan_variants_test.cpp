@@ -26,7 +26,7 @@ TEST(PlannerHooks, AClockMeasuresPathAndCorridor) {
   EXPECT_EQ(untimed.corridor_seconds, 0.0);
 }
 
-TEST(PlannerHooks, ABuilderReplacesOurs) {
+TEST(PlannerHooks, ABuilderReplacesTheDefault) {
   int calls = 0;
   const Plan plan = Planner().plan(empty_room(), {1, 1}, {.position = {4, 3}}, {},
                                    {.clock = {},

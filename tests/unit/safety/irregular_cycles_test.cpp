@@ -97,7 +97,7 @@ TEST_F(IrregularCycles, ALoopThatIsFasterThanThePeriodArrivesWithoutBeingBlocked
   }
 }
 
-TEST_F(IrregularCycles, AClockThatStandsStillStopsTheRobot) {
+TEST_F(IrregularCycles, AClockThatDoesNotAdvanceStopsTheRobot) {
   drive(2.0, 0.1);
   for (int k = 0; k < 10; ++k) {
     const NavigationStep step = cycle(time_ - 0.1, 0.1);

@@ -84,7 +84,8 @@ double compare(test::Random& random, bool late) {
     slow = step(slow, piece.mean, piece.duration, Integration::Midpoint);
     ++pieces;
     const double off = (base.pose.position - slow.position).norm();
-    // The speed of a base with a lag is taken as linear in each piece: off by a millimetre or two.
+    // The speed of a base with a lag is taken as linear in each piece. It is off by a millimetre or
+    // two.
     EXPECT_LE(off, piece.apart + piece.aside + (late ? 3e-3 : 2e-4)) << pieces;
     furthest = std::max(furthest, off);
   }

@@ -42,7 +42,7 @@ std::string default_of(const std::string& setting) {
   return text;
 }
 
-TEST(LiveMaps, GiveEveryRobotAWay) {
+TEST(LiveMaps, GiveEveryRobotAPath) {
   Planner planner;
   for (const MapChoice& choice : built_in_maps()) {
     const Scenario scenario = choice.make();

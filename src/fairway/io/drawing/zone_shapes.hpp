@@ -8,7 +8,7 @@
 
 namespace fairway::io {
 
-/// Draws the polygons of zones, each kind in its own way.
+/// Draws the polygons of zones, each kind in its own style.
 void draw_zones(Canvas& canvas, const PlotAxes& axes, const Zones& zones);
 
 /// Adds one legend entry for each kind of zone.

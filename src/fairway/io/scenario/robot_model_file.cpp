@@ -120,16 +120,20 @@ RobotModel read_robot_model(YamlMapping& mapping) {
   return model;
 }
 
-Expected<RobotModel> read_robot_model(const std::string& path) {
-  constexpr std::size_t kLongest = 1U << 20U;  // [bytes]
-  const Expected<std::string> text = read_whole_file(path, kLongest);
-  if (!text) return tl::unexpected(text.error());
-  YamlFile file{.name = path, .error = {}, .warnings = {}};
-  YamlMapping root = parse_yaml_mapping(file, *text);
+Expected<RobotModel> parse_robot_model(const std::string& text, const std::string& name) {
+  YamlFile file{.name = name, .error = {}, .warnings = {}};
+  YamlMapping root = parse_yaml_mapping(file, text);
   RobotModel model;
   if (!file.error) model = read_robot_model(root);
   if (file.error) return tl::unexpected(*file.error);
   return model;
+}
+
+Expected<RobotModel> read_robot_model(const std::string& path) {
+  constexpr std::size_t kLongest = 1U << 20U;  // [bytes]
+  const Expected<std::string> text = read_whole_file(path, kLongest);
+  if (!text) return tl::unexpected(text.error());
+  return parse_robot_model(*text, path);
 }
 
 std::string robot_model_yaml(const RobotModel& model, int indent) {

@@ -25,6 +25,10 @@ namespace fairway::io {
 /// Errors are reported in the mapping's file.
 [[nodiscard]] RobotModel read_robot_model(YamlMapping& mapping);
 
+/// Reads a text that holds nothing but these keys. @param name  Stands for the file in errors.
+[[nodiscard]] Expected<RobotModel> parse_robot_model(const std::string& text,
+                                                     const std::string& name);
+
 /// Reads a file that holds nothing but these keys.
 [[nodiscard]] Expected<RobotModel> read_robot_model(const std::string& path);
 

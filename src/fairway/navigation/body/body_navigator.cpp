@@ -39,9 +39,13 @@ BodyNavigator::BodyNavigator(BodyNavigator&&) noexcept = default;
 BodyNavigator& BodyNavigator::operator=(BodyNavigator&&) noexcept = default;
 BodyNavigator::~BodyNavigator() = default;
 
-void BodyNavigator::set_map(const OccupancyGrid& map) { state_->set_map(map); }
+void BodyNavigator::set_map(const OccupancyGrid& map) { state_->around.set_map(map); }
 
-void BodyNavigator::map_changed() noexcept { state_->note_map(); }
+void BodyNavigator::map_changed() { state_->around.note_map(); }
+
+bool BodyNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+  return state_->around.observe(scan, position);
+}
 
 void BodyNavigator::set_goal(const Goal& goal) { state_->set_goal(goal); }
 
@@ -67,6 +71,17 @@ const RobotModel& BodyNavigator::robot() const noexcept { return state_->robot; 
 const Plan& BodyNavigator::plan() const noexcept { return state_->plan; }
 bool BodyNavigator::follows_new_plan() const noexcept { return state_->follows_new_plan; }
 bool BodyNavigator::planned() const noexcept { return state_->planned; }
+bool BodyNavigator::plan_is_current() const noexcept { return state_->has_drive(); }
+
+MovingObstacles BodyNavigator::tracked() const noexcept {
+  const Perception* const perception = state_->around.perception();
+  return perception != nullptr ? perception->tracker().obstacles() : MovingObstacles();
+}
+
+const BitGrid* BodyNavigator::obstacles() const noexcept {
+  return state_->around.known() ? &state_->around.for_plans().obstacles() : nullptr;
+}
+
 void BodyNavigator::wait_for_plan() const noexcept { state_->planning.wait(); }
 
 void BodyNavigator::lend_clock(std::function<double()> clock) {

@@ -8,29 +8,32 @@
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/navigation/settings.hpp"
+#include "fairway/perception/lidar_scan.hpp"
 #include "fairway/planning/plan.hpp"
 
 namespace fairway {
 
 struct PreparedMap;
 
-/// Drives a robot of any outline on any base to a goal on a map: long platforms, cars, tricycles,
-/// mecanum and swerve bases. The counterpart of MapNavigator for robots whose disc does not fit.
+/// Drives a robot of any outline on any base to a goal on a map. It is the counterpart of
+/// MapNavigator for robots whose disc does not fit: long platforms, cars, tricycles, mecanum and
+/// swerve bases.
 ///
 ///     fairway::BodyNavigator navigator(settings, robot, map);
 ///     navigator.set_goal({{9.0, 1.0}});
 ///     while (driving) send(navigator.update({.time = now(), .pose = pose()}));
 ///
-/// It plans a drive that is proven free for the true body, follows it, and proves before every
-/// command that the base can stop on its drive without contact. Moving obstacles make it slower; if
-/// one stays in its path, it plans another drive round that. New drives begin at standstill.
+/// The navigator plans a drive that is proven free for the true body, and follows it. Before every
+/// command it proves that the base can stop on its drive without contact. Moving obstacles make the
+/// robot slower; if one stays in its path, it plans another drive around that. New drives begin at
+/// standstill.
 ///
 /// Limits and outline come from the robot model; of Settings, the groups navigation, safety,
 /// prediction, planning and map apply. If `planning.background` is false the cycle that needs a
 /// plan makes it. A cycle that makes no plan does not allocate. Not thread-safe.
 class BodyNavigator {
  public:
-  /// Makes a navigator without a map: the robot stays stopped until `set_map`.
+  /// Makes a navigator without a map: the robot stays stopped until `set_map` or `observe`.
   /// @throws std::invalid_argument unless settings and robot are valid.
   BodyNavigator(const Settings& settings, const RobotModel& robot);
 
@@ -49,7 +52,14 @@ class BodyNavigator {
   void set_map(const OccupancyGrid& map);
 
   /// Signals that the caller's shared map has changed; see the last constructor.
-  void map_changed() noexcept;
+  void map_changed();
+
+  /// Processes one scan; several may come between two cycles. On a map, what is seen is added to
+  /// it. Without a map the robot drives on its scans: it plans through unknown space, and can
+  /// always stop inside what it has seen.
+  /// @param position  Position of the reference point at the scan's time [m].
+  /// @return whether it was taken in, as MapNavigator::observe.
+  bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
 
   /// Sets the goal, or replaces it. Without a heading, one in which the robot fits is selected.
   void set_goal(const Goal& goal);
@@ -74,8 +84,15 @@ class BodyNavigator {
 
   /// The path of the reference point; its corridor is empty.
   [[nodiscard]] const Plan& plan() const noexcept;
+  [[nodiscard]] bool plan_is_current() const noexcept;
   [[nodiscard]] bool follows_new_plan() const noexcept;
   [[nodiscard]] bool planned() const noexcept;
+
+  /// Moving obstacles that the lidar tracks.
+  [[nodiscard]] MovingObstacles tracked() const noexcept;
+
+  /// The obstacles that plans are made on; null while nothing is known.
+  [[nodiscard]] const BitGrid* obstacles() const noexcept;
 
   /// Waits until the background plan, if any, is made; the next cycle takes it over.
   void wait_for_plan() const noexcept;

@@ -7,6 +7,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/navigation/facade/navigation_task.hpp"
+#include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/navigation/input_check.hpp"
 
 namespace fairway {
@@ -20,6 +21,16 @@ double speed_of(const DriveFollower& follower) noexcept {
   return std::hypot(follower.sent().linear, follower.sent().lateral);
 }
 
+// How far from the reference point a stop can lead the body [m].
+double reach_of_stop(const RobotModel& robot) noexcept {
+  constexpr double kReserve = 1.5;  // driven since the last scan, and what margins look at [m]
+  const BaseModel& base = robot.base;
+  const double speed = std::max(base.linear_max, -base.linear_min) +
+                       (base.kind == BaseKind::Omni ? base.lateral_max : 0.0);
+  return robot.body.circumscribed_radius() + kReserve + speed * base.response_time +
+         speed * speed / (2.0 * base.linear_acceleration);
+}
+
 }  // namespace
 
 BodyNavigator::State::State(const Settings& given,
@@ -27,22 +38,11 @@ BodyNavigator::State::State(const Settings& given,
                             const PreparedMap* shared_map)
     : settings(given),
       robot(model),
+      around(given, model.body, shared_map, reach_of_stop(model)),
       follower(model.base, given.navigation.control_period, given.safety),
-      planning(model, kRowPeriod, given.planning.background),
-      shared_map_(shared_map) {
-  if (shared_map_ == nullptr) return;
-  clearance_.emplace(shared_map_->obstacles, shared_map_->distances, robot.body);
-}
-
-const PreparedMap* BodyNavigator::State::map() const noexcept {
-  if (shared_map_ != nullptr) return shared_map_;
-  return own_map_ ? &*own_map_ : nullptr;
-}
-
-void BodyNavigator::State::set_map(const OccupancyGrid& given) {
-  own_map_.emplace(given, unknown_cells(settings.map));
-  clearance_.emplace(own_map_->obstacles, own_map_->distances, robot.body);
-  note_map();
+      planning(model, kRowPeriod, given.planning.background) {
+  constexpr std::size_t kManyObstacles = 256;
+  moving_.reserve(kManyObstacles);
 }
 
 void BodyNavigator::State::set_goal(const Goal& goal) {
@@ -67,8 +67,9 @@ void BodyNavigator::State::reset(const BaseInput& actual) noexcept {
   known_.reset();
 }
 
-// Whether a pose does not follow from the one before, by more than the setting and half of the
-// distance driven since. Poses that agree among themselves are trusted again at standstill.
+// Returns whether a pose jumps. It does if it differs from the pose before by more than the setting
+// and half of the distance driven since. Poses that agree among themselves are trusted again at
+// standstill.
 bool BodyNavigator::State::jumped(const Measurements& m) noexcept {
   const double time = m.pose_time.value_or(m.time);
   bool strange = false;
@@ -93,8 +94,8 @@ LimitingFactor BodyNavigator::State::check(const Measurements& m) noexcept {
   };
   if (!fresh(m.pose_time, settings.safety.pose_timeout)) return LimitingFactor::StalePose;
   if (jumped(m)) return LimitingFactor::PoseJump;
-  if (map() == nullptr || !fresh(m.map_time, settings.safety.map_timeout))
-    return LimitingFactor::StaleMap;
+  if (!around.known() || !fresh(m.map_time, settings.safety.map_timeout))
+    return around.scan_refused() ? LimitingFactor::InvalidScan : LimitingFactor::StaleMap;
   for (const MovingObstacle& obstacle : m.obstacles) {
     if (!is_plausible(obstacle)) return LimitingFactor::InvalidTracks;
   }
@@ -116,10 +117,11 @@ bool BodyNavigator::State::at_goal(const Pose2& pose) const noexcept {
 bool BodyNavigator::State::is_blocked() const noexcept {
   const DriveReference& drive = follower.reference();
   const auto first = static_cast<std::size_t>(follower.progress().phase / drive.period());
+  // A cell of a scan that flickers at a side must not end a drive.
+  const double margin = around.perception() != nullptr ? 0.0 : settings.safety.stop_margin;
   for (std::size_t k = first; k < drive.rows().size(); ++k) {
     const TrajectoryRow& row = drive.rows()[k];
-    if (!clearance_->is_free(row.pose, row.twist, drive.period(), settings.safety.stop_margin))
-      return true;
+    if (!around.for_plans().is_free(row.pose, row.twist, drive.period(), margin)) return true;
   }
   return false;
 }
@@ -133,7 +135,7 @@ double BodyNavigator::State::retry_period() const noexcept {
 
 // A drive begins at standstill, so a robot that needs another one stops first.
 bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const noexcept {
-  if (!goal_ || !goal_valid_ || map() == nullptr || planning.busy() || reached_) return false;
+  if (!goal_ || !goal_valid_ || !around.known() || planning.busy() || reached_) return false;
   if (has_drive_ && !wants_plan_) return false;
   if (!follower.at_rest()) return false;
   if (goal_is_new_ || at_once) return true;
@@ -145,18 +147,21 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   follows_new_plan = false;
   planned = false;
   take_plan();
-  if (map_changed_ && clearance_) {
-    map_changed_ = false;
-    failures_ = 0;
+  if (around.take_change()) {
+    if (around.perception() == nullptr) failures_ = 0;
     if (has_drive_ && is_blocked()) wants_plan_ = true;
   }
   if (!needs_plan(m, at_once)) return;
   if (!is_plausible(m.pose) || !std::isfinite(m.time)) return;
-  BodyPlanRequest request{.start = m.pose,
-                          .goal = *goal_,
-                          .standing = {},
-                          .kept = settings.prediction.obstacle_margin,
-                          .or_without = !avoids_moving_};
+  around.claim(m.pose);
+  const bool mapless = around.mapless();
+  BodyPlanRequest request{
+      .start = m.pose,
+      .goal = mapless ? goal_inside(around.for_plans(), m.pose, *goal_) : *goal_,
+      .standing = {},
+      .kept = settings.prediction.obstacle_margin,
+      .or_without = !avoids_moving_,
+      .more_margin = around.perception() != nullptr ? settings.perception.resolution : 0.0};
   for (const MovingObstacle& obstacle : m.obstacles) {
     if (is_plausible(obstacle) && (avoids_moving_ || is_standing(obstacle)))
       request.standing.push_back(obstacle);
@@ -165,14 +170,19 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   asked_number_ = goal_number_;
   plan_time_ = m.time;
   planned = true;
-  planning.start(*map(), std::move(request));
+  const bool in_known_space = std::exchange(in_known_space_, false);
+  if (in_known_space) {
+    planning.start(around.known_space(), std::move(request));
+  } else {
+    planning.start(around.map_for_plans(), std::move(request));
+  }
   take_plan();
 }
 
 void BodyNavigator::State::take_plan() {
   std::optional<BodyPlan> made = planning.take();
   if (!made || !goal_ || asked_number_ != goal_number_) return;
-  // A robot that waits before an obstacle keeps its drive where there is none round that.
+  // A robot that waits before an obstacle keeps its drive if there is none around it.
   failures_ = made->drive.rows.empty() ? failures_ + 1 : 0;
   const bool keeps = made->drive.rows.empty() && has_drive_ && avoids_moving_;
   avoids_moving_ = false;
@@ -213,7 +223,7 @@ void BodyNavigator::State::watch(const NavigationStep& step, double time) noexce
   }
   if (!waits_since_) waits_since_ = time;
   if (step.limit == LimitingFactor::StopNotProven && step.status == NavigationStatus::Blocked)
-    wants_plan_ = true;
+    wants_plan_ = in_known_space_ = true;
   if (time - *waits_since_ < kPatience || time - plan_time_ < retry_period()) return;
   wants_plan_ = true;
   avoids_moving_ = true;
@@ -223,7 +233,7 @@ void BodyNavigator::State::watch(const NavigationStep& step, double time) noexce
 NavigationStep BodyNavigator::State::drive(const Measurements& m) {
   const FollowerView view{
       .pose = m.pose,
-      .clearance = &*clearance_,
+      .clearance = &around.for_stops(),
       .moving = {.obstacles = m.obstacles,
                  .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
                  .prediction = settings.prediction}};
@@ -249,7 +259,22 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
   return step_of(driven.input, driven.status, driven.limit);
 }
 
-NavigationStep BodyNavigator::State::update(const Measurements& m) {
+// Adds what the own lidar tracks, and the time of its last scan.
+Measurements BodyNavigator::State::merged(const Measurements& given) {
+  Measurements m = given;
+  const Perception* const perception = around.perception();
+  if (perception == nullptr) return m;
+  NavigationInput input = input_of(given);
+  merge_tracked(*perception, moving_, input);
+  m.obstacles = input.obstacles;
+  m.obstacles_time = input.obstacles_time;
+  m.obstacles_due = true;
+  m.map_time = std::min(m.map_time.value_or(m.time), perception->time());
+  return m;
+}
+
+NavigationStep BodyNavigator::State::update(const Measurements& given) {
+  const Measurements m = merged(given);
   const LimitingFactor wrong = check(m);
   if (wrong != LimitingFactor::None) {
     follows_new_plan = planned = false;

@@ -7,6 +7,7 @@
 
 #include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/body/body_planning.hpp"
+#include "fairway/navigation/body/body_surroundings.hpp"
 #include "fairway/navigation/body/drive_follower.hpp"
 
 namespace fairway {
@@ -15,8 +16,6 @@ namespace fairway {
 struct BodyNavigator::State {
   State(const Settings& settings, const RobotModel& robot, const PreparedMap* shared_map);
 
-  void set_map(const OccupancyGrid& map);
-  void note_map() noexcept { map_changed_ = true; }
   void set_goal(const Goal& goal);
   void cancel() noexcept;
   void reset(const BaseInput& actual) noexcept;
@@ -25,14 +24,15 @@ struct BodyNavigator::State {
 
   Settings settings;
   RobotModel robot;
+  BodySurroundings around;
   DriveFollower follower;
   BodyPlanning planning;
   Plan plan;
+  [[nodiscard]] bool has_drive() const noexcept { return has_drive_; }
   bool follows_new_plan = false;
   bool planned = false;
 
  private:
-  [[nodiscard]] const PreparedMap* map() const noexcept;
   [[nodiscard]] LimitingFactor check(const Measurements& m) noexcept;
   [[nodiscard]] bool jumped(const Measurements& m) noexcept;
   [[nodiscard]] bool is_blocked() const noexcept;
@@ -40,28 +40,27 @@ struct BodyNavigator::State {
   [[nodiscard]] double retry_period() const noexcept;
   [[nodiscard]] bool needs_plan(const Measurements& m, bool at_once) const noexcept;
   void take_plan();
+  [[nodiscard]] Measurements merged(const Measurements& m);
   [[nodiscard]] NavigationStep drive(const Measurements& m);
   void watch(const NavigationStep& step, double time) noexcept;
   [[nodiscard]] NavigationStep step_of(const BaseInput& input,
                                        NavigationStatus status,
                                        LimitingFactor limit) const noexcept;
 
-  const PreparedMap* shared_map_;
-  std::optional<PreparedMap> own_map_;
-  std::optional<BodyClearance> clearance_;
   std::optional<Goal> goal_;
   bool goal_valid_ = true;
-  bool has_drive_ = false;   // one for the present goal is followed
-  bool wants_plan_ = false;  // the drive cannot be finished
-  bool map_changed_ = false;
+  bool has_drive_ = false;       // one for the present goal is followed
+  bool wants_plan_ = false;      // the drive cannot be finished
+  bool in_known_space_ = false;  // the next plan leads only through what was seen
   bool goal_is_new_ = false;
   bool reached_ = false;
   int failures_ = 0;  // plans that failed, one after the other
   int goal_number_ = 0;
   int asked_number_ = 0;
   double plan_time_ = -std::numeric_limits<double>::infinity();
-  std::optional<double> waits_since_;  // for a moving obstacle, at standstill
-  bool avoids_moving_ = false;         // the next plan drives round moving obstacles
+  std::optional<double> waits_since_;   // for a moving obstacle, at standstill
+  bool avoids_moving_ = false;          // the next plan drives round moving obstacles
+  std::vector<MovingObstacle> moving_;  // of trackers and the own lidar
   struct Known {
     double time = 0.0;
     Pose2 pose;

@@ -77,6 +77,8 @@ DriveSettings drive_settings_for(const BodyShape& body) noexcept {
   DriveSettings settings;
   constexpr double kReserve = 0.1;  // of the limits, for corrections
   settings.limit_share = 1.0 - kReserve;
+  // Less than a second: a robot that finds no drive looks again when more is known.
+  settings.path.total_states = 200000;
   settings.path.cell = std::clamp(0.045 * body.circumscribed_radius(), 0.04, 0.2);
   return settings;
 }
@@ -117,7 +119,7 @@ BodyPlan plan_among(const PreparedMap& map,
                     const RobotModel& robot,
                     const BodyPlanRequest& request,
                     double period,
-                    const DriveSettings& settings) {
+                    DriveSettings settings) {
   std::optional<PreparedMap> drawn;
   if (!request.standing.empty()) drawn = with_obstacles(map, robot.body, request);
   const PreparedMap& used = drawn ? *drawn : map;
@@ -138,6 +140,9 @@ BodyPlan plan_among(const PreparedMap& map,
     plan.goal_pose.heading = headings[i];
     plan.drive = plan_drive(clearance, robot.base, request.start, plan.goal_pose, period, settings);
     if (!plan.drive.rows.empty()) break;
+    // The headings share the budget.
+    settings.path.total_states -= plan.drive.path.expanded;
+    if (settings.path.total_states <= 0) break;
   }
   return plan;
 }
@@ -190,7 +195,9 @@ void BodyPlanning::start(const PreparedMap& map, BodyPlanRequest request) {
 
 void BodyPlanning::make(const PreparedMap& map) {
   const double begin = clock_ ? clock_() : 0.0;
-  made_ = plan_body_drive(map, robot_, request_, row_period_, drive_settings_for(robot_.body));
+  DriveSettings settings = drive_settings_for(robot_.body);
+  settings.path.margin += request_.more_margin;
+  made_ = plan_body_drive(map, robot_, request_, row_period_, settings);
   seconds_ = clock_ ? clock_() - begin : 0.0;
 }
 

@@ -10,7 +10,8 @@ namespace fairway {
 double body_separation(const BodyShape& body,
                        const Pose2& pose,
                        const MovingSurroundings& surroundings,
-                       double time) noexcept {
+                       double time,
+                       double share) noexcept {
   const PredictionSettings& prediction = surroundings.prediction;
   const double ahead = time + surroundings.age;
   const double growth =
@@ -18,11 +19,13 @@ double body_separation(const BodyShape& body,
   const Eigen::Vector2d along = direction(pose.heading);
   double least = std::numeric_limits<double>::infinity();
   for (const MovingObstacle& obstacle : surroundings.obstacles) {
+    if (share != 1.0 && is_standing(obstacle)) continue;
     const double kept = prediction.obstacle_margin + (is_standing(obstacle) ? 0.0 : growth);
     const Eigen::Vector2d way =
-        (prediction.predict_motion ? predicted_position(obstacle, ahead) : obstacle.position) -
+        (prediction.predict_motion ? predicted_position(obstacle, surroundings.age + share * time)
+                                   : obstacle.position) -
         pose.position;
-    // The disc about the reference is a bound that is cheap to test.
+    // The disc about the reference is a bound that is quick to test.
     if (way.norm() - body.circumscribed_radius() - obstacle.radius - kept >= least) continue;
     const Eigen::Vector2d local(along.dot(way), along.x() * way.y() - along.y() * way.x());
     least = std::min(least, body.distance(local) - obstacle.radius - kept);
@@ -52,14 +55,22 @@ RateOutlook look_ahead(const BodyShape& body,
                        double target,
                        const MovingSurroundings& surroundings,
                        double horizon) noexcept {
-  constexpr double kStep = 0.1;  // [s]
+  constexpr double kLongest = 0.1;    // [s]
+  constexpr double kShortest = 0.02;  // [s]
   RateOutlook outlook{.separation = std::numeric_limits<double>::infinity(), .time = 0.0};
+  constexpr double kOwn = 1.5;  // of the body's points, about [m/s]
+  double closing = kOwn;
+  for (const MovingObstacle& obstacle : surroundings.obstacles)
+    closing = std::max(closing, kOwn + obstacle.velocity.norm());
   DriveProgress now = progress;
-  for (double time = kStep; time <= horizon; time += kStep) {
-    now = reference.advanced(now, target, kStep);
+  double step = kLongest;
+  for (double time = step; time <= horizon; time += step) {
+    now = reference.advanced(now, target, step);
     const double separation =
         body_separation(body, reference.pose_at(now.phase), surroundings, time);
     if (separation < outlook.separation) outlook = {.separation = separation, .time = time};
+    // The nearer the obstacles are, the finer: none passes the body between two looks.
+    step = std::clamp(separation / closing, kShortest, kLongest);
   }
   return outlook;
 }

@@ -28,6 +28,21 @@ void make_stop(const BaseModel& base,
   stop.count = 0;
 }
 
+namespace {
+
+// That a person stops or turns back cannot be foreseen, so the stop has to fit that, too.
+bool hits_moving(const BodyShape& body,
+                 const Pose2& pose,
+                 const StopSurroundings& surroundings,
+                 double time) noexcept {
+  const auto hits = [&](double share) {
+    return body_separation(body, pose, surroundings.moving, time, share) < 0.0;
+  };
+  return hits(1.0) || (surroundings.may_turn && (hits(0.0) || hits(-1.0)));
+}
+
+}  // namespace
+
 StopVerdict check_stop(const BaseModel& base,
                        const Pose2& pose,
                        const BaseInput& sent,
@@ -57,8 +72,7 @@ StopVerdict check_stop(const BaseModel& base,
         return StopVerdict::HitsStatic;
       now = next;
       const double time = base.response_time + period * (i + 1 + 0.5 * (half + 1));
-      if (body_separation(clearance.body(), now, surroundings.moving, time) < 0.0)
-        return StopVerdict::HitsMoving;
+      if (hits_moving(clearance.body(), now, surroundings, time)) return StopVerdict::HitsMoving;
     }
     from = to;
   }

@@ -34,7 +34,7 @@ void DriveFollower::reset(const BaseInput& actual) noexcept {
 bool DriveFollower::at_rest() const noexcept { return is_at_rest(base_, sent_); }
 
 // The fastest rate at which no moving obstacle is met; where there is none, the one that keeps most
-// distance. A base that can reverse may also go back the way it came.
+// distance. A base that can reverse may also drive back along its path.
 DriveFollower::Choice DriveFollower::choose_rate(const FollowerView& view) const noexcept {
   constexpr std::array<double, 4> kRates{1.0, 0.6, 0.3, 0.0};
   const double fastest = std::max(base_.linear_max, -base_.linear_min) + base_.lateral_max;
@@ -79,12 +79,17 @@ DriveFollower::Candidate DriveFollower::candidate(const Pose2& pose, double targ
 
 StopVerdict DriveFollower::prove(const FollowerView& view, const Candidate& next) noexcept {
   make_stop(base_, reference_, next.sent_for, next.input, period_, trial_);
+  StopSurroundings all = surroundings(view);
+  all.may_turn = true;
+  return check_stop(base_, view.pose, sent_, next.input, trial_, period_, all);
+}
+
+StopSurroundings DriveFollower::surroundings(const FollowerView& view) const noexcept {
   MovingSurroundings moving = view.moving;
   moving.prediction.obstacle_margin =
       std::min(safety_.moving_margin, moving.prediction.obstacle_margin);
   moving.prediction.obstacle_growth = 0.0;
-  return check_stop(base_, view.pose, sent_, next.input, trial_, period_,
-                    {.clearance = view.clearance, .margin = safety_.stop_margin, .moving = moving});
+  return {.clearance = view.clearance, .margin = safety_.stop_margin, .moving = moving};
 }
 
 void DriveFollower::take(const Candidate& next) noexcept {
@@ -146,7 +151,7 @@ FollowerStep DriveFollower::update(const FollowerView& view) noexcept {
     }
     verdict = now;
   }
-  if (verdict == StopVerdict::HitsMoving && escape(view))
+  if (verdict == StopVerdict::HitsMoving && !stop_is_free(view) && escape(view))
     return {.input = sent_,
             .status = NavigationStatus::Degraded,
             .limit = LimitingFactor::MovingObstacle};
@@ -154,6 +159,22 @@ FollowerStep DriveFollower::update(const FollowerView& view) noexcept {
   step.status = at_rest() ? NavigationStatus::Blocked : NavigationStatus::Stopping;
   step.limit = LimitingFactor::StopNotProven;
   return step;
+}
+
+// Whether the rest of the last proven stop still is free of moving obstacles. Then it is executed:
+// nothing else is as safe.
+bool DriveFollower::stop_is_free(const FollowerView& view) noexcept {
+  if (proven_.at_rest()) return false;
+  trial_ = proven_;
+  const auto first = trial_.inputs.begin() + trial_.next;
+  const BaseInput input = *first;
+  trial_.count = static_cast<int>(
+      std::copy(first + 1, trial_.inputs.begin() + trial_.count, trial_.inputs.begin()) -
+      trial_.inputs.begin());
+  trial_.next = 0;
+  if (trial_.count == 0) trial_.inputs[static_cast<std::size_t>(trial_.count++)] = input;
+  return check_stop(base_, view.pose, sent_, input, trial_, period_, surroundings(view)) ==
+         StopVerdict::Free;
 }
 
 // Where also braking meets a moving obstacle, driving on may pass before it without contact.

@@ -129,8 +129,13 @@ BodyPathResult plan_body_path(const BodyClearance& clearance,
                                          {0.5 * most, fine, 2 * headings, states},
                                          {0.2 * most, settings.cell, headings, states},
                                          {0.1 * most, fine, 2 * headings, states}}};
-  for (const Attempt& attempt : attempts) {
+  for (Attempt attempt : attempts) {
     const int before = result.expanded;
+    attempt.max_states = std::min(attempt.max_states, settings.total_states - before);
+    if (attempt.max_states <= 0) {
+      result.status = BodyPathStatus::GaveUp;
+      return result;
+    }
     result = search(clearance, cost, ends, attempt, settings);
     result.expanded += before;
     if (result.status != BodyPathStatus::Found) continue;

@@ -9,7 +9,7 @@
 
 namespace fairway {
 
-/// A candidate for the shortest path of a car that drives both ways: up to five arcs and lines.
+/// A candidate for the shortest path of a car that also reverses: up to five arcs and lines.
 struct ReedsSheppWord {
   static constexpr int kMaxPieces = 5;
 

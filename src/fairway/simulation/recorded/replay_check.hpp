@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
+#include "fairway/planning/prepared_map.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
 namespace fairway {
@@ -30,6 +32,7 @@ class ReplayCheck final : public EpisodeObserver {
   void on_navigators(double time,
                      const Settings& settings,
                      std::span<const NavigatorStart> starts) override;
+  void on_zones(double /*time*/, const Zones& zones) override { zones_ = zones; }
   void on_goal(double time, std::size_t robot, const Goal& goal) override;
   void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;
@@ -44,16 +47,23 @@ class ReplayCheck final : public EpisodeObserver {
 
  private:
   [[nodiscard]] NavigationStep replay(const NavigationCycle& cycle);
+  [[nodiscard]] NavigationStep replay_body(BodyNavigator& body, const NavigationInput& input);
+  [[nodiscard]] std::unique_ptr<BodyNavigator> make_body(const Settings& settings,
+                                                         const RobotModel& model,
+                                                         const NavigatorStart& start) const;
 
   ControlSolver* solver_;
   std::unique_ptr<ControlSolver> own_solver_;
   SensingModel sensing_;
   Zones zones_{};
-  std::shared_ptr<const ZoneMap> compiled_{};   // of the zones; null without
-  std::vector<Navigator> navigators_;           // of robots that know the map
-  std::vector<MaplessNavigator> without_map_;   // of robots with a lidar
-  bool background_ = false;                     // the plans were made in a thread
-  std::vector<std::optional<Plan>> arrived_{};  // per robot, for its next cycle
+  std::shared_ptr<const ZoneMap> compiled_{};           // of the zones; null without
+  std::vector<Navigator> navigators_;                   // of robots that know the map
+  std::vector<MaplessNavigator> without_map_;           // of robots with a lidar
+  std::vector<std::optional<RobotModel>> models_;       // of the robots that have one
+  std::unique_ptr<PreparedMap> map_;                    // for these
+  std::vector<std::unique_ptr<BodyNavigator>> bodies_;  // one per robot; null without a model
+  bool background_ = false;                             // the plans were made in a thread
+  std::vector<std::optional<Plan>> arrived_{};          // per robot, for its next cycle
   long cycles_ = 0;
   long different_ = 0;
   std::optional<Difference> first_difference_;

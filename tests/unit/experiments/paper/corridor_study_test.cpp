@@ -51,7 +51,7 @@ TEST(CorridorStudy, DoesNotDependOnThreads) {
   EXPECT_EQ(corridor_numbers({first}).dump(), corridor_numbers({second}).dump());
 }
 
-TEST(CorridorTables, ShowThePaperBesideOurs) {
+TEST(CorridorTables, ShowThePaperBesideFairway) {
   const auto maps = compare_corridors_on_maps(MapKind::UnstructuredSmall, 2, corridor_options());
   const Table table = table_two({{MapKind::UnstructuredSmall, "Environment 2", maps}});
   ASSERT_EQ(table.rows.size(), kCorridorKinds);

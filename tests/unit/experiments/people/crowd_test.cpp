@@ -42,6 +42,49 @@ TEST(Crowd, DrawsTheSharedStarts) {
   }
 }
 
+// A few agents of the shared files, as numbers: this test needs no data.
+TEST(Crowd, DrawsTheStartsOfThePublicCode) {
+  struct Agent {
+    CrowdBenchmark benchmark;
+    std::size_t person;  // of case 0
+    Vector2d position;
+    double radius;
+    double speed;
+  };
+  const Agent agents[] = {
+      {CrowdBenchmark::CrowdNav, 0, {-2.6625559084662678, -2.837985290326649}, 0.3, 1.0},
+      {CrowdBenchmark::CrowdNav, 1, {-3.6025107218593897, 0.15897818498977123}, 0.3, 1.0},
+      {CrowdBenchmark::DsRnn,
+       0,
+       {5.663690231161839, 1.1517668951049989},
+       0.342466536184544,
+       1.3724745351820353},
+      {CrowdBenchmark::DsRnn,
+       2,
+       {5.071944259628953, -3.4221827977002137},
+       0.3139164161939909,
+       1.24353941459214},
+      {CrowdBenchmark::CrowdNavPlus,
+       0,
+       {5.710926794456521, 8.312335034905532},
+       0.35680357356027864,
+       0.8585584054282752},
+      {CrowdBenchmark::CrowdNavPlus,
+       2,
+       {-7.305252014254043, -0.6587560329493372},
+       0.49517516974036413,
+       0.7261498796627934}};
+  for (const Agent& agent : agents) {
+    const CrowdCase one = draw_case(agent.benchmark, 0, crowd_seed(agent.benchmark, 0));
+    ASSERT_GT(one.people.size(), agent.person);
+    const CrowdPerson& person = one.people[agent.person];
+    EXPECT_LT((person.position - agent.position).norm(), 1e-12);
+    EXPECT_LT((person.goal + agent.position).norm(), 1e-12) << "goals are opposite the starts";
+    EXPECT_DOUBLE_EQ(person.radius, agent.radius);
+    EXPECT_DOUBLE_EQ(person.speed_max, agent.speed);
+  }
+}
+
 struct TraceState {
   Vector2d position;
   Vector2d velocity;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/recording/reading/recording_reader.hpp"
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/web_report/run_stream.hpp"
@@ -91,7 +91,7 @@ TEST(ChangedRecording, IsRefusedWhereTheMessagesOfATopicAreNotInOrder) {
   expect_refused(recording, ", found 0");
 }
 
-TEST(ChangedRecording, IsRefusedBeforeMemoryForAMapIsTakenThatIsNotThere) {
+TEST(ChangedRecording, IsRefusedBeforeMemoryIsAllocatedForAMissingMap) {
   ChangedRecording recording = test::short_recording(Sensing::Map);
   auto& frame = recording.first("fairway.Scenario")["frame"];
   frame["width"] = 32768;

@@ -104,6 +104,22 @@ TEST(BodyPath, GivesTheReasonWhereThereIsNone) {
   EXPECT_NE(none.reason().find("states searched"), std::string::npos);
 }
 
+TEST(BodyPath, AllSearchesTogetherKeepTheBudget) {
+  const Hall hall(1.0, BodyShape::rectangle(1.6, 0.6, 1.0));
+  BodyPathSettings settings;
+  const auto plan = [&] {
+    return plan_body_path(hall.clearance, base_of(BaseKind::Car),
+                          {.position = {1.5, 2.0}, .heading = 1.0},
+                          {.position = {6.5, 3.0}, .heading = -0.5}, settings);
+  };
+  EXPECT_EQ(plan().status, BodyPathStatus::Found);
+  settings.total_states = 40;
+  const BodyPathResult none = plan();
+  EXPECT_EQ(none.status, BodyPathStatus::GaveUp);
+  constexpr int kTurns = 64;  // states of the last turn of both trees
+  EXPECT_LE(none.expanded, settings.total_states + kTurns);
+}
+
 TEST(BodyPath, TheSameInputGivesTheSamePathToTheBit) {
   const Hall hall(1.0, BodyShape::rectangle(1.6, 0.6, 1.0));
   const Pose2 start{.position = {1.5, 2.0}, .heading = 1.0};

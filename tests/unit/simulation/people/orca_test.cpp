@@ -16,8 +16,8 @@ using Eigen::Vector2d;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Whether `relative` (velocity of the agent less that of the other) leads to a contact within the
-// horizon: the slow and obvious form of the velocity obstacle.
+// Returns whether `relative`, the velocity of the agent less that of the other, leads to a contact
+// within the horizon. This is the slow and obvious form of the velocity obstacle.
 bool hits(const Vector2d& apart, const Vector2d& relative, double radius, double horizon) {
   constexpr int kSamples = 300;
   for (int k = 1; k <= kSamples; ++k) {

@@ -62,13 +62,13 @@ TEST_F(SpaceTime, LeavesTheReferencePathWithoutPeopleNear) {
   EXPECT_FALSE(plan({{.position = {-4, 0}, .velocity = {-1, 0}, .radius = 0.3}}));
 }
 
-TEST_F(SpaceTime, KeepsTheComfortDistanceFromOneWhoComesHeadOn) {
+TEST_F(SpaceTime, KeepsTheComfortDistanceFromAPersonWhoComesHeadOn) {
   const MovingObstacle person{.position = {8, 0.05}, .velocity = {-1, 0}, .radius = 0.3};
   ASSERT_TRUE(plan({person}));
   EXPECT_GT(closest(person), robot_.radius + 0.3 + prediction_.comfort_distance);
 }
 
-TEST_F(SpaceTime, PassesBehindOneWhoCrosses) {
+TEST_F(SpaceTime, PassesBehindAPersonWhoCrosses) {
   const MovingObstacle person{.position = {4, -4}, .velocity = {0, 1}, .radius = 0.3};
   ASSERT_TRUE(plan({person}));
   EXPECT_GT(closest(person), robot_.radius + 0.3 + 0.3);

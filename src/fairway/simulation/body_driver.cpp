@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/simulation/body_driver.hpp"
+
+#include <limits>
+#include <optional>
+
+#include "fairway/navigation/body/body_navigator.hpp"
+#include "fairway/navigation/facade/obstacle_merge.hpp"
+#include "fairway/simulation/episode.hpp"
+#include "fairway/simulation/lidar_senses.hpp"
+
+namespace fairway {
+
+namespace {
+
+class BodyDriver final : public RobotDriver {
+ public:
+  BodyDriver(const DriverContext& context,
+             const World& world,
+             std::size_t robot,
+             RobotResult& result)
+      : context_(context),
+        robot_(robot),
+        result_(result),
+        lidar_(context.scenario.sensing.sensing == Sensing::Lidar),
+        navigator_(
+            lidar_ ? BodyNavigator(context.settings, world.model_of(robot)->model)
+                   : BodyNavigator(context.settings, world.model_of(robot)->model, context.map)) {
+    if (lidar_)
+      senses_.emplace(context.scenario.sensing, world, robot, context.scenario.seed + robot);
+    const BodyRobot& actual = *world.model_of(robot);
+    navigator_.reset(actual.twist(), actual.input.turn);
+    navigator_.lend_clock(context.clock);
+  }
+
+  [[nodiscard]] double next_measurement() const override {
+    return senses_ ? senses_->next_scan() : std::numeric_limits<double>::infinity();
+  }
+  void measure(const World& world) override {
+    if (senses_) senses_->measure(world);
+  }
+  [[nodiscard]] const Plan& plan() const override { return navigator_.plan(); }
+  [[nodiscard]] LimitMark mark(const NavigationStep& /*step*/) const override { return {}; }
+  void tell_standing(const World& world) override { look_around(world.time()); }
+
+  [[nodiscard]] DrivenCycle drive(const World& world) override {
+    const double begin = now();
+    look_around(world.time());
+    const double before = now();
+    if (lidar_ && context_.clock) result_.sense_seconds.push_back(before - begin);
+    const Measurements measured = measurements(world);
+    const NavigationStep step = navigator_.update(measured);
+    const double seconds = now() - (lidar_ ? begin : before) - navigator_.planning_seconds();
+    note_planning();
+    NavigationInput input = input_of(measured);
+    input.map = navigator_.obstacles();
+    return {.input = input,
+            .step = step,
+            .seconds = seconds,
+            .new_plan = navigator_.follows_new_plan(),
+            .occupied = lidar_ ? navigator_.obstacles() : nullptr};
+  }
+
+  bool head_for(const Goal& goal, const World& world) override {
+    navigator_.set_goal(goal);
+    return !lidar_ && plan_now(world);
+  }
+
+  bool cancel(const World& /*world*/) override {
+    navigator_.cancel();
+    return true;
+  }
+  bool take_plan(const World& /*world*/) override { return false; }
+
+  bool note_map_change(const World& world) override {
+    if (lidar_) return false;
+    navigator_.map_changed();
+    return plan_now(world);
+  }
+
+ private:
+  [[nodiscard]] double now() const { return context_.clock ? context_.clock() : 0.0; }
+
+  [[nodiscard]] Measurements measurements(const World& world) {
+    if (lidar_) return {.time = world.time(), .pose = senses_->pose()};
+    world.moving_around(robot_, seen_);
+    return {.time = world.time(), .pose = world.robots()[robot_].pose, .obstacles = seen_};
+  }
+
+  // Takes over the scans that have become available.
+  void look_around(double time) {
+    if (!senses_) return;
+    senses_->deliver(time, [this](const LidarScan& scan, const Eigen::Vector2d& position) {
+      navigator_.observe(scan, position);
+      if (context_.observer != nullptr)
+        context_.observer->on_scan({.robot = robot_, .scan = scan, .position = position});
+    });
+  }
+
+  [[nodiscard]] bool plan_now(const World& world) {
+    const bool new_plan = navigator_.plan_now(measurements(world));
+    note_planning();
+    return new_plan;
+  }
+
+  void note_planning() {
+    if (context_.clock && navigator_.planned())
+      result_.plan_seconds.push_back(navigator_.planning_seconds());
+  }
+
+  DriverContext context_;
+  std::size_t robot_;
+  RobotResult& result_;
+  bool lidar_;
+  BodyNavigator navigator_;
+  std::optional<LidarSenses> senses_;
+  std::vector<MovingObstacle> seen_;
+};
+
+}  // namespace
+
+std::unique_ptr<RobotDriver> make_body_driver(const DriverContext& context,
+                                              const World& world,
+                                              std::size_t robot,
+                                              RobotResult& result) {
+  return std::make_unique<BodyDriver>(context, world, robot, result);
+}
+
+}  // namespace fairway
