@@ -2,11 +2,19 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "fairway/prediction/forecast.hpp"
 
 namespace fairway {
+
+/// The obstacles of a forecast that matter around a place.
+struct NearObstacles {
+  std::size_t count = 0;
+  std::array<std::uint8_t, Forecast::kMaxObstacles> index;
+};
 
 /// What being near moving obstacles costs, in seconds of delay per second.
 ///
@@ -15,73 +23,106 @@ namespace fairway {
 /// the obstacle closes within the time headway, falls from the comfort distance to zero. The
 /// comfort distance grows with the distance in which the robot stops, so a slow robot may come
 /// nearer.
-struct EncounterCost {
-  static constexpr double kContact = 60.0;  // [s/s]
-  static constexpr double kComfort = 1.5;   // [s/s]
-  static constexpr double kSpread = 1.5;    // standard deviations
+class EncounterCost {
+ public:
+  struct Settings {
+    double radius = 0.3;     ///< of the robot [m]
+    double margin = 0.1;     ///< safety distance [m]
+    double comfort = 0.7;    ///< [m]
+    double headway = 0.4;    ///< [s]
+    double braking = 2.0;    ///< [m/s^2]
+    double speed_max = 1.0;  ///< of the robot [m/s]
+  };
 
-  double radius = 0.3;     ///< of the robot [m]
-  double margin = 0.1;     ///< safety distance [m]
-  double comfort = 0.7;    ///< [m]
-  double headway = 0.4;    ///< [s]
-  double braking = 2.0;    ///< [m/s^2]
-  double speed_max = 1.0;  ///< of the robot [m/s]
+  explicit EncounterCost(const Settings& settings) noexcept : settings_(settings) {}
 
   /// Comfort distance at a speed of the robot [m].
   [[nodiscard]] double comfort_at(double speed) const noexcept {
-    return comfort + speed * speed / (2.0 * braking);
+    return settings_.comfort + speed * speed / (2.0 * settings_.braking);
+  }
+
+  /// Prepares what depends on the forecast only. Call it after a new forecast, before the others.
+  void prepare(const Forecast& forecast) noexcept;
+
+  /// Finds the obstacles that may cost something within `travel` of a place, at a sample and the
+  /// one after it.
+  [[nodiscard]] NearObstacles near(const Forecast& forecast,
+                                   double x,
+                                   double y,
+                                   double travel,
+                                   std::size_t sample) const noexcept {
+    NearObstacles found;
+    for (std::size_t i = 0; i < forecast.count; ++i) {
+      const double dx = x - forecast.x[sample][i];
+      const double dy = y - forecast.y[sample][i];
+      const double reach = reach_[i] + travel + step_[i];
+      if (dx * dx + dy * dy < reach * reach)
+        found.index[found.count++] = static_cast<std::uint8_t>(i);
+    }
+    return found;
   }
 
   /// Returns the cost at a place at a sample of the forecast, at a speed of the robot [s/s].
   [[nodiscard]] double at(const Forecast& forecast,
+                          const NearObstacles& near,
                           double x,
                           double y,
                           double speed,
                           std::size_t sample) const noexcept {
     const double wanted = comfort_at(speed);
-    const auto& px = forecast.x[sample];
-    const auto& py = forecast.y[sample];
-    const auto& deviations = forecast.deviation[sample];
-    double sum = 0.0;
-    for (std::size_t i = 0; i < forecast.count; ++i) {
-      const double dx = x - px[i];
-      const double dy = y - py[i];
+    const double per_wanted = 1.0 / wanted;
+    double contact = 0.0;
+    double comfort = 0.0;
+    for (std::size_t k = 0; k < near.count; ++k) {
+      const std::size_t i = near.index[k];
+      const double dx = x - forecast.x[sample][i];
+      const double dy = y - forecast.y[sample][i];
       const double squared = dx * dx + dy * dy;
-      if (squared >= reach2[i]) continue;
+      if (squared >= reach_[i] * reach_[i]) continue;
       const double distance = std::sqrt(squared);
-      const double bodies = radius + forecast.radius[i] + margin;
-      const double gap = distance - bodies;
-      const double deviation = deviations[i];
-      const double spread = kSpread * deviation;
-      if (gap < spread) {
-        const double share = std::min(1.0, (spread - gap) / (2.0 * spread));
-        sum += kContact * share * bodies / (bodies + deviation);
-      }
-      const double towards =
-          distance > 0.0 ? (dx * forecast.velocity_x[i] + dy * forecast.velocity_y[i]) / distance
-                         : 0.0;
-      const double open = gap - headway * std::max(0.0, towards);
+      const double gap = distance - bodies_[i];
+      const double spread = kSpread * forecast.deviation[sample][i];
+      if (gap < spread) contact += std::min(2.0 * spread, spread - gap) * weight_[sample][i];
+      const double closing = dx * forecast.velocity_x[i] + dy * forecast.velocity_y[i];
+      const double open = gap - (closing > 0.0 ? settings_.headway * closing / distance : 0.0);
       if (open < wanted) {
-        const double near = std::min(1.0, 1.0 - open / wanted);
-        sum += kComfort * near * near;
+        const double near_by = std::min(1.0, 1.0 - open * per_wanted);
+        comfort += near_by * near_by;
       }
     }
-    return sum;
+    return contact + kComfort * comfort;
   }
 
-  /// Prepares the distances beyond which an obstacle costs nothing. Call it after a new forecast.
-  void prepare(const Forecast& forecast) noexcept {
-    const double far = comfort_at(speed_max);
+ private:
+  static constexpr double kContact = 60.0;  // [s/s]
+  static constexpr double kComfort = 1.5;   // [s/s]
+  static constexpr double kSpread = 1.5;    // standard deviations
+
+  Settings settings_;
+  std::array<double, Forecast::kMaxObstacles> bodies_{};  // distance at the safety distance [m]
+  std::array<double, Forecast::kMaxObstacles> reach_{};   // beyond which nothing is counted [m]
+  std::array<double, Forecast::kMaxObstacles> step_{};    // of the obstacle between samples [m]
+  /// Of contact, per metre of overlap, by sample and obstacle.
+  std::array<std::array<double, Forecast::kMaxObstacles>, Forecast::kMaxSamples> weight_{};
+};
+
+inline void EncounterCost::prepare(const Forecast& forecast) noexcept {
+  const double far = comfort_at(settings_.speed_max);
+  const std::size_t last = forecast.samples - 1;
+  for (std::size_t i = 0; i < forecast.count; ++i) {
+    const double speed = std::hypot(forecast.velocity_x[i], forecast.velocity_y[i]);
+    bodies_[i] = settings_.radius + forecast.radius[i] + settings_.margin;
+    step_[i] = speed * forecast.interval;
+    reach_[i] = bodies_[i] +
+                std::max(kSpread * forecast.deviation[last][i], far + settings_.headway * speed);
+  }
+  for (std::size_t k = 0; k < forecast.samples; ++k) {
     for (std::size_t i = 0; i < forecast.count; ++i) {
-      const double speed = std::hypot(forecast.velocity_x[i], forecast.velocity_y[i]);
-      const double most = kSpread * forecast.deviation[forecast.samples - 1][i];
-      const double reach =
-          radius + forecast.radius[i] + margin + std::max(most, far + headway * speed);
-      reach2[i] = reach * reach;
+      const double deviation = forecast.deviation[k][i];
+      weight_[k][i] =
+          kContact * bodies_[i] / ((bodies_[i] + deviation) * 2.0 * kSpread * deviation);
     }
   }
-
-  std::array<double, Forecast::kMaxObstacles> reach2{};
-};
+}
 
 }  // namespace fairway

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "fairway/geometry/angle.hpp"
@@ -22,30 +21,37 @@ constexpr double kSlack = 0.02;       // beyond a rectangle [m]
 
 }  // namespace
 
+// The half and the whole turn follow from the quarter.
 SpaceTimePlanner::Turn SpaceTimePlanner::turn_by(double angle) noexcept {
+  const double c = std::cos(0.25 * angle);
+  const double s = std::sin(0.25 * angle);
+  const double half_c = c * c - s * s;
+  const double half_s = 2.0 * c * s;
   return {.angle = angle,
-          .cosine = std::cos(angle),
-          .sine = std::sin(angle),
-          .quarter_cosine = std::cos(0.25 * angle),
-          .quarter_sine = std::sin(0.25 * angle),
-          .half_cosine = std::cos(0.5 * angle),
-          .half_sine = std::sin(0.5 * angle)};
+          .cosine = half_c * half_c - half_s * half_s,
+          .sine = 2.0 * half_c * half_s,
+          .quarter_cosine = c,
+          .quarter_sine = s,
+          .half_cosine = half_c,
+          .half_sine = half_s};
 }
 
 SpaceTimePlanner::SpaceTimePlanner(const RobotSettings& robot,
                                    const PredictionSettings& prediction,
                                    double horizon)
     : robot_(robot),
+      per_top_(1.0 / robot.linear_max),
       stages_(std::min(SpaceTimePlan::kMaxStages, static_cast<std::size_t>(horizon / kStage))),
       acceleration_(change_max(linear_actuation(robot))),
+      slowness_(per_top_ / (2.0 * acceleration_)),
       turn_max_(std::min(robot.angular_max, 2.0)),
       prediction_(prediction),
-      cost_{.radius = robot.radius,
-            .margin = prediction.obstacle_margin,
-            .comfort = prediction.comfort_distance,
-            .headway = prediction.time_headway,
-            .braking = change_max(linear_actuation(robot)),
-            .speed_max = robot.linear_max} {
+      cost_({.radius = robot.radius,
+             .margin = prediction.obstacle_margin,
+             .comfort = prediction.comfort_distance,
+             .headway = prediction.time_headway,
+             .braking = change_max(linear_actuation(robot)),
+             .speed_max = robot.linear_max}) {
   for (const double share : {0.0, 0.35, -0.35, 1.0, -1.0})
     turns_.push_back(turn_by(share * turn_max_ * kStage));
   const std::size_t most = kWidth * kMostSpeeds * kMostTurns;
@@ -76,7 +82,8 @@ void SpaceTimePlanner::prepare(const SpaceTimeInput& input) noexcept {
 }
 
 // Of encounters with people who are there, and with those who may appear.
-double SpaceTimePlanner::cost_at(double x,
+double SpaceTimePlanner::cost_at(const NearObstacles& near,
+                                 double x,
                                  double y,
                                  double speed,
                                  std::size_t sample) const noexcept {
@@ -84,13 +91,19 @@ double SpaceTimePlanner::cost_at(double x,
   constexpr double kNearGoal = 3.0;     // [m]
   constexpr double kAppearance = 60.0;  // per expected appearance [s]
   constexpr double kMost = 3.0;         // [s/s]
-  const double known = cost_.at(forecast_, x, y, speed, sample);
+  const double known = cost_.at(forecast_, near, x, y, speed, sample);
   if (input_->entrances == nullptr) return known;
   const ReferencePath& path = input_->path;
   const Vector2d end = path.points[static_cast<std::size_t>(path.count - 1)];
   const double away = path.ends_at_goal ? (end - Vector2d(x, y)).norm() / kNearGoal : 1.0;
   return known +
          std::min(kMost, kAppearance * input_->entrances->rate(x, y)) * std::min(1.0, away * away);
+}
+
+// The obstacles that a motion of a stage can meet.
+NearObstacles SpaceTimePlanner::near_stage(const Node& from, std::size_t stage) const noexcept {
+  const double fastest = std::max(robot_.linear_max, -robot_.linear_min);
+  return cost_.near(forecast_, from.x, from.y, fastest * kStage, 2 * stage + 1);
 }
 
 bool SpaceTimePlanner::locate(double x, double y, std::uint8_t& rectangle) const noexcept {
@@ -149,11 +162,9 @@ double SpaceTimePlanner::time_left(const Node& node) const noexcept {
   const double rest = path.length() - path.arc[piece];
   const double ahead =
       distance > 1e-3 ? (node.cosine * to.x() + node.sine * to.y()) / distance : 1.0;
-  const double top = robot_.linear_max;
-  const double slow = std::max(0.0, top - node.speed);
+  const double slow = std::max(0.0, robot_.linear_max - node.speed);
   const double far = std::min(1.0, (distance + rest) / 0.5);
-  return (distance + rest) / top +
-         far * (slow * slow / (2.0 * acceleration_ * top) + kTurnTime * (1.0 - ahead));
+  return (distance + rest) * per_top_ + far * (slow * slow * slowness_ + kTurnTime * (1.0 - ahead));
 }
 
 // Time and encounters where the robot drives along the reference path at its greatest speed.
@@ -168,7 +179,8 @@ double SpaceTimePlanner::cost_of_reference() const noexcept {
     speed = next;
     if (along > length) break;
     const Vector2d place = input_->path.at(along);
-    risk += forecast_.interval * cost_at(place.x(), place.y(), speed, k);
+    const NearObstacles near = cost_.near(forecast_, place.x(), place.y(), 0.0, k);
+    risk += forecast_.interval * cost_at(near, place.x(), place.y(), speed, k);
   }
   return risk;
 }
@@ -177,7 +189,6 @@ double SpaceTimePlanner::cost_of_reference() const noexcept {
 bool SpaceTimePlanner::continue_last(SpaceTimePlan& continued) noexcept {
   const double since = input_->time - plan_.start;
   if (plan_.stages != stages_ || since < 0.0 || since > 2.0 * kStage) return false;
-  bound_ = std::numeric_limits<double>::infinity();
   const double change = acceleration_ * kStage;
   Node node = start_node();
   if (!locate(node.x, node.y, node.rectangle)) return false;
@@ -200,9 +211,9 @@ bool SpaceTimePlanner::continue_last(SpaceTimePlan& continued) noexcept {
       const double speed = std::clamp(beyond ? robot_.linear_max : aim.speed, node.speed - change,
                                       node.speed + change);
       Node next;
-      if (!extend(node, k, speed,
-                  turn_by(std::clamp(wanted, -turn_max_ * kStage, turn_max_ * kStage)), next))
-        return false;
+      const Turn turn = turn_by(std::clamp(wanted, -turn_max_ * kStage, turn_max_ * kStage));
+      if (!move(node, speed, turn, next)) return false;
+      add_encounters(near_stage(node, k), node, k, turn, next);
       node = next;
     }
     note(k + 1);
@@ -213,7 +224,7 @@ bool SpaceTimePlanner::continue_last(SpaceTimePlan& continued) noexcept {
 
 bool SpaceTimePlanner::update(const SpaceTimeInput& input) noexcept {
   constexpr double kBetter = 0.25;   // by which another motion must cost less [s]
-  constexpr double kRenewal = 0.15;  // between two trees while the last plan keeps its cost [s]
+  constexpr double kRenewal = 0.25;  // between two trees while the last plan keeps its cost [s]
   if (stages_ == 0 || input.path.count < 2) return false;
   prepare(input);
   if ((forecast_.count == 0 && input.entrances == nullptr) || cost_of_reference() < kNegligible) {

@@ -56,6 +56,8 @@ class SpaceTimePlanner {
 
  private:
   static constexpr std::size_t kWidth = 40;
+  static constexpr std::size_t kLateWidth = 28;  // from stage kLate on
+  static constexpr std::size_t kLate = 6;
   static constexpr std::size_t kRectangles = 6;  // ahead, in which a motion may be
   static constexpr double kStage = 0.5;          // [s]
 
@@ -94,23 +96,38 @@ class SpaceTimePlanner {
 
   [[nodiscard]] static Turn turn_by(double angle) noexcept;
   void prepare(const SpaceTimeInput& input) noexcept;
-  [[nodiscard]] double cost_at(double x, double y, double speed, std::size_t sample) const noexcept;
+  [[nodiscard]] double cost_at(const NearObstacles& near,
+                               double x,
+                               double y,
+                               double speed,
+                               std::size_t sample) const noexcept;
+  [[nodiscard]] NearObstacles near_stage(const Node& from, std::size_t stage) const noexcept;
   [[nodiscard]] bool locate(double x, double y, std::uint8_t& rectangle) const noexcept;
   [[nodiscard]] double time_left(const Node& node) const noexcept;
   [[nodiscard]] double bearing_of_path(const Node& node) const noexcept;
   [[nodiscard]] Node start_node() const noexcept;
-  [[nodiscard]] bool extend(
-      const Node& from, std::size_t stage, double speed, const Turn& turn, Node& to) const noexcept;
+  [[nodiscard]] bool move(const Node& from,
+                          double speed,
+                          const Turn& turn,
+                          Node& to) const noexcept;
+  void add_encounters(const NearObstacles& near,
+                      const Node& from,
+                      std::size_t stage,
+                      const Turn& turn,
+                      Node& to) const noexcept;
   void grow(std::size_t stage) noexcept;
-  void keep(const Node& node) noexcept;
+  [[nodiscard]] std::uint32_t& find(const Node& node, std::uint64_t& key) noexcept;
+  void keep(std::uint32_t& entry, std::uint64_t key, const Node& node) noexcept;
   void select(std::size_t stage) noexcept;
   void store(std::size_t leaf, SpaceTimePlan& plan) const noexcept;
   [[nodiscard]] double cost_of_reference() const noexcept;
   [[nodiscard]] bool continue_last(SpaceTimePlan& continued) noexcept;
 
   RobotSettings robot_;
+  double per_top_;  // 1 / robot_.linear_max [s/m]
   std::size_t stages_;
   double acceleration_;  // [m/s^2]
+  double slowness_;      // delay per squared lack of speed [s^3/m^2]
   double turn_max_;      // [rad/s]
   std::vector<Turn> turns_;
   PredictionSettings prediction_;

@@ -14,10 +14,11 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kTableSize = SpaceTimePlanner::kTable;
-constexpr double kCell = 0.25;         // [m]
-constexpr double kAtGoal = 0.15;       // [m]
-constexpr double kReverse = 0.4;       // of driving backwards [s/s]
-constexpr double kTurnEffort = 0.03;   // [s per rad^2/s^2, and second]
+constexpr double kCell = 0.25;                  // [m]
+constexpr std::size_t kWithoutSlightTurns = 8;  // stage
+constexpr double kAtGoal = 0.15;                // [m]
+constexpr double kReverse = 0.4;                // of driving backwards [s/s]
+constexpr double kTurnEffort = 0.03;            // [s per rad^2/s^2, and second]
 constexpr double kHopeless = 3.0;      // cost beyond the best at which a motion is dropped [s]
 constexpr double kSpeedChange = 0.05;  // of a change of speed [s per m/s]
 
@@ -33,13 +34,12 @@ SpaceTimePlanner::Node SpaceTimePlanner::start_node() const noexcept {
           .speed = input_->speed};
 }
 
-bool SpaceTimePlanner::extend(
-    const Node& from, std::size_t stage, double speed, const Turn& turn, Node& to) const noexcept {
-  // Driven in the first half of the stage and in all of it, along the chord's direction.
-  const double half = 0.5 * kStage * (from.speed + 0.25 * (speed - from.speed));
+// Where a motion of one stage ends, and what it costs without encounters.
+bool SpaceTimePlanner::move(const Node& from,
+                            double speed,
+                            const Turn& turn,
+                            Node& to) const noexcept {
   const double whole = 0.5 * kStage * (from.speed + speed);
-  const double mid_cosine = from.cosine * turn.quarter_cosine - from.sine * turn.quarter_sine;
-  const double mid_sine = from.sine * turn.quarter_cosine + from.cosine * turn.quarter_sine;
   const double end_cosine = from.cosine * turn.half_cosine - from.sine * turn.half_sine;
   const double end_sine = from.sine * turn.half_cosine + from.cosine * turn.half_sine;
   to = from;
@@ -51,47 +51,60 @@ bool SpaceTimePlanner::extend(
   to.heading = from.heading + turn.angle;
   to.speed = speed;
   to.time = from.time + kStage;
-  const double left = time_left(to);
-  if (to.time + left + to.risk > bound_) return false;
   const double rate = turn.angle / kStage;
-  to.risk +=
-      0.5 * kStage *
-          (cost_at(from.x + half * mid_cosine, from.y + half * mid_sine, speed, 2 * stage + 1) +
-           cost_at(to.x, to.y, speed, 2 * stage + 2)) +
-      kStage * kTurnEffort * rate * rate + kSpeedChange * std::abs(speed - from.speed) +
-      (speed + from.speed < 0.0 ? kReverse * kStage : 0.0);
+  to.risk += kStage * kTurnEffort * rate * rate + kSpeedChange * std::abs(speed - from.speed) +
+             (speed + from.speed < 0.0 ? kReverse * kStage : 0.0);
   to.arrived =
       input_->path.ends_at_goal &&
       (input_->path.points[static_cast<std::size_t>(input_->path.count - 1)] - Vector2d(to.x, to.y))
               .squaredNorm() < kAtGoal * kAtGoal;
-  to.total = to.time + left + to.risk;
+  to.total = to.time + time_left(to) + to.risk;
   return true;
 }
 
-// Adds a child, or replaces the one in the same cell that costs more.
-void SpaceTimePlanner::keep(const Node& node) noexcept {
-  const auto cell = [](double value, double size) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size)) + 32768) &
-           0xffffU;
+// Adds what the encounters in a stage cost, in its middle and at its end.
+void SpaceTimePlanner::add_encounters(const NearObstacles& near,
+                                      const Node& from,
+                                      std::size_t stage,
+                                      const Turn& turn,
+                                      Node& to) const noexcept {
+  if (near.count == 0 && input_->entrances == nullptr) return;
+  const double half = 0.5 * kStage * (from.speed + 0.25 * (to.speed - from.speed));
+  const double mid_cosine = from.cosine * turn.quarter_cosine - from.sine * turn.quarter_sine;
+  const double mid_sine = from.sine * turn.quarter_cosine + from.cosine * turn.quarter_sine;
+  const double cost = 0.5 * kStage *
+                      (cost_at(near, from.x + half * mid_cosine, from.y + half * mid_sine, to.speed,
+                               2 * stage + 1) +
+                       cost_at(near, to.x, to.y, to.speed, 2 * stage + 2));
+  to.risk += cost;
+  to.total += cost;
+}
+
+// Finds the entry of the table for the cell in which a motion ends; 0 in it: there is no motion.
+std::uint32_t& SpaceTimePlanner::find(const Node& node, std::uint64_t& key) noexcept {
+  const auto cell = [](double value) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(value + 32768.0)) & 0xffffU;
   };
-  const double turn = 0.125 * std::numbers::pi;
-  const std::uint64_t key = cell(node.x - input_->pose.position.x(), kCell) |
-                            cell(node.y - input_->pose.position.y(), kCell) << 16U |
-                            cell(node.heading, turn) << 32U |
-                            cell(node.speed, 0.25 * robot_.linear_max) << 48U;
+  constexpr double kPerTurn = 8.0 / std::numbers::pi;
+  key = cell((node.x - input_->pose.position.x()) * (1.0 / kCell)) |
+        cell((node.y - input_->pose.position.y()) * (1.0 / kCell)) << 16U |
+        cell(node.heading * kPerTurn) << 32U | cell(node.speed * 4.0 * per_top_) << 48U;
   std::uint64_t hash = key * 0x9e3779b97f4a7c15ULL;
   hash >>= 52U;  // 12 bits: the size of the table
   for (;; hash = (hash + 1) % kTableSize) {
     std::uint32_t& entry = table_[hash];
-    if (entry == 0) {
-      entry = static_cast<std::uint32_t>(child_count_ + 1);
-      keys_[child_count_] = key;
-      children_[child_count_++] = node;
-      return;
-    }
-    if (keys_[entry - 1] != key) continue;
-    if (node.total < children_[entry - 1].total) children_[entry - 1] = node;
-    return;
+    if (entry == 0 || keys_[entry - 1] == key) return entry;
+  }
+}
+
+// Adds a child, or replaces the one in the same cell that costs more.
+void SpaceTimePlanner::keep(std::uint32_t& entry, std::uint64_t key, const Node& node) noexcept {
+  if (entry == 0) {
+    entry = static_cast<std::uint32_t>(child_count_ + 1);
+    keys_[child_count_] = key;
+    children_[child_count_++] = node;
+  } else if (node.total < children_[entry - 1].total) {
+    children_[entry - 1] = node;
   }
 }
 
@@ -102,14 +115,16 @@ void SpaceTimePlanner::grow(std::size_t stage) noexcept {
   const double change = acceleration_ * kStage;
   const double top = robot_.linear_max;
   const std::vector<Node>& layer = layers_[stage];
+  std::uint64_t key = 0;
   for (std::size_t n = 0; n < layer.size(); ++n) {
     const Node& from = layer[n];
     if (from.arrived) {
       Node same = from;
       same.parent = static_cast<std::uint32_t>(n);
-      keep(same);
+      keep(find(same, key), key, same);
       continue;
     }
+    const NearObstacles near = near_stage(from, stage);
     const double wanted = shortest_turn(from.heading, bearing_of_path(from));
     const Turn towards = turn_by(std::clamp(wanted, -turn_max_ * kStage, turn_max_ * kStage));
     double before = 1e9;
@@ -120,11 +135,18 @@ void SpaceTimePlanner::grow(std::size_t stage) noexcept {
       if (std::abs(speed - before) < 1e-9) continue;
       before = speed;
       for (std::size_t t = 0; t <= turns_.size(); ++t) {
+        if (stage >= kWithoutSlightTurns && (t == 2 || t == 3)) continue;
+        const Turn& turn = t == 0 ? towards : turns_[t - 1];
         Node to;
-        if (!extend(from, stage, speed, t == 0 ? towards : turns_[t - 1], to)) continue;
+        // Encounters only add to the cost: what costs too much without them is left out.
+        if (!move(from, speed, turn, to) || to.total > bound_) continue;
+        std::uint32_t& entry = find(to, key);
+        if (entry != 0 && to.total >= children_[entry - 1].total) continue;
+        add_encounters(near, from, stage, turn, to);
+        if (to.total > bound_) continue;
         to.parent = static_cast<std::uint32_t>(n);
         bound_ = std::min(bound_, to.total + kHopeless);
-        keep(to);
+        keep(entry, key, to);
       }
     }
   }
@@ -138,7 +160,7 @@ void SpaceTimePlanner::select(std::size_t stage) noexcept {
     return children_[a].total < children_[b].total ||
            (children_[a].total == children_[b].total && a < b);
   };
-  const std::size_t kept = std::min(kWidth, order_.size());
+  const std::size_t kept = std::min(stage < kLate ? kWidth : kLateWidth, order_.size());
   std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(kept),
                     order_.end(), cheaper);
   std::vector<Node>& layer = layers_[stage + 1];

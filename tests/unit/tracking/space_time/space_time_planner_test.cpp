@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_world.hpp"
+
 namespace fairway {
 namespace {
 
@@ -115,6 +117,38 @@ TEST_F(SpaceTime, KeepsTheSideOfAPersonThatItHasChosen) {
   person.position.y() = side > 0.0 ? 0.01 : -0.01;  // now the other side is slightly shorter
   ASSERT_TRUE(plan({person}, 0.2));
   EXPECT_GT(planner().plan().at(2.0).pose.position.y() * side, 0.0);
+}
+
+// Whatever the people do, a plan is within the limits and begins where the robot is.
+TEST_F(SpaceTime, EveryPlanInARandomCrowdCanBeDriven) {
+  test::Random random(5);
+  robot_.linear_min = -0.3;
+  robot_.linear_acceleration_max = 0.9;
+  robot_.angular_max = 1.2;
+  int planned = 0;
+  for (int run = 0; run < 100; ++run) {
+    std::vector<MovingObstacle> people;
+    for (int i = random.integer(1, 40); i > 0; --i)
+      people.push_back({.position = {random.uniform(-3, 12), random.uniform(-4, 4)},
+                        .velocity = {random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)},
+                        .radius = random.uniform(0.2, 0.5)});
+    planner().reset();
+    if (!plan(people, run)) continue;
+    ++planned;
+    const SpaceTimePlan& plan = planner().plan();
+    EXPECT_EQ(plan.states[0].pose.position, Vector2d(0.0, 0.0));
+    EXPECT_EQ(plan.states[0].speed, 1.0);
+    for (std::size_t k = 0; k < plan.stages; ++k) {
+      const auto& from = plan.states[k];
+      const auto& to = plan.states[k + 1];
+      ASSERT_TRUE(is_finite(to.pose));
+      ASSERT_LE(std::abs(to.speed - from.speed), 0.9 * plan.stage + 1e-9);
+      ASSERT_LE(std::abs(to.pose.heading - from.pose.heading), 1.2 * plan.stage + 1e-9);
+      ASSERT_LE(to.speed, robot_.linear_max + 1e-9);
+      ASSERT_GE(to.speed, robot_.linear_min - 1e-9);
+    }
+  }
+  EXPECT_GT(planned, 80);
 }
 
 TEST_F(SpaceTime, GivesEqualPlansForEqualInput) {
