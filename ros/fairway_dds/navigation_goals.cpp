@@ -118,7 +118,7 @@ void NavigationNode::follow_piece() {
 
 // Returns whether the pilot has reached the end of a piece of a path that is not the last.
 bool NavigationNode::ends_piece(const bridge::PilotStep& step, double now) {
-  if (drive_) drive_->note(step.status, now);
+  if (drive_) drive_->note(step, now);
   return drive_ && step.end == bridge::GoalEnd::Reached && !drive_->end_piece();
 }
 

@@ -51,14 +51,16 @@ PathDrive::PathDrive(Path path,
 }
 
 std::optional<PathDrive::Piece> PathDrive::next(const Eigen::Vector2d& robot) {
-  const bool leave = is_blocked_ && hard_bound_ == 0.0 && !leaves_;
+  // After a correction of its pose the robot may be outside the strip, where it may not drive.
+  const bool outside = hard_bound_ > 0.0 && progress_.deviation() > hard_bound_;
+  const bool again = is_blocked_ && (outside || (hard_bound_ == 0.0 && !leaves_));
   if (piece_) {
     progress_.advance(robot, piece_->to);
     const bool renew =
         piece_->end == nav2::PieceEnd::Longest && piece_->to - progress_.arc() < kRenewed;
-    if (!renew && !leave) return std::nullopt;
+    if (!renew && !again) return std::nullopt;
   }
-  leaves_ = leave;
+  leaves_ = again && !outside;
   is_blocked_ = false;
   blocked_since_.reset();
   piece_ = nav2::choose_piece(progress_, {}, floor_, limits_);
@@ -68,9 +70,14 @@ std::optional<PathDrive::Piece> PathDrive::next(const Eigen::Vector2d& robot) {
   return piece;
 }
 
-void PathDrive::note(NavigationStatus status, double time) noexcept {
+void PathDrive::note(const bridge::PilotStep& step, double time) noexcept {
   constexpr double kPatience = 2.0;  // [s]
-  if (status != NavigationStatus::Blocked && status != NavigationStatus::NoPlan) {
+  const bool stopped = step.command.linear == 0.0 && step.command.angular == 0.0;
+  const bool waits =
+      step.status == NavigationStatus::GoalReached || step.status == NavigationStatus::Planning ||
+      step.status == NavigationStatus::Stale || step.status == NavigationStatus::BadInput ||
+      step.status == NavigationStatus::Holding;
+  if (!stopped || waits) {
     blocked_since_.reset();
     return;
   }

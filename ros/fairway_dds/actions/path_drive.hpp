@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "bridge/pilot.hpp"
 #include "fairway/map/bit_grid.hpp"
-#include "fairway/navigation/navigation_status.hpp"
 #include "nav2_fairway_controller/following/path_piece.hpp"
 
 namespace fairway::dds {
@@ -35,8 +35,9 @@ class PathDrive {
   /// the end of a piece that is not the last.
   [[nodiscard]] std::optional<Piece> next(const Eigen::Vector2d& robot);
 
-  /// Notes the status of a cycle at `time` [s].
-  void note(NavigationStatus status, double time) noexcept;
+  /// Notes whether the robot was at standstill in a cycle at `time` [s] without waiting for
+  /// something.
+  void note(const bridge::PilotStep& step, double time) noexcept;
 
   /// Notes that the robot has reached the end of the piece. @return whether it was the last.
   bool end_piece() noexcept;

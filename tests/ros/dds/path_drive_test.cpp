@@ -55,7 +55,8 @@ struct Drive {
 Drive drive(const Path& path,
             double seconds,
             double bound = 0.0,
-            const std::vector<Vector2d>& obstacles = {}) {
+            const std::vector<Vector2d>& obstacles = {},
+            double jump = 0.0) {
   const Vector2d along = path.waypoints[1] - path.waypoints[0];
   Scenario scenario =
       hall({.position = path.waypoints[0], .heading = std::atan2(along.y(), along.x())});
@@ -68,15 +69,18 @@ Drive drive(const Path& path,
   PathDrive drive(path, {}, path.waypoints[0], bound, scenario.settings.robot.radius);
   Drive result;
   while (world.time() < seconds && !result.reached) {
-    const UnicycleRobot& robot = world.robots()[0];
+    UnicycleRobot robot = world.robots()[0];
+    const double moved = world.time() > 4.0 ? jump : 0.0;
+    pilot.set_localisation({.position = {0.0, moved}}, 1e9);
     pilot.add_odometry(world.time(), robot.pose, robot.twist);
+    robot.pose.position.y() += moved;  // in the map
     if (auto piece = drive.next(robot.pose.position))
       pilot.follow(piece->path, piece->heading, piece->bound);
     const double driven = path.length() - drive.remaining();
     if (driven > 1.0 && drive.remaining() > 1.0)
       result.slowest_within = std::min(result.slowest_within, robot.twist.linear);
     const bridge::PilotStep step = pilot.cycle(world.time());
-    drive.note(step.status, world.time());
+    drive.note(step, world.time());
     if (step.end == bridge::GoalEnd::Reached && drive.end_piece()) result.reached = true;
     result.track.push_back(robot.pose.position);
     world.advance({step.command}, scenario.settings.navigation.control_period);
@@ -157,6 +161,18 @@ TEST(PathDrive, LeavesThePathAtAnObstacleUnlessItIsBound) {
   EXPECT_FALSE(bound.reached);
   for (const Vector2d& position : bound.track)
     EXPECT_LT(std::abs(position.y() - 3.0), 0.31);
+}
+
+TEST(PathDrive, ContinuesAfterACorrectionOfItsPose) {
+  const Path path = dense({{2, 3}, {10, 3}});
+  for (const double jump : {0.1, 0.4, 1.0}) {
+    for (const double bound : {0.0, 0.25}) {
+      SCOPED_TRACE(std::to_string(jump) + " m, bound " + std::to_string(bound));
+      const Drive result = drive(path, 60.0, bound, {}, jump);
+      EXPECT_TRUE(result.reached);
+      EXPECT_LT((result.track.back() - path.waypoints.back()).norm(), 0.15);
+    }
+  }
 }
 
 TEST(PathDrive, EndsItsLastPieceOnly) {
