@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures what a robot makes of its scans, against the truth of the simulator.
 //
-//   lidar_benchmark tracking [--runs N] [--seed S] [--noise FACTOR] [--match]
+//   lidar_benchmark tracking [--runs N] [--seed S] [--noise FACTOR] [--odometry]
 //   lidar_benchmark drift    [--runs N] [--seed S] [--noise FACTOR]
 //
 // `tracking` drives a robot through halls of posts and walls, without and with moving discs, and
 // among pairs that pass each other closely. It prints precision, recall, velocity errors and false
 // tracks. A disc counts as visible if five beams hit it, for 0.7 s and while it moves. `drift`
 // prints errors of the pose per metre driven, by the wheels alone and corrected by scans. --noise
-// multiplies the standard errors of lidar and wheels; --match corrects the poses.
+// multiplies the standard errors of lidar and wheels; --odometry leaves the poses as they are.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -37,7 +37,7 @@ struct Options {
   int runs = 20;
   unsigned long seed = 1;
   double noise = 1.0;
-  bool match = false;
+  bool match = true;
 };
 
 // Counts of scans and discs.
@@ -279,8 +279,8 @@ int main(int argc, char** argv) {
       options.seed = std::strtoul(value(), nullptr, 10);
     } else if (name == "--noise") {
       options.noise = std::atof(value());
-    } else if (name == "--match") {
-      options.match = true;
+    } else if (name == "--odometry") {
+      options.match = false;
     } else {
       options.command = name;
     }
@@ -292,7 +292,7 @@ int main(int argc, char** argv) {
   } else {
     std::fprintf(stderr,
                  "usage: lidar_benchmark tracking|drift [--runs N] [--seed S] "
-                 "[--noise FACTOR] [--match]\n");
+                 "[--noise FACTOR] [--odometry]\n");
     return 2;
   }
   return 0;

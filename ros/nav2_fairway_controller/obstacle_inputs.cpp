@@ -167,7 +167,11 @@ bool ObstacleInputs::use_scan(const sensor_msgs::msg::LaserScan& message) {
   } catch (const tf2::TransformException&) {
     return false;
   }
-  if (!tracker_) tracker_ = std::make_unique<MaplessNavigator>(settings_, base.position);
+  if (!tracker_) {
+    Settings own = settings_;
+    own.perception.match_scans = false;  // the tracks have to be in the frame of the costmap
+    tracker_ = std::make_unique<MaplessNavigator>(own, base.position);
+  }
   tracker_->observe(scan, base.position);
   const MovingObstacles tracked = tracker_->tracked();
   board_.set_detections("scan", {.obstacles = {tracked.begin(), tracked.end()}, .time = scan.time});

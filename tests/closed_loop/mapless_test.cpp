@@ -81,6 +81,23 @@ TEST(Mapless, PassesADoorAsNarrowAsBarns) {
   }
 }
 
+// The wheels err by up to 3 % and 0.6 degrees per metre.
+TEST(Mapless, ScansCorrectTheDriftOfTheWheels) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Scenario scenario = hall(seed);
+    scenario.sensing.odometry.most_scale_error *= 3.0;
+    scenario.sensing.odometry.most_drift *= 3.0;
+    put_box(scenario.map, 5.0, 3.0, 5.5, 6.5);
+    put_box(scenario.map, 8.0, 4.0, 8.5, 8.0);
+    SCOPED_TRACE(seed);
+    const EpisodeResult result = run_episode(scenario);
+    EXPECT_TRUE(result.robots[0].reached);
+    const Eigen::Vector2d off =
+        result.trace.rows.back().pose.position - scenario.robots[0].goal.position;
+    EXPECT_LT(off.norm(), scenario.settings.navigation.goal_tolerance + 0.1);
+  }
+}
+
 TEST(Mapless, DoesNotMoveWithoutScans) {
   Scenario scenario = hall(1);
   scenario.sensing.lidar.latency = 100.0;  // no scan ever becomes available

@@ -40,10 +40,14 @@ struct Moments {
     const double sxy = xy - sum.x() * sum.y() / count;
     const double syy = yy - sum.y() * sum.y() / count;
     const double mean = 0.5 * (sxx + syy);
-    const double half = std::hypot(0.5 * (sxx - syy), sxy);
+    const double apart = 0.5 * (sxx - syy);
+    const double half = std::sqrt(apart * apart + sxy * sxy);
     if (!(half > 0.0) || mean - half > kFlat * kFlat * (mean + half)) return std::nullopt;
-    const double angle = 0.5 * std::atan2(2.0 * sxy, sxx - syy);  // along the line
-    return Vector2d(-std::sin(angle), std::cos(angle));
+    // The eigenvector of the smaller eigenvalue, by the larger of two equivalent forms.
+    const double least = mean - half;
+    const Vector2d one(sxy, least - sxx);
+    const Vector2d other(least - syy, sxy);
+    return (sxx > syy ? one : other).normalized();
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fairway/perception/beam_assignment.hpp"
 #include "fairway/perception/circle_fit.hpp"
 
 namespace fairway {
@@ -13,24 +14,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPointSigma = 0.03;     // of a point relative to its disc [m]
 constexpr double kSmallestRadius = 0.1;  // [m]
 constexpr std::size_t kFewestPoints = 3;
-constexpr double kGate = 0.25;  // [m]; kGateSigmas standard deviations are added
-constexpr double kGateSigmas = 2.0;
-constexpr double kWidestGate = 0.8;       // [m]
 constexpr double kSeenThroughFor = 0.25;  // [s]; after this the object is gone
 constexpr double kStoppedFor = 1.0;       // [s]; after this the object no longer counts as moving
 constexpr int kFewestSightings = 4;
-
-double gate(const MovingTrack& track) noexcept {
-  return std::min(kWidestGate, kGate + kGateSigmas * track.position_sigma());
-}
-
-// Returns the distance of a point from the outline of a track's disc [m].
-double distance_to_outline(const MovingTrack& track, const Vector2d& point) noexcept {
-  return std::abs((point - track.position()).norm() - track.radius);
-}
 
 }  // namespace
 
@@ -49,7 +37,8 @@ void MovingObjectTracker::update(double time,
   time_ = time;
   for (MovingTrack& track : tracks_)
     track.predict(dt, settings_.acceleration_noise);
-  assign(beams);
+  owner_.resize(beams.size());
+  assign_beams(beams, tracks_, grid, owner_);
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     correct(i, time, beams);
     judge_unseen(tracks_[i], dt, beams);
@@ -59,21 +48,6 @@ void MovingObjectTracker::update(double time,
   mark_moving(beams);
   drop_lost(time);
   emit();
-}
-
-// Assigns every hit to the track with the nearest outline, if it is within the gate.
-void MovingObjectTracker::assign(std::span<const Beam> beams) noexcept {
-  owner_.assign(beams.size(), -1);
-  for (std::size_t b = 0; b < beams.size(); ++b) {
-    if (beams[b].end != BeamEnd::Hit) continue;
-    double least = 1.0;  // in gates
-    for (std::size_t i = 0; i < tracks_.size(); ++i) {
-      const double off = distance_to_outline(tracks_[i], beams[b].to) / gate(tracks_[i]);
-      if (off >= least) continue;
-      least = off;
-      owner_[b] = static_cast<int>(i);
-    }
-  }
 }
 
 void MovingObjectTracker::correct(std::size_t index,
@@ -186,11 +160,17 @@ void MovingObjectTracker::drop_lost(double time) noexcept {
            hidden > (track.moving ? settings_.forget_after : kForgetUnproven);
   };
   std::erase_if(tracks_, lost);
-  // Of two tracks on the same object, keep the one with more evidence.
+  // Of two tracks on the same object, keep the one with more evidence. Two objects that pass
+  // through each other have different velocities.
+  constexpr double kSameVelocity = 0.6;  // [m/s]
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     for (std::size_t j = tracks_.size(); j-- > i + 1;) {
       const double away = (tracks_[i].position() - tracks_[j].position()).norm();
       if (away > 0.5 * std::max(tracks_[i].radius, tracks_[j].radius)) continue;
+      if (tracks_[i].moving && tracks_[j].moving &&
+          (tracks_[i].velocity() - tracks_[j].velocity()).norm() > kSameVelocity) {
+        continue;
+      }
       const bool later_is_better = tracks_[j].moving && !tracks_[i].moving;
       if (later_is_better) tracks_[i] = tracks_[j];
       tracks_.erase(tracks_.begin() + static_cast<std::ptrdiff_t>(j));
@@ -198,14 +178,19 @@ void MovingObjectTracker::drop_lost(double time) noexcept {
   }
 }
 
+// Whether a hit can belong to a new object. Where the pose drifts, a wall appears in front of its
+// own cells, so a new object has to be further from every static obstacle than that.
 bool MovingObjectTracker::is_new(const Beam& beam, const RollingGrid& grid) const noexcept {
+  constexpr double kDrift = 0.2;          // [m]
+  constexpr double kMatchedDrift = 0.15;  // [m], of poses corrected by scans
+  const double drift = settings_.match_scans ? kMatchedDrift : kDrift;
   const CellIndex cell = grid.frame().cell_at(beam.to);
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       if (!grid.would_be_new({.x = cell.x + dx, .y = cell.y + dy})) return false;
     }
   }
-  return true;
+  return !grid.is_static_near(cell, static_cast<int>(drift / grid.frame().resolution + 0.5));
 }
 
 void MovingObjectTracker::begin_tracks(double time,

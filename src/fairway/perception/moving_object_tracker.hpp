@@ -19,11 +19,11 @@ namespace fairway {
 /// too long, or if beams pass through its position.
 ///
 /// A track counts as moving once it has moved. Before that, and after it stops, its beams belong to
-/// the grid like all others. Does not allocate after construction; deterministic.
+/// the grid like all others. Beams at known static obstacles belong to no track, and begin none
+/// near them: a wall stays a wall where the pose drifts, and a person who stands for long becomes
+/// an obstacle. Does not allocate after construction; deterministic.
 class MovingObjectTracker {
  public:
-  static constexpr std::size_t kMaxTracks = 48;  ///< further objects are not tracked
-
   MovingObjectTracker(const PerceptionSettings& settings, std::size_t max_beams);
 
   /// Processes one scan. Call it before the grid processes the same scan.
@@ -39,7 +39,6 @@ class MovingObjectTracker {
   [[nodiscard]] MovingObstacles obstacles() const noexcept { return obstacles_; }
 
  private:
-  void assign(std::span<const Beam> beams) noexcept;
   void correct(std::size_t track, double time, std::span<const Beam> beams) noexcept;
   void judge_unseen(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
   void judge_motion(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;

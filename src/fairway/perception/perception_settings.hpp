@@ -28,7 +28,7 @@ struct PerceptionSettings {
   double acceleration_noise = 1.5;  ///< acceleration noise of moving objects [m/s^2]
   double forget_after = 2.0;        ///< time after which a hidden moving object is forgotten [s]
   double uncertainty_share = 1.0;   ///< standard deviations added to a radius []
-  bool match_scans = false;         ///< whether poses by odometry are corrected by matching scans
+  bool match_scans = true;          ///< whether poses by odometry are corrected by matching scans
   int max_beams = 4096;             ///< number of beams used of a scan, the first ones, 1 to 100000
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/map/grid_traversal.hpp"
+#include "fairway/perception/beam_coverage.hpp"
 
 namespace fairway {
 
@@ -60,36 +61,6 @@ bool clip(const GridFrame& frame, Vector2d& from, Vector2d& to) noexcept {
   return true;
 }
 
-// Returns the length up to which a beam crosses only cells that its neighbours cross too. The beam
-// need not clear these cells again; near the sensor beams are much denser than cells.
-//
-// Beam i is compared with beams i - b and i + b, where b is its lowest bit. Every beam thus relies
-// only on beams that rely on fewer others. Where those two are less than a cell apart, a cell
-// crossed by the beam between them is crossed by one of them, since a square is nowhere narrower
-// than its side.
-double covered_by_neighbours(std::span<const Beam> beams, std::size_t i, double cell) noexcept {
-  constexpr std::size_t kFurthest = 8;
-  constexpr double kApart = 0.9;  // [cells]; the remainder allows for the sensor's motion
-  const std::size_t b = i & (~i + 1);
-  if (b == 0 || b > kFurthest || i + b >= beams.size()) return 0.0;
-  const Beam& left = beams[i - b];
-  const Beam& right = beams[i + b];
-  if (left.end == BeamEnd::Nothing || right.end == BeamEnd::Nothing) return 0.0;
-  if ((left.from - right.from).norm() > 0.1 * cell) return 0.0;
-  const Vector2d l = left.to - left.from;
-  const Vector2d r = right.to - right.from;
-  const Vector2d m = beams[i].to - beams[i].from;
-  const auto cross = [](const Vector2d& p, const Vector2d& q) {
-    return p.x() * q.y() - p.y() * q.x();
-  };
-  const double turn = cross(l, r);
-  const bool between = turn * cross(l, m) > 0.0 && turn * cross(m, r) > 0.0;
-  if (!between || !(l.dot(r) > 0.0) || !(l.dot(m) > 0.0)) return 0.0;
-  const double apart_at_one = std::abs(turn) / (l.norm() * r.norm());  // [m] at a length of 1 m
-  const double shorter = std::min(l.norm(), r.norm());
-  return std::max(0.0, std::min(kApart * cell / apart_at_one, shorter - 2.0 * cell));
-}
-
 }  // namespace
 
 RollingGrid::RollingGrid(const PerceptionSettings& settings, const Vector2d& center)
@@ -107,6 +78,16 @@ CellState RollingGrid::at(CellIndex cell) const noexcept {
 
 bool RollingGrid::would_be_new(CellIndex cell) const noexcept {
   return frame().contains(cell) && cell_of(cell).newness > 0;
+}
+
+bool RollingGrid::is_static_near(CellIndex cell, int reach) const noexcept {
+  for (int y = std::max(0, cell.y - reach); y <= std::min(side_ - 1, cell.y + reach); ++y) {
+    for (int x = std::max(0, cell.x - reach); x <= std::min(side_ - 1, cell.x + reach); ++x) {
+      const Cell& value = cell_of({.x = x, .y = y});
+      if (value.scan != kNever && value.evidence > 0 && value.newness == 0) return true;
+    }
+  }
+  return false;
 }
 
 void RollingGrid::insert(std::span<const Beam> beams,
@@ -261,8 +242,12 @@ void RollingGrid::clear(const Beam& beam, double known) noexcept {
   Vector2d to = frame().to_grid(beam.to);
   if (!clip(frame(), from, to)) return;
   const auto least = static_cast<std::int8_t>(settings_.least_evidence);
-  walk_cells(from, to, [this, least](CellIndex cell, double) {
+  // Under a moving object there may be anything, such as the wall beside its path.
+  const CellIndex covered = beam.moving && beam.end == BeamEnd::Hit ? frame().cell_at(beam.to)
+                                                                    : CellIndex{.x = -1, .y = -1};
+  walk_cells(from, to, [this, least, covered](CellIndex cell, double) {
     Cell& value = cell_of(cell);
+    if (cell == covered && value.scan == kNever) return true;
     // Cells that were hit already have this scan's number. Most others have the least evidence.
     if (value.scan == scan_) return true;
     if (value.evidence == least && value.scan != kNever) {

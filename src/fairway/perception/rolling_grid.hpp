@@ -38,8 +38,8 @@ class RollingGrid {
   /// @param center  Initial centre of the window [m].
   RollingGrid(const PerceptionSettings& settings, const Eigen::Vector2d& center);
 
-  /// Processes one scan. Beams that hit a moving object clear all their cells, their end included,
-  /// and mark none.
+  /// Processes one scan. Beams that hit a moving object clear all their cells and mark none; if the
+  /// cell where they end is unknown, it remains unknown.
   /// @param robot  Position of the robot; the window follows it.
   /// @param body_radius  Radius of the robot's disc [m]. Unknown cells within this radius plus a
   ///       cell's diagonal become free.
@@ -74,6 +74,10 @@ class RollingGrid {
   /// cell until it was surely free, and since then at most kNewScans scans hit it. False outside
   /// the window.
   [[nodiscard]] bool would_be_new(CellIndex cell) const noexcept;
+
+  /// Returns whether a static obstacle is known within `reach` cells along both axes: it is
+  /// occupied, and either was never surely free, or has been hit in kNewScans scans since.
+  [[nodiscard]] bool is_static_near(CellIndex cell, int reach = 1) const noexcept;
 
   /// Doubts every occupied cell that none of the last `scans` scans has touched.
   /// @return the cells where `occupied` changed; may be empty.

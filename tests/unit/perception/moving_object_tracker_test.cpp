@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/moving_object_tracker.hpp"
 
-#include <functional>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "fairway/geometry/oriented_rectangle.hpp"
 #include "fairway/perception/perception.hpp"
 #include "fairway/simulation/sensors/lidar.hpp"
+#include "fairway/simulation/sensors/odometry.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {
@@ -42,17 +46,26 @@ class Hall {
   }
 
   const Perception& scan(const std::vector<MovingObstacle>& discs, const Pose2& robot) {
-    const Pose2 sensor{.position = transform(robot, lidar_.mount), .heading = robot.heading};
-    scan_surroundings(lidar_, obstacles_, discs, sensor, noise_, ranges_);
+    return scan(discs, robot, robot);
+  }
+
+  // @param believed  Pose of the robot by odometry.
+  const Perception& scan(const std::vector<MovingObstacle>& discs,
+                         const Pose2& robot,
+                         const Pose2& believed) {
+    const auto sensor = [&](const Pose2& at) {
+      return Pose2{.position = transform(at, lidar_.mount), .heading = at.heading};
+    };
+    scan_surroundings(lidar_, obstacles_, discs, sensor(robot), noise_, ranges_);
     const LidarScan scan{.time = time_,
-                         .first_pose = sensor,
-                         .last_pose = sensor,
+                         .first_pose = sensor(believed),
+                         .last_pose = sensor(believed),
                          .first_angle = -0.5 * lidar_.field_of_view,
                          .angle_step = lidar_.field_of_view / (lidar_.beams - 1),
                          .min_range = lidar_.min_range,
                          .max_range = lidar_.max_range,
                          .ranges = ranges_};
-    perception_.observe(scan, robot.position, 0.3);
+    perception_.observe(scan, believed.position, 0.3);
     time_ += 0.05;
     return perception_;
   }
@@ -114,6 +127,32 @@ TEST(MovingObjectTracker, GivesNoTracksInAStaticWorld) {
       seen += static_cast<int>(hall.scan({}, robot).tracker().obstacles().size());
     }
     EXPECT_EQ(seen, 0);
+  }
+}
+
+TEST(MovingObjectTracker, DriftOfThePoseMovesNoPost) {
+  constexpr double kLongest = 0.5;  // [s]; of a track that counts as moving
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Hall hall(seed);
+    test::Random random(seed + 20);
+    for (int i = 0; i < 60; ++i) {
+      const Vector2d at(random.uniform(-8, 8), random.uniform(-8, 8));
+      if (at.norm() > 1.5 && std::abs(at.y()) > 0.6) hall.put_post(at, random.uniform(0.075, 0.4));
+    }
+    Noise noise(seed);
+    Odometry odometry({.most_scale_error = 0.01, .most_drift = 0.2 * std::numbers::pi / 180.0},
+                      {.position = {-6.0, 0.0}, .heading = 0.0}, noise);
+    std::map<int, double> moving_for;  // by the number of the track [s]
+    while (hall.time() < 8.0) {
+      const Pose2 robot{.position = {1.5 * hall.time() - 6.0, 0.0},
+                        .heading = 0.6 * std::sin(2.0 * hall.time())};
+      odometry.move_to(robot);
+      for (const MovingTrack& track : hall.scan({}, robot, odometry.pose()).tracker().tracks()) {
+        if (track.moving) moving_for[track.id] += 0.05;
+      }
+    }
+    for (const auto& [id, time] : moving_for)
+      EXPECT_LT(time, kLongest) << "seed " << seed << ", track " << id;
   }
 }
 
@@ -203,6 +242,31 @@ TEST(MovingObjectTracker, SeveralDiscsAreDistinguished) {
     EXPECT_GE(found, 3) << hall.time();
   }
   EXPECT_EQ(most, 4U);
+}
+
+// Two discs pass through each other at right angles to the view. They are one blob meanwhile, and
+// each keeps its velocity.
+TEST(MovingObjectTracker, DiscsThatPassThroughEachOtherKeepTheirVelocities) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Hall hall(seed);
+    const double apart = 0.1 * static_cast<double>(seed);  // [m] across their lines
+    int wrong = 0;
+    while (hall.time() < 4.0) {
+      const std::vector<MovingObstacle> truth = {
+          disc_at(hall.time(), {3.0, -2.0}, {0.0, 1.0}),
+          disc_at(hall.time(), {3.0 + apart, 2.0}, {0.0, -1.0})};
+      const MovingObstacles seen = hall.scan(truth, {}).tracker().obstacles();
+      if (hall.time() < 1.0) continue;
+      for (const MovingObstacle& disc : truth) {
+        const bool found = std::any_of(seen.begin(), seen.end(), [&](const MovingObstacle& track) {
+          return (track.position - disc.position).norm() < 0.4 &&
+                 (track.velocity - disc.velocity).norm() < 0.7;
+        });
+        if (!found) ++wrong;
+      }
+    }
+    EXPECT_LE(wrong, 6) << "of 120, seed " << seed;
+  }
 }
 
 }  // namespace

@@ -49,7 +49,9 @@ class SlowGrid {
       const Vector2d high = from.cwiseMax(to).array().floor();
       for (int y = static_cast<int>(low.y()); y <= static_cast<int>(high.y()); ++y) {
         for (int x = static_cast<int>(low.x()); x <= static_cast<int>(high.x()); ++x) {
-          if (test::cross_cell(from, to, {.x = x, .y = y}) && hit.count({x, y}) == 0) {
+          const bool covered = b.moving && b.end == BeamEnd::Hit && cell_at(b.to) == Cell(x, y) &&
+                               evidence_.count({x, y}) == 0;
+          if (!covered && test::cross_cell(from, to, {.x = x, .y = y}) && hit.count({x, y}) == 0) {
             passed.insert({x, y});
           }
         }

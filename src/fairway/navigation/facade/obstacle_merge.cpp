@@ -30,8 +30,13 @@ void merge_tracked(const Perception& perception,
     obstacle.position = predicted_position(obstacle, time - seen);
     merged.push_back(obstacle);
   };
-  for (const MovingObstacle& obstacle : input.obstacles)
+  const double turn = perception.corrected({}).heading;
+  for (MovingObstacle obstacle : input.obstacles) {
+    obstacle.position =
+        perception.corrected({.position = obstacle.position, .heading = 0.0}).position;
+    obstacle.velocity = rotated(obstacle.velocity, turn);
     add(obstacle, input.obstacles_time);
+  }
   for (const MovingObstacle& obstacle : perception.tracker().obstacles())
     add(obstacle, own_time);
   input.obstacles = merged;

@@ -14,9 +14,9 @@ inline constexpr double kNeverMeasured = -1e9;
 /// Makes the input of a cycle from its measurements, without a map.
 [[nodiscard]] NavigationInput input_of(const Measurements& measurements) noexcept;
 
-/// Adds the obstacles that the robot's own lidar tracks to those of other trackers. All positions
-/// are predicted to the older of the two times. @param merged  Storage for the result until the
-/// next call; keeps its memory.
+/// Adds the obstacles that the robot's own lidar tracks to those of other trackers, which are moved
+/// into the frame of the grid. All positions are predicted to the older of the two times. @param
+/// merged  Storage for the result until the next call; keeps its memory.
 void merge_tracked(const Perception& perception,
                    std::vector<MovingObstacle>& merged,
                    NavigationInput& input);
