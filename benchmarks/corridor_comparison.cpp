@@ -64,9 +64,9 @@ double run_sound(const std::vector<Scene>& scenes,
   return tally.rectangles / tally.paths;
 }
 
-// The least number of free rectangles that cover the path piece by piece, over `num_angles`
-// orientations and without the overlap condition. Greedy: bisection finds the furthest reach of
-// each rectangle. Slow and simple.
+// Returns the least number of free rectangles that cover the path piece by piece. It tries
+// `num_angles` orientations and ignores the overlap condition. Greedy: bisection finds the furthest
+// reach of each rectangle. Slow and simple.
 int lower_bound(const Scene& scene, double clearance, double margin, int num_angles) {
   const GridFrame& grid = scene.obstacles.frame();
   PathTrack track;
@@ -202,8 +202,8 @@ void compare_rectangles(MapKind kind, int maps) {
               greedy_share / n, largest_share / n);
 }
 
-// The paper's Figures 9 and 10: random points on a 20 m map with an increasing number of obstacles;
-// points inside an earlier rectangle get none.
+// The paper's Figures 9 and 10 have random points on a 20 m map with an increasing number of
+// obstacles. Points inside an earlier rectangle get none.
 void compare_fields(int maps) {
   std::puts("\n### Fields of 20 m x 20 m, 24 random points\n");
   std::puts(

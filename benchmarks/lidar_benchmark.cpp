@@ -4,11 +4,11 @@
 //   lidar_benchmark tracking [--runs N] [--seed S] [--noise FACTOR] [--match]
 //   lidar_benchmark drift    [--runs N] [--seed S] [--noise FACTOR]
 //
-// `tracking`: a robot drives through halls of posts and walls, without and with moving discs, and
-// among pairs that pass each other closely. Prints precision, recall, velocity errors and false
-// tracks. A disc counts as visible if five beams hit it, for 0.7 s and while it moves.
-// `drift`: errors of the pose per metre driven, by the wheels alone and corrected by scans.
-// --noise multiplies the standard errors of lidar and wheels; --match corrects the poses.
+// `tracking` drives a robot through halls of posts and walls, without and with moving discs, and
+// among pairs that pass each other closely. It prints precision, recall, velocity errors and false
+// tracks. A disc counts as visible if five beams hit it, for 0.7 s and while it moves. `drift`
+// prints errors of the pose per metre driven, by the wheels alone and corrected by scans. --noise
+// multiplies the standard errors of lidar and wheels; --match corrects the poses.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -99,7 +99,7 @@ struct Tally {
   double clearance = std::numeric_limits<double>::infinity();
   double separation = std::numeric_limits<double>::infinity();
   std::array<std::uint64_t, 5> contacts{};
-  std::vector<std::pair<std::uint64_t, Contact>> list;
+  std::vector<std::pair<std::uint64_t, ContactKind>> list;
 
   void add(std::uint64_t index, const Outcome& outcome) {
     ++runs;
@@ -108,17 +108,17 @@ struct Tally {
     bad_commands += static_cast<std::uint64_t>(outcome.bad_commands);
     seconds += outcome.time;
     clearance = std::min(clearance, outcome.clearance);
-    if (outcome.contact == Contact::None) separation = std::min(separation, outcome.separation);
+    if (outcome.contact == ContactKind::None) separation = std::min(separation, outcome.separation);
     ++contacts[static_cast<std::size_t>(outcome.contact)];
-    if (outcome.contact != Contact::None || outcome.bad_commands > 0)
+    if (outcome.contact != ContactKind::None || outcome.bad_commands > 0)
       list.emplace_back(index, outcome.contact);
   }
 
-  [[nodiscard]] std::uint64_t count(Contact contact) const {
+  [[nodiscard]] std::uint64_t count(ContactKind contact) const {
     return contacts[static_cast<std::size_t>(contact)];
   }
   [[nodiscard]] bool good() const {
-    return count(Contact::Static) + count(Contact::DroveInto) + bad_commands == 0;
+    return count(ContactKind::Static) + count(ContactKind::DroveInto) + bad_commands == 0;
   }
 };
 
@@ -143,11 +143,11 @@ void write(std::FILE* file, const Options& options, const Tally& tally) {
                static_cast<unsigned long long>(tally.cycles),
                static_cast<unsigned long long>(tally.bad_commands), finite(tally.clearance),
                finite(tally.separation));
-  for (const Contact contact :
-       {Contact::Static, Contact::DroveInto, Contact::RunInto, Contact::Unpredictable}) {
+  for (const ContactKind contact : {ContactKind::Static, ContactKind::DroveInto,
+                                    ContactKind::RunInto, ContactKind::Unpredictable}) {
     std::fprintf(file, "\"%s\": %llu%s", to_text(contact),
                  static_cast<unsigned long long>(tally.count(contact)),
-                 contact == Contact::Unpredictable ? "}}" : ", ");
+                 contact == ContactKind::Unpredictable ? "}}" : ", ");
   }
   std::fprintf(file, ", \"runs\": [");
   for (std::size_t i = 0; i < tally.list.size(); ++i) {

@@ -137,7 +137,7 @@ class Draw {
     return drawn;
   }
 
-  // A straight passage in which a person walks ahead, or stands.
+  // Makes a straight passage in which a person walks ahead, or is at standstill.
   void passage(Scenario& s) {
     const double length = 40.0;
     const int across =

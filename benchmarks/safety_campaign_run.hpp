@@ -20,26 +20,26 @@ namespace fairway::campaign {
 ///   stop from its greatest speed, plus one second: it was not visible in time what it would do.
 /// - `RunInto`: the robot went towards it with at most 0.02 m/s: it came to the robot.
 /// - `DroveInto`: all others.
-enum class Contact : std::uint8_t { None, Static, Unpredictable, RunInto, DroveInto };
+enum class ContactKind : std::uint8_t { None, Static, Unpredictable, RunInto, DroveInto };
 
-[[nodiscard]] constexpr const char* to_text(Contact contact) noexcept {
+[[nodiscard]] constexpr const char* to_text(ContactKind contact) noexcept {
   switch (contact) {
-    case Contact::None:
+    case ContactKind::None:
       return "none";
-    case Contact::Static:
+    case ContactKind::Static:
       return "static";
-    case Contact::Unpredictable:
+    case ContactKind::Unpredictable:
       return "not visible in time";
-    case Contact::RunInto:
+    case ContactKind::RunInto:
       return "was run into";
-    case Contact::DroveInto:
+    case ContactKind::DroveInto:
       return "drove into it";
   }
   return "unknown";
 }
 
 struct Outcome {
-  Contact contact = Contact::None;
+  ContactKind contact = ContactKind::None;
   bool reached = false;
   double time = 0.0;
   double clearance = 0.0;   // least, to the map [m]
@@ -55,10 +55,10 @@ struct Outcome {
          (1.0 + settings.safety.longest_hold) * settings.navigation.control_period;
 }
 
-[[nodiscard]] inline Contact classify(const World& world, const Settings& settings) {
+[[nodiscard]] inline ContactKind classify(const World& world, const Settings& settings) {
   const Encounter& met = world.encounters().front();
-  if (!met.collided) return Contact::None;
-  if (met.min_clearance < 0.0) return Contact::Static;
+  if (!met.collided) return ContactKind::None;
+  if (met.min_clearance < 0.0) return ContactKind::Static;
   constexpr double kReaction = 1.0;  // [s]
   const double since = met.collision_time - stopping_time(settings) - kReaction;
   double nearest = std::numeric_limits<double>::infinity();
@@ -74,9 +74,9 @@ struct Outcome {
       if (frame.time > std::max(0.0, since) && frame.time <= met.collision_time) changed = true;
     }
   }
-  if (changed) return Contact::Unpredictable;
+  if (changed) return ContactKind::Unpredictable;
   constexpr double kStill = 0.02;  // [m/s]
-  return met.approach <= kStill ? Contact::RunInto : Contact::DroveInto;
+  return met.approach <= kStill ? ContactKind::RunInto : ContactKind::DroveInto;
 }
 
 /// Notes the commands that are not finite or outside the limits.

@@ -24,8 +24,8 @@ TARGETS = [
         "simulation/recorded",
         "simulation/physics"]),
     ("fairway_io", ["fairway", "fairway_simulation"], [
-        "io", "io/yaml", "io/maps", "io/drawing", "io/scenario", "io/mcap", "io/recording",
-        "io/recording/reading", "io/web_report"]),
+        "io", "io/yaml", "io/maps", "io/drawing", "io/scenario", "io/mcap",
+        "io/recording/exact", "io/recording", "io/recording/reading", "io/web_report"]),
 ]
 INCLUDE = re.compile(r'^\s*#include\s+"(fairway|experiments)/([a-z_0-9/]*?)/?([a-z_0-9]+\.hpp)"', re.MULTILINE)
 

@@ -75,7 +75,7 @@ def turning(share):
 
 
 METHODS = {
-    "stands still": damped(0.0),
+    "at standstill": damped(0.0),
     "last displacement": mean_displacement(1),
     "mean of the last 2": mean_displacement(2),
     "mean of the last 4": mean_displacement(4),

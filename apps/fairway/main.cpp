@@ -35,8 +35,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A reader that closes the pipe early, as in `fairway settings | head`, must not end the process
-  // with a signal.
+  // A reader that closes the pipe early must not end the process with a signal, as in `fairway
+  // settings | head`.
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);

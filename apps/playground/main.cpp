@@ -140,7 +140,7 @@ EMSCRIPTEN_KEEPALIVE void world_download(int request, int what) {
                                });
 }
 
-/// Runs a scenario to its end, and sends its trace as text, or what is wrong with it as a notice.
+/// Runs a scenario to its end, and sends its trace as text. Errors are sent as a notice.
 EMSCRIPTEN_KEEPALIVE int run_scenario(const char* path) {
   const Expected<Scenario> scenario = io::read_scenario(path);
   if (!scenario) {

@@ -50,7 +50,11 @@ bool SteppedWorld::serve() {
     world_.requests_.pop_front();
     EpisodeControl& control = *run_->episode;
     world_.carry_out(control, request);
-    if (world_.holds()) control.take_plans();
+    if (world_.holds()) {
+      control.take_plans();
+      const bool asked = std::holds_alternative<LiveWorld::Asked>(request);
+      if (asked && !world_.again_ && !world_.step_) world_.stream_.tell_paused_world(control);
+    }
     world_.stream_.tell_true_map(control.world().time(), control.world().obstacles());
     world_.publish();
     world_.tell_beginning(control.world().time());

@@ -26,7 +26,7 @@ struct SampledGrowth {
   double max_growth = 8.0;    ///< L_max [m]
 };
 
-/// Algorithm 1 with its flags reset for every orientation and "or" in its stop test; it does not
+/// Algorithm 1 with its flags reset for every orientation and "or" in its stop test. It does not
 /// work without these two changes. A failed step is undone. None when the seed is blocked.
 [[nodiscard]] std::optional<OrientedRectangle> grow_sampled(const BitGrid& obstacles,
                                                             const Eigen::Vector2d& seed,

@@ -15,9 +15,9 @@ namespace fairway::baselines {
                                        double robot_radius,
                                        const CorridorSettings& settings);
 
-/// FSRC [14] made sound: grows like SRC, but tests only the outline of the gained strip, which is
-/// at most one cell wide. So a cell cannot lie between the old and the new edge without touching
-/// the outline.
+/// FSRC [14], corrected: it grows like SRC, but tests only the outline of the gained strip. The
+/// strip is at most one cell wide, so a cell cannot lie between the old and the new edge without
+/// touching the outline.
 [[nodiscard]] CorridorResult build_fsrc(const BitGrid& obstacles,
                                         const Path& path,
                                         double robot_radius,

@@ -37,7 +37,7 @@ struct BodyDrive {
   std::vector<DriveRow> rows;
 };
 
-/// What moves the robot of a task instead of the kinematics of its base.
+/// Model that moves the robot of a task instead of the kinematics of its base.
 class BodyPlant {
  public:
   BodyPlant() = default;
@@ -55,7 +55,8 @@ using BodyPlantMaker = std::function<std::unique_ptr<BodyPlant>(const BodyTask&)
 
 /// Plans a task and drives it in the kinematics of its base, with feedback in every control period.
 /// @param clock  Seconds of CPU time, for what it reports.
-/// @param plant  What moves the robot; then the rows' twists are those that lead from pose to pose.
+/// @param plant  Model that moves the robot; then the rows' twists are those that lead from pose to
+/// pose.
 [[nodiscard]] BodyDrive drive_task(const BodyTask& task,
                                    const DriveSettings& settings,
                                    const std::function<double()>& clock,

@@ -49,7 +49,7 @@ def members_of(node: ast.ClassDef) -> dict:
 
 
 def arguments_of(node: ast.FunctionDef) -> list:
-    """Names of the arguments but self; `*` stands before those that need a keyword."""
+    """Names of the arguments but self; `*` precedes those that need a keyword."""
     names = [a.arg for a in node.args.args if a.arg != "self"]
     return names + (["*"] if node.args.kwonlyargs else []) + [a.arg for a in node.args.kwonlyargs]
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge/pilot.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "bridge/path_strips.hpp"
 #include "fairway/base/contract.hpp"
 #include "fairway/trajectory/trajectory.hpp"
 
@@ -140,11 +143,34 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
 
 void Pilot::set_goal(const Goal& goal) {
   goal_ = goal;
+  path_ = {};
+  set_strips({});
   fresh_goal_ = true;
+}
+
+void Pilot::follow(Path path, const std::optional<double>& goal_heading, double bound) {
+  FAIRWAY_EXPECTS(!path.waypoints.empty());
+  goal_ = Goal{.position = path.waypoints.back(), .heading = goal_heading};
+  path_ = std::move(path);
+  set_strips(bound > 0.0 ? strips_along(path_, bound) : Zones{});
+  fresh_goal_ = true;
+}
+
+// Several strips count as their union, so that those of the path would weaken those of the options.
+void Pilot::set_strips(Zones strips) {
+  const bool has_own = std::any_of(options_.zones.begin(), options_.zones.end(),
+                                   [](const Zone& zone) { return zone.kind == ZoneKind::Strip; });
+  if (has_own || (strips.empty() && strips_.empty())) return;
+  strips_ = std::move(strips);
+  Zones zones = options_.zones;
+  zones.insert(zones.end(), strips_.begin(), strips_.end());
+  if (navigator_) navigator_->set_zones(zones);
 }
 
 void Pilot::cancel() {
   goal_.reset();
+  path_ = {};
+  set_strips({});
   fresh_goal_ = false;
   if (state_ == PilotState::Idle) return;
   state_ = PilotState::Stopping;
@@ -180,7 +206,8 @@ PilotStep Pilot::cycle(double time) {
   if (fresh_goal_) {
     state_ = PilotState::Driving;
     fresh_goal_ = false;
-    if (navigator_) navigator_->set_goal(*goal_);
+    if (navigator_ && path_.waypoints.empty()) navigator_->set_goal(*goal_);
+    if (navigator_ && !path_.waypoints.empty()) navigator_->follow(path_, goal_->heading);
   }
   if (state_ == PilotState::Idle) {
     // Other programs may drive the robot now, so a drive starts with its actual twist, which the
@@ -238,6 +265,10 @@ void Pilot::judge(const NavigationStep& step, PilotStep& answer) {
   } else if (step.status == NavigationStatus::GaveUp) {
     answer.end = GoalEnd::GivenUp;
     answer.reason = reason_of(step);
+    if (has_planned_ && !navigator_->plan().usable()) {
+      const PathStatus path = navigator_->plan().path_status;
+      answer.path = path == PathStatus::Found ? PathStatus::NoConnection : path;
+    }
     cancel();
   }
 }

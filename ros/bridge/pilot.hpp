@@ -46,8 +46,9 @@ struct PilotStep {
   NavigationStatus status = NavigationStatus::NoPlan;
   LimitingFactor limit = LimitingFactor::None;
   GoalEnd end = GoalEnd::None;
-  std::string reason;                 ///< why the goal was given up, for the user
-  bool new_plan = false;              ///< path and corridor have changed
+  std::string reason;                   ///< why the goal was given up, for the user
+  PathStatus path = PathStatus::Found;  ///< why there was no plan when it was given up, if so
+  bool new_plan = false;                ///< path and corridor have changed
   std::size_t rectangle = 0;          ///< index of the corridor's rectangle that contains the robot
   const MpcSolution* plan = nullptr;  ///< predicted trajectory; valid until the next cycle; may be
                                       ///< null
@@ -94,6 +95,11 @@ class Pilot {
   /// Sets a goal in the world's frame. The next cycles refuse one that is not finite.
   void set_goal(const Goal& goal);
 
+  /// Follows a path in the world's frame instead of a goal, as MapNavigator::follow does.
+  /// @param bound  Greatest distance of the robot's centre from the path [m]; 0: none. Options with
+  /// strips of their own have precedence. @pre the waypoints are finite, and there is at least one.
+  void follow(Path path, const std::optional<double>& goal_heading, double bound = 0.0);
+
   /// Removes the goal and brakes.
   void cancel();
 
@@ -119,6 +125,7 @@ class Pilot {
 
  private:
   void make_navigator();
+  void set_strips(Zones strips);
   void make_guard();
   void reset_navigator(const PlanarTwist& actual);
   void guard(double time, PilotStep& answer);
@@ -140,6 +147,8 @@ class Pilot {
   SeenObstacles seen_;                     // from detectors, in this cycle
   bool scanned_ = false;                   // a scan was used
   std::optional<Goal> goal_;
+  Path path_;     // to the goal, if it was given; else empty
+  Zones strips_;  // around the path
   PilotState state_ = PilotState::Idle;
   int zeros_left_ = 0;  // remaining commands while stopping, after standstill
   bool has_planned_ = false;

@@ -15,12 +15,13 @@ char* text(const std::string& string) noexcept {
   return const_cast<char*>(string.c_str());  // NOLINT(cppcoreguidelines-pro-type-const-cast): C
 }
 
-visualization_msgs_msg_dds__Marker_ marker(const std_msgs_msg_dds__Header_& header) {
-  static const std::string kSpace = "corridor";
+// @param space  Must outlive the message.
+visualization_msgs_msg_dds__Marker_ marker(const std_msgs_msg_dds__Header_& header,
+                                           const std::string& space) {
   static const std::string kNone;
   visualization_msgs_msg_dds__Marker_ m{};
   m.header = header;
-  m.ns = text(kSpace);
+  m.ns = text(space);
   m.pose.orientation.w = 1.0;
   m.texture_resource = m.text = m.mesh_resource = text(kNone);
   m.texture.header.frame_id = m.texture.format = m.mesh_file.filename = text(kNone);
@@ -88,8 +89,9 @@ CorridorMessage::CorridorMessage(const Corridor& corridor, const std::string& fr
       outlines_(corridor.rectangles.size()) {
   constexpr std::int32_t kLineStrip = 4;
   constexpr std::int32_t kDeleteAll = 3;
+  static const std::string kSpace = "corridor";
   const std_msgs_msg_dds__Header_ now = header(frame_, time);
-  markers_.push_back(marker(now));
+  markers_.push_back(marker(now, kSpace));
   markers_.back().action = kDeleteAll;
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     const auto corners = corridor.rectangles[i].corners();
@@ -97,7 +99,7 @@ CorridorMessage::CorridorMessage(const Corridor& corridor, const std::string& fr
       const Eigen::Vector2d& corner = corners[c % corners.size()];
       outlines_[i].push_back({.x = corner.x(), .y = corner.y(), .z = 0.02});
     }
-    markers_.push_back(marker(now));
+    markers_.push_back(marker(now, kSpace));
     visualization_msgs_msg_dds__Marker_& m = markers_.back();
     m.id = static_cast<std::int32_t>(i);
     m.type = kLineStrip;
@@ -105,6 +107,24 @@ CorridorMessage::CorridorMessage(const Corridor& corridor, const std::string& fr
     m.color = {.r = 0.1F, .g = 0.5F, .b = 0.9F, .a = 0.9F};
     point_to(outlines_[i], m.points);
   }
+  point_to(markers_, message_.markers);
+}
+
+StatusMarkerMessage::StatusMarkerMessage(const std::string& shown,
+                                         const std::string& base_frame,
+                                         double time)
+    : text_(shown),
+      frame_(base_frame) {
+  constexpr std::int32_t kText = 9;
+  static const std::string kSpace = "status";
+  markers_.push_back(marker(header(frame_, time), kSpace));
+  visualization_msgs_msg_dds__Marker_& m = markers_.back();
+  m.type = kText;
+  m.frame_locked = true;
+  m.pose.position.z = 0.8;
+  m.scale.z = 0.2;
+  m.color = {.r = 0.2F, .g = 0.2F, .b = 0.2F, .a = 1.0F};
+  m.text = text(text_);
   point_to(markers_, message_.markers);
 }
 

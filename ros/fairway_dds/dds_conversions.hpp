@@ -76,6 +76,23 @@ class CorridorMessage {
   visualization_msgs_msg_dds__MarkerArray_ message_{};
 };
 
+/// A text above the robot as a marker, in the robot's frame, so that it moves with the robot.
+class StatusMarkerMessage {
+ public:
+  StatusMarkerMessage(const std::string& text, const std::string& base_frame, double time);
+  StatusMarkerMessage(const StatusMarkerMessage&) = delete;
+  StatusMarkerMessage& operator=(const StatusMarkerMessage&) = delete;
+  [[nodiscard]] const visualization_msgs_msg_dds__MarkerArray_& get() const noexcept {
+    return message_;
+  }
+
+ private:
+  std::string text_;
+  std::string frame_;
+  std::vector<visualization_msgs_msg_dds__Marker_> markers_;
+  visualization_msgs_msg_dds__MarkerArray_ message_{};
+};
+
 /// Another robot's published motion, with positions transformed from the message's frame. Samples
 /// beyond the capacity are dropped.
 [[nodiscard]] SharedMotion to_motion(const fairway_msgs_msg_dds__SharedMotion_& message,

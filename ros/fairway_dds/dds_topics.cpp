@@ -22,6 +22,10 @@ Participant::Participant(dds_domainid_t domain, std::string space)
       waitset_(dds_create_waitset(participant_.get()), "DDS waitset") {}
 
 std::string Participant::topic_name(const std::string& name) const {
+  if (name.starts_with("//")) {
+    const std::size_t end = name.find('/', 2);
+    return name.substr(2, end - 2) + (space_.empty() ? "" : "/" + space_) + name.substr(end);
+  }
   if (name.front() == '/') return "rt" + name;
   return space_.empty() ? "rt/" + name : "rt/" + space_ + "/" + name;
 }
@@ -61,6 +65,9 @@ Entity make_endpoint(const Participant& participant,
   if (!reader && quality.transient_local) {
     dds_qset_durability_service(qos, 0, DDS_HISTORY_KEEP_LAST, quality.depth, DDS_LENGTH_UNLIMITED,
                                 DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+  }
+  if (!quality.user_data.empty()) {
+    dds_qset_userdata(qos, quality.user_data.data(), quality.user_data.size());
   }
   const dds_entity_t made = reader
                                 ? dds_create_reader(participant.get(), topic.get(), qos, nullptr)

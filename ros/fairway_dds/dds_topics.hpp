@@ -17,11 +17,14 @@ struct Quality {
   bool reliable = true;
   bool transient_local = false;  ///< late readers get the last values, as with a latched topic
   int depth = 10;
+  std::string user_data;  ///< of the endpoint, for discovery; "key=value;" pairs
 };
 
 /// The profile for readers of driver topics: accepts best-effort and reliable writers.
-inline constexpr Quality kSensor{.reliable = false, .transient_local = false, .depth = 5};
-inline constexpr Quality kLatched{.reliable = true, .transient_local = true, .depth = 1};
+inline const Quality kSensor{
+    .reliable = false, .transient_local = false, .depth = 5, .user_data = {}};
+inline const Quality kLatched{
+    .reliable = true, .transient_local = true, .depth = 1, .user_data = {}};
 
 /// A DDS entity that its owner deletes.
 class Entity {
@@ -41,7 +44,8 @@ class Entity {
 };
 
 /// One node in a domain. Names are ROS 2's: "scan" in the namespace "robot_0" is the DDS topic
-/// "rt/robot_0/scan"; a name with a leading slash is in no namespace.
+/// "rt/robot_0/scan"; a name with a leading slash is in no namespace. A name with two leading
+/// slashes has a prefix of its own: "//rq/spinRequest" is "rq/robot_0/spinRequest".
 class Participant {
  public:
   Participant(dds_domainid_t domain, std::string space);
@@ -94,6 +98,27 @@ class Reader {
       }
       if (count > 0) dds_return_loan(reader_.get(), samples.data(), count);
     }
+  }
+
+  /// Takes one message into memory of the caller. @param writer  Set to the handle of its writer.
+  /// @return whether there was one.
+  [[nodiscard]] bool take_one(Message& message, dds_instance_handle_t& writer) {
+    void* sample = &message;
+    dds_sample_info_t info{};
+    while (dds_take(reader_.get(), &sample, &info, 1, 1) == 1) {
+      writer = info.publication_handle;
+      if (info.valid_data) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] dds_entity_t get() const noexcept { return reader_.get(); }
+
+  /// Whether there is a writer.
+  [[nodiscard]] bool is_written() const noexcept {
+    dds_subscription_matched_status_t status{};
+    return dds_get_subscription_matched_status(reader_.get(), &status) == DDS_RETCODE_OK &&
+           status.current_count > 0;
   }
 
  private:

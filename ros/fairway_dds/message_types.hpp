@@ -10,6 +10,10 @@ template <typename Message>
 [[nodiscard]] const dds_topic_descriptor_t& descriptor() noexcept;
 
 template <>
+inline const dds_topic_descriptor_t& descriptor<rosgraph_msgs_msg_dds__Clock_>() noexcept {
+  return rosgraph_msgs_msg_dds__Clock__desc;
+}
+template <>
 inline const dds_topic_descriptor_t& descriptor<std_msgs_msg_dds__Empty_>() noexcept {
   return std_msgs_msg_dds__Empty__desc;
 }

@@ -66,6 +66,12 @@ int main(int argc, char** argv) {
   app.add_flag("--no-monitor", no_monitor,
                "Do not check every command with the safety monitor, which needs a lidar");
   app.add_flag("--stamped", options.stamped, "Publish commands as TwistStamped");
+  app.add_option(
+         "--max-deviation", options.max_deviation,
+         "Greatest distance from a path of the action FollowPath, also at obstacles [m]; 0: "
+         "obstacles are driven around")
+      ->check(CLI::Range(0.0, 10.0));
+  app.add_flag("--sim-time", options.sim_time, "Take the time from the topic /clock");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

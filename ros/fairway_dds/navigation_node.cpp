@@ -27,7 +27,14 @@ NavigationNode::NavigationNode(const Settings& settings, const NodeOptions& opti
     : options_(options),
       pilot_(settings, options.pilot),
       clock_(options.pilot.use_scan),
-      participant_(options.domain, options.space) {
+      participant_(options.domain, options.space),
+      actions_(participant_,
+               {.navigate = [this](const auto& goal) { take_goal(goal, true); },
+                .follow = [this](const auto& path) { take_path(path); },
+                .cancel = [this] { cancel_goal(); }}) {
+  if (options_.sim_time) {
+    simulated_clock_.emplace(participant_, "/clock", Quality{.reliable = false, .depth = 1});
+  }
   if (options_.stamped) {
     stamped_command_.emplace(participant_, "cmd_vel", Quality{});
   } else {
@@ -46,18 +53,26 @@ std::optional<Pose2> NavigationNode::find_frame(const std::string& frame) const 
   return found ? std::optional(found->pose) : std::nullopt;
 }
 
+double NavigationNode::now() const { return options_.sim_time ? simulated_time_ : wall_time(); }
+
 void NavigationNode::tick() {
   constexpr double kLongestWait = 0.005;  // [s]
   participant_.wait(kLongestWait);
   receive();
-  const double now = wall_time();
-  if (clock_.due(now, pilot_.settings().navigation.control_period,
+  const double time = now();
+  if (options_.sim_time && time == 0.0) return;  // no message of the clock yet
+  if (clock_.due(time, pilot_.settings().navigation.control_period,
                  std::exchange(scan_came_, false))) {
-    run_cycle(now);
+    run_cycle(time);
   }
 }
 
 void NavigationNode::receive() {
+  if (simulated_clock_) {
+    simulated_clock_->take([this](const rosgraph_msgs_msg_dds__Clock_& message) {
+      simulated_time_ = seconds_of(message.clock);
+    });
+  }
   static_transforms_.take([this](const auto& message) { take_transform(message, true); });
   transforms_.take([this](const auto& message) { take_transform(message, false); });
   map_.take([this](const nav_msgs_msg_dds__OccupancyGrid_& message) {
@@ -78,10 +93,11 @@ void NavigationNode::receive() {
   obstacles_.take([this](const auto& message) { take_obstacles(message); });
   fleet_.take([this](const auto& message) { take_robot(message); });
   cancel_.take([this](const auto& /*message*/) {
-    waiting_goal_.reset();
-    pilot_.cancel();
+    cancel_goal();
+    actions_.abort(ActionFault::Unknown, "cancelled by the topic cancel_goal", now());
   });
-  goal_.take([this](const auto& message) { take_goal(message); });
+  goal_.take([this](const auto& message) { take_goal(message, false); });
+  actions_.serve(now());
   place_goal();
 }
 
@@ -120,29 +136,6 @@ void NavigationNode::take_obstacles(const sensor_msgs_msg_dds__PointCloud2_& mes
       "obstacles", {.obstacles = *std::move(read), .time = seconds_of(message.header.stamp)});
 }
 
-void NavigationNode::take_goal(const geometry_msgs_msg_dds__PoseStamped_& message) {
-  const Pose2 pose = bridge::to_pose(message.pose);
-  if (!is_finite(pose)) {
-    tell_status("goal rejected: not finite");
-    return;
-  }
-  waiting_goal_ = WaitingGoal{.frame = message.header.frame_id, .pose = pose};
-}
-
-// A goal may come before its frame is known; it waits, because its sender could not be informed.
-void NavigationNode::place_goal() {
-  if (!waiting_goal_) return;
-  const auto frame = find_frame(waiting_goal_->frame);
-  if (!frame) {
-    const std::string text = "goal waits for frame " + waiting_goal_->frame;
-    if (text != told_) tell_status(text);
-    return;
-  }
-  const Pose2 goal = bridge::compose(*frame, waiting_goal_->pose);
-  pilot_.set_goal({.position = goal.position, .heading = goal.heading});
-  waiting_goal_.reset();
-}
-
 void NavigationNode::take_robot(const fairway_msgs_msg_dds__SharedMotion_& message) {
   const std::string name = message.name;
   if (options_.name.empty() || name == options_.name) return;
@@ -150,7 +143,7 @@ void NavigationNode::take_robot(const fairway_msgs_msg_dds__SharedMotion_& messa
   if (message.leaving) {
     pilot_.fleet().forget(name);
   } else if (frame) {
-    if (!pilot_.fleet().receive(name, to_motion(message, *frame), wall_time()))
+    if (!pilot_.fleet().receive(name, to_motion(message, *frame), now()))
       std::fprintf(stderr, "fairway: %s: expected a plausible message with a time that has been\n",
                    one_line(name).c_str());
   }
@@ -158,16 +151,10 @@ void NavigationNode::take_robot(const fairway_msgs_msg_dds__SharedMotion_& messa
 
 void NavigationNode::run_cycle(double now) {
   clock_.begin(now);
+  follow_piece();
   const bridge::PilotStep step = pilot_.cycle(now);
-  if (step.send) {
-    send(step);
-    std::string text = to_text(step.status);
-    if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
-    if (step.monitor != MonitorReason::None)
-      text += std::string(", safety monitor: ") + bridge::to_text(step.monitor);
-    if (step.end == bridge::GoalEnd::GivenUp) text = "goal given up: " + step.reason;
-    if (step.end == bridge::GoalEnd::Reached || text != told_) tell_status(text);
-  }
+  if (step.send) send(step);
+  if (!ends_piece(step, now)) report_goal(step, now);
   if (step.new_plan) {
     const Plan& plan = pilot_.navigator()->plan();
     plan_.send(PathMessage(plan.path, world_frame(), now).get());
@@ -186,8 +173,8 @@ void NavigationNode::send(const bridge::PilotStep& step) {
     command_->send(message);
     return;
   }
-  const geometry_msgs_msg_dds__TwistStamped_ stamped{
-      .header = header(options_.base_frame, wall_time()), .twist = message};
+  const geometry_msgs_msg_dds__TwistStamped_ stamped{.header = header(options_.base_frame, now()),
+                                                     .twist = message};
   stamped_command_->send(stamped);
 }
 
@@ -195,6 +182,7 @@ void NavigationNode::tell_status(const std::string& text) {
   told_ = text;
   const std_msgs_msg_dds__String_ message{.data = told_.data()};
   status_.send(message);
+  status_marker_.send(StatusMarkerMessage(text, options_.base_frame, now()).get());
 }
 
 void NavigationNode::tell_fleet(double now, bool leaving) {
@@ -207,12 +195,12 @@ void NavigationNode::tell_fleet(double now, bool leaving) {
 void NavigationNode::stop(bool (*urgent)()) {
   constexpr double kLongest = 3.0;  // [s]
   const double begin = wall_time();
-  waiting_goal_.reset();
-  pilot_.cancel();
+  cancel_goal();
+  actions_.abort(ActionFault::Unknown, "the node shuts down", now());
   while (pilot_.state() != bridge::PilotState::Idle && !urgent() && wall_time() - begin < kLongest)
     tick();
   send({});
-  tell_fleet(wall_time(), true);
+  tell_fleet(now(), true);
   participant_.wait(0.05);  // lets the protocol's threads send it
 }
 

@@ -4,6 +4,8 @@
 #include "bridge/cycle_clock.hpp"
 #include "bridge/frame_tree.hpp"
 #include "bridge/pilot.hpp"
+#include "fairway_dds/actions/goal_actions.hpp"
+#include "fairway_dds/actions/path_drive.hpp"
 #include "fairway_dds/dds_topics.hpp"
 
 namespace fairway::dds {
@@ -15,7 +17,9 @@ struct NodeOptions {
   std::string name;          ///< of the robot in its fleet; empty: no fleet
   std::string map_frame = "map";
   std::string base_frame = "base_link";
-  bool stamped = false;  ///< commands as TwistStamped, Nav2's default since Kilted
+  bool stamped = false;        ///< commands as TwistStamped, Nav2's default since Kilted
+  bool sim_time = false;       ///< the time is that of the topic /clock
+  double max_deviation = 0.0;  ///< greatest distance from a path of FollowPath [m]; 0: no bound
   bridge::PilotOptions pilot;
 };
 
@@ -40,20 +44,33 @@ class NavigationNode {
   void take_transform(const tf2_msgs_msg_dds__TFMessage_& message, bool is_static);
   void take_scan(const sensor_msgs_msg_dds__LaserScan_& message);
   void take_obstacles(const sensor_msgs_msg_dds__PointCloud2_& message);
-  void take_goal(const geometry_msgs_msg_dds__PoseStamped_& message);
+  void take_goal(const geometry_msgs_msg_dds__PoseStamped_& message, bool from_action);
+  void take_path(const nav_msgs_msg_dds__Path_& message);
+  void drop_goal();
+  void cancel_goal();
   void place_goal();
+  [[nodiscard]] std::string start_goal(const Pose2& frame);
+  void follow_piece();
+  [[nodiscard]] bool ends_piece(const bridge::PilotStep& step, double now);
+  void report_goal(const bridge::PilotStep& step, double now);
+  [[nodiscard]] bool is_outside_map() const;
+  [[nodiscard]] double remaining_length(const Eigen::Vector2d& position) const;
   void take_robot(const fairway_msgs_msg_dds__SharedMotion_& message);
   void update_localisation();
   void run_cycle(double now);
   void send(const bridge::PilotStep& step);
   void tell_status(const std::string& text);
   void tell_fleet(double now, bool leaving);
+  [[nodiscard]] double now() const;
   [[nodiscard]] std::string world_frame() const;
   [[nodiscard]] std::optional<Pose2> find_frame(const std::string& frame) const;
 
   struct WaitingGoal {
     std::string frame;
     Pose2 pose;
+    Path path{};  // to the pose, if it was given; else empty
+    bool from_action = false;
+    double since = 0.0;  // [s]
   };
 
   NodeOptions options_;
@@ -72,15 +89,23 @@ class NavigationNode {
   Reader<std_msgs_msg_dds__Empty_> cancel_{participant_, "cancel_goal", {}};
   Reader<fairway_msgs_msg_dds__SharedMotion_> fleet_{
       participant_, "/fairway/fleet", {.reliable = false, .depth = 50}};
+  std::optional<Reader<rosgraph_msgs_msg_dds__Clock_>> simulated_clock_;
+  double simulated_time_ = 0.0;                                                  // 0: not known
   std::optional<Writer<geometry_msgs_msg_dds__Twist_>> command_;                 // one of these
   std::optional<Writer<geometry_msgs_msg_dds__TwistStamped_>> stamped_command_;  // two
   std::optional<Writer<std_msgs_msg_dds__Float64_>> steering_;  // of a car or tricycle
   Writer<nav_msgs_msg_dds__Path_> plan_{participant_, "plan", kLatched};
   Writer<visualization_msgs_msg_dds__MarkerArray_> corridor_{participant_, "corridor", kLatched};
   Writer<std_msgs_msg_dds__String_> status_{participant_, "fairway_status", {}};
+  Writer<visualization_msgs_msg_dds__MarkerArray_> status_marker_{participant_, "status_marker",
+                                                                  kLatched};
   Writer<fairway_msgs_msg_dds__SharedMotion_> own_motion_{
       participant_, "/fairway/fleet", {.reliable = false, .depth = 1}};
+  GoalActions actions_;
   std::optional<WaitingGoal> waiting_goal_;
+  std::optional<PathDrive> drive_;                           // along the path of an action
+  Eigen::Vector2d goal_position_ = Eigen::Vector2d::Zero();  // of the last goal without a path
+  bridge::DriveProgress progress_;
   std::string odometry_frame_;
   std::string told_;
   bool scan_came_ = false;  // since the last tick

@@ -15,53 +15,73 @@ namespace fairway::dds {
 namespace {
 
 constexpr double kOdometryPeriod = 0.02;  // [s]
+constexpr double kFirstTime = 1000.0;     // [s], of the simulated clock
 
 }  // namespace
 
-Simulator::Simulator(const Scenario& scenario,
-                     std::uint32_t domain,
-                     const std::string& space,
-                     const std::string& track)
+Simulator::Simulator(const Scenario& scenario, const SimulatorOptions& options)
     : scenario_(scenario),
       world_(scenario_),
       senses_(scenario_.sensing, world_, 0, scenario_.seed),
-      prefix_(space.empty() ? "" : space + "/"),
-      participant_(domain, space),
-      start_(wall_time()) {
-  if (!track.empty()) {
-    track_.open(track);
+      prefix_(options.space.empty() ? "" : options.space + "/"),
+      participant_(options.domain, options.space),
+      start_(wall_time()),
+      origin_(options.sim_time ? kFirstTime : start_) {
+  if (options.stamped) {
+    stamped_commands_.emplace(participant_, "cmd_vel", kSensor);
+  } else {
+    commands_.emplace(participant_, "cmd_vel", kSensor);
+  }
+  if (options.sim_time) clock_.emplace(participant_, "/clock", Quality{.depth = 1});
+  if (!options.track.empty()) {
+    track_.open(options.track);
     track_ << "time,x,y,heading\n" << std::setprecision(15);
   }
   publish_map();
   publish_mount();
 }
 
+void Simulator::receive_commands() {
+  steering_.take([this](const std_msgs_msg_dds__Float64_& message) {
+    if (std::isfinite(message.data)) steering_angle_ = message.data;
+  });
+  const auto take = [this](const geometry_msgs_msg_dds__Twist_& twist) {
+    command_ = bridge::to_planar_twist(twist);
+    command_time_ = wall_time();
+  };
+  if (commands_) commands_->take(take);
+  if (stamped_commands_) {
+    stamped_commands_->take(
+        [&](const geometry_msgs_msg_dds__TwistStamped_& message) { take(message.twist); });
+  }
+}
+
+void Simulator::publish_clock() {
+  if (clock_) clock_->send({.clock = time_of(origin_ + world_.time())});
+}
+
 void Simulator::tick() {
   constexpr double kLongestStep = 0.05;  // [s]; on a slow machine the world slows down and never
                                          // jumps
   participant_.wait(0.004);
-  commands_.take([this](const geometry_msgs_msg_dds__Twist_& message) {
-    command_ = bridge::to_planar_twist(message);
-    command_time_ = wall_time();
-  });
-  steering_.take([this](const std_msgs_msg_dds__Float64_& message) {
-    if (std::isfinite(message.data)) steering_angle_ = message.data;
-  });
+  receive_commands();
   const double now = wall_time();
   double step = now - start_ - world_.time();
   if (step < World::kFineStep) return;
   if (step > kLongestStep) {
     start_ += step - kLongestStep;
+    if (!clock_) origin_ = start_;
     step = kLongestStep;
   }
   drive(step, now - command_time_ <= kCommandTimeout && is_finite(command_));
+  publish_clock();
   senses_.measure(world_);
   senses_.deliver(
       world_.time(),
       [this](const LidarScan& scan, const Eigen::Vector2d& /*position*/) { publish_scan(scan); });
   if (world_.time() >= next_odometry_) {
     next_odometry_ = world_.time() + kOdometryPeriod;
-    publish_odometry(start_ + world_.time());
+    publish_odometry(origin_ + world_.time());
   }
 }
 
@@ -83,7 +103,7 @@ void Simulator::publish_map() {
   for (const CellState state : scenario_.map.cells())
     percents.push_back(bridge::percent_of_cell(state));
   nav_msgs_msg_dds__OccupancyGrid_ message{};
-  message.header = header(frame, start_);
+  message.header = header(frame, origin_);
   message.info.map_load_time = message.header.stamp;
   bridge::set_grid_info(scenario_.map.frame(), message.info);
   point_to(percents, message.data);
@@ -94,7 +114,7 @@ void Simulator::publish_mount() {
   const std::string base = prefix_ + "base_link";
   std::string lidar = prefix_ + "base_scan";
   std::vector<geometry_msgs_msg_dds__TransformStamped_> links(1);
-  links[0].header = header(base, start_);
+  links[0].header = header(base, origin_);
   links[0].child_frame_id = lidar.data();
   bridge::set_transform({.position = scenario_.sensing.lidar.mount, .heading = 0.0},
                         links[0].transform);
@@ -141,7 +161,7 @@ void Simulator::publish_scan(const LidarScan& scan) {
   const std::string frame = prefix_ + "base_scan";
   std::vector<float> ranges(scan.ranges.begin(), scan.ranges.end());
   sensor_msgs_msg_dds__LaserScan_ message{};
-  message.header = header(frame, start_ + scan.time);
+  message.header = header(frame, origin_ + scan.time);
   message.angle_min = static_cast<float>(scan.first_angle);
   message.angle_increment = static_cast<float>(scan.angle_step);
   message.angle_max = static_cast<float>(

@@ -13,16 +13,16 @@ int main(int argc, char** argv) {
   CLI::App app("Simulates a robot with ROS 2's topics, over DDS");
   std::string map;
   std::vector<double> start{0.0, 0.0, 0.0};
-  std::uint32_t domain = 0;
-  std::string space;
-  std::string track;
+  dds::SimulatorOptions options;
   std::string body;
   bool noise = false;
   app.add_option("map", map, "map_server YAML file")->required();
   app.add_option("--start", start, "x,y,heading")->delimiter(',')->expected(3);
-  app.add_option("--domain", domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
-  app.add_option("--namespace", space, "Namespace of the robot's topics");
-  app.add_option("--track", track, "Write the true poses to this CSV file");
+  app.add_option("--domain", options.domain, "ROS_DOMAIN_ID")->check(CLI::Range(0, 232));
+  app.add_option("--namespace", options.space, "Namespace of the robot's topics");
+  app.add_option("--track", options.track, "Write the true poses to this CSV file");
+  app.add_flag("--stamped", options.stamped, "Receive commands as TwistStamped");
+  app.add_flag("--sim-time", options.sim_time, "Publish a simulated time on /clock");
   app.add_option("--body", body, "File (YAML) with the outline and the base of the robot");
   app.add_flag("--noise", noise, "Add the standard errors of lidar and odometry");
   try {
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   if (noise) use_standard_noise(scenario.sensing);
   try {
     dds::take_over_exit();
-    dds::Simulator simulator(scenario, domain, space, track);
+    dds::Simulator simulator(scenario, options);
     while (dds::exits_wanted == 0)
       simulator.tick();
   } catch (const std::runtime_error& error) {

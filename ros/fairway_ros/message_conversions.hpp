@@ -43,8 +43,8 @@ struct ScanInput {
                                                        const Pose2& pose,
                                                        const std_msgs::Header& header);
 
-/// The outlines of the rectangles, with a thicker line for the current one, after a marker that
-/// removes the previous outlines.
+/// Returns the outlines of the rectangles, with a thicker line for the current one. The first
+/// marker removes the previous outlines.
 [[nodiscard]] visualization_msgs::MarkerArray corridor_markers(const Corridor& corridor,
                                                                std::size_t current,
                                                                const std_msgs::Header& header);

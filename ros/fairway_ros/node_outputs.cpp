@@ -6,6 +6,7 @@
 #include <std_msgs/Float64.h>
 
 #include "bridge/message_conversions.hpp"
+#include "bridge/plan_markers.hpp"
 #include "fairway/io/number_text.hpp"
 #include "fairway/navigation/status_guide.hpp"
 #include "fairway_ros/message_conversions.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-// Normal driving and stopping is OK; a state that deserves attention is a warning; one that needs
+// Normal driving and stopping is OK. A state that deserves attention is a warning; one that needs
 // an operator is an error.
 std::int8_t level_of(NavigationStatus status) noexcept {
   switch (status) {
@@ -51,6 +52,7 @@ NodeOutputs::NodeOutputs(ros::NodeHandle node, ros::NodeHandle own, bool steered
       obstacle_markers_(own.advertise<visualization_msgs::MarkerArray>("obstacle_markers", 1)),
       footprint_(own.advertise<geometry_msgs::PolygonStamped>("footprint", 1)),
       status_(own.advertise<DiagnosticStatus>("status", 10, true)),
+      status_marker_(own.advertise<visualization_msgs::MarkerArray>("status_marker", 1)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)) {
   if (steered) steering_ = node.advertise<std_msgs::Float64>("steering_angle", 1);
   last_status_.name = own.getNamespace().substr(1);
@@ -80,6 +82,15 @@ void NodeOutputs::show(const bridge::Pilot& pilot,
   const std_msgs::Header now = header(frame, time);
   if (const auto pose = pilot.pose(); pose && footprint_.getNumSubscribers() > 0) {
     footprint_.publish(to_message(pilot.settings().robot, *pose, now));
+  }
+  if (const auto pose = pilot.pose(); pose && status_marker_.getNumSubscribers() > 0) {
+    std::string text = last_status_.message;
+    if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
+    visualization_msgs::MarkerArray markers;
+    bridge::add_text(text, now, markers);
+    markers.markers.back().pose.position.x = pose->position.x();
+    markers.markers.back().pose.position.y = pose->position.y();
+    status_marker_.publish(markers);
   }
   if (pilot.navigator() == nullptr) return;
   const Plan& plan = pilot.navigator()->plan();

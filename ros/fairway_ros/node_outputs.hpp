@@ -52,6 +52,7 @@ class NodeOutputs {
   ros::Publisher obstacle_markers_;
   ros::Publisher footprint_;
   ros::Publisher status_;
+  ros::Publisher status_marker_;
   ros::Publisher diagnostics_;
   diagnostic_msgs::DiagnosticStatus last_status_;
   std::size_t shown_rectangle_ = 0;

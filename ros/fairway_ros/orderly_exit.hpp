@@ -3,7 +3,7 @@
 
 namespace fairway::ros1 {
 
-/// Handles SIGINT, SIGTERM and the `shutdown` call of `rosnode kill`, so that a node can brake and
+/// Handles SIGINT, SIGTERM and the `shutdown` call of `rosnode kill`. The node can then brake and
 /// send zero commands before it ends. ROS's own handlers would close the connections first. Call it
 /// after ros::init (with NoSigintHandler) and before the first node handle.
 void take_over_exit();

@@ -32,7 +32,7 @@ std::optional<GoalTolerance> tolerance_of(nav2_core::GoalChecker* checker) {
 }
 
 bool same_body(const RobotSettings& a, const RobotSettings& b) noexcept {
-  return a.radius == b.radius && a.length == b.length && a.width == b.width;
+  return a.radius == b.radius && a.length == b.length && a.width == b.width && a.discs == b.discs;
 }
 
 [[noreturn]] void throw_fault(FollowerFault fault, const std::string& reason) {
@@ -65,13 +65,17 @@ void FairwayController::configure(const LifecycleNode::WeakPtr& parent,
   footprint_ = settings.robot.robot;
   inputs_ = std::make_unique<ObstacleInputs>(
       node_, transforms_, costmap_, settings.robot,
-      read_text(*node_, name_ + ".scan_topic",
+      read_text(*node_, name_ + ".scan_topic", "",
                 "LaserScan for the tracker of moving obstacles; empty: none"),
-      read_text(*node_, name_ + ".obstacles_topic",
-                "PointCloud2 with x, y, vx, vy, radius; empty: none"));
+      read_text(*node_, name_ + ".obstacles_topic", "", "moving obstacles; empty: none"),
+      read_text(*node_, name_ + ".obstacles_type", "cloud",
+                "cloud (PointCloud2 with x, y, vx, vy, radius), people, costmap_converter or "
+                "objects (derived_object_msgs)"));
+  display_ = std::make_unique<PlanDisplay>(node_, name_);
 }
 
 void FairwayController::cleanup() {
+  display_.reset();
   inputs_.reset();
   follower_.reset();
   parameters_.reset();
@@ -82,6 +86,8 @@ void FairwayController::cleanup() {
 
 void FairwayController::deactivate() {
   if (follower_) follower_->reset();
+  cancelling_ = false;
+  standing_ = true;
 }
 
 void FairwayController::setSpeedLimit(const double& limit, const bool& percentage) {
@@ -91,6 +97,7 @@ void FairwayController::setSpeedLimit(const double& limit, const bool& percentag
 #if FAIRWAY_NAV2_TYPED_EXCEPTIONS
 // Nav2 requests commands until the robot has stopped.
 bool FairwayController::cancel() {
+  if (!follower_) return true;
   if (!cancelling_) follower_->cancel();
   cancelling_ = true;
   return standing_;
@@ -104,6 +111,7 @@ void FairwayController::reset() {
 #endif
 
 void FairwayController::take_path(const nav_msgs::msg::Path& message) {
+  if (!follower_) throw InvalidPath("the controller is not configured");
   Path path = to_path(message);
   if (const std::string fault = path_fault(path); !fault.empty()) throw InvalidPath(fault);
   path_frame_ = message.header.frame_id;
@@ -130,7 +138,7 @@ void FairwayController::take_changes() {
       robot.radius = body.radius;
       robot.length = body.length;
       robot.width = body.width;
-      robot.discs = {};
+      robot.discs = body.discs;
     }
   }
   if (!changed) return;
@@ -169,10 +177,24 @@ FollowerStep FairwayController::drive(const geometry_msgs::msg::PoseStamped& pos
                             .goal = tolerance_of(goal_checker)});
 }
 
+// A display must not end a drive.
+void FairwayController::show(const FollowerStep& step) {
+  try {
+    std_msgs::msg::Header header;
+    header.stamp = node_->now();
+    header.frame_id = costmap_->getGlobalFrameID();
+    display_->show(step, follower_->plan(), header, costmap_->getBaseFrameID(),
+                   node_->now().seconds());
+  } catch (const std::exception& error) {
+    RCLCPP_WARN_THROTTLE(node_->get_logger(), *node_->get_clock(), 5000, "%s", error.what());
+  }
+}
+
 geometry_msgs::msg::TwistStamped FairwayController::compute(
     const geometry_msgs::msg::PoseStamped& pose,
     const geometry_msgs::msg::Twist& velocity,
     nav2_core::GoalChecker* goal_checker) {
+  if (!follower_) throw NoValidControl("the controller is not configured");
   FollowerStep step;
   try {
     step = drive(pose, velocity, goal_checker);
@@ -182,6 +204,7 @@ geometry_msgs::msg::TwistStamped FairwayController::compute(
     throw NoValidControl(error.what());
   }
   standing_ = step.command.linear == 0.0 && step.command.angular == 0.0;
+  show(step);
   if (!step.reason.empty() && !cancelling_) {
     RCLCPP_WARN_THROTTLE(node_->get_logger(), *node_->get_clock(), 1000, "%s", step.reason.c_str());
   }

@@ -11,6 +11,7 @@
 #include "nav2_fairway_controller/obstacle_inputs.hpp"
 #include "nav2_fairway_controller/parameters.hpp"
 #include "nav2_fairway_controller/path_follower.hpp"
+#include "nav2_fairway_controller/plan_display.hpp"
 
 namespace fairway::nav2 {
 
@@ -18,7 +19,8 @@ namespace fairway::nav2 {
 ///
 /// Without a safe command it first brakes within the limits. Only at standstill it throws the
 /// exception that informs Nav2. Calls from other threads (speed limits, parameters, scans) take
-/// effect at the start of the next cycle, and throw nothing.
+/// effect at the start of the next cycle, and throw nothing. Before `configure` and after
+/// `cleanup`, paths and requests for commands are refused.
 class FairwayController : public nav2_core::Controller {
  public:
   void configure(const LifecycleNode::WeakPtr& parent,
@@ -61,6 +63,7 @@ class FairwayController : public nav2_core::Controller {
       const geometry_msgs::msg::Twist& velocity,
       nav2_core::GoalChecker* goal_checker);
   void take_changes();
+  void show(const FollowerStep& step);
   [[nodiscard]] FollowerStep drive(const geometry_msgs::msg::PoseStamped& pose,
                                    const geometry_msgs::msg::Twist& velocity,
                                    nav2_core::GoalChecker* goal_checker);
@@ -72,6 +75,7 @@ class FairwayController : public nav2_core::Controller {
   std::unique_ptr<Parameters> parameters_;
   std::unique_ptr<PathFollower> follower_;
   std::unique_ptr<ObstacleInputs> inputs_;
+  std::unique_ptr<PlanDisplay> display_;
   bool uses_costmap_footprint_ = false;
   RobotSettings footprint_;  // the body that was taken from the costmap
 

@@ -7,9 +7,20 @@
 
 #include <rclcpp/create_subscription.hpp>
 
+#if __has_include(<people_msgs/msg/people.hpp>)
+#include <people_msgs/msg/people.hpp>
+#endif
+#if __has_include(<costmap_converter_msgs/msg/obstacle_array_msg.hpp>)
+#include <costmap_converter_msgs/msg/obstacle_array_msg.hpp>
+#endif
+#if __has_include(<derived_object_msgs/msg/object_array.hpp>)
+#include <derived_object_msgs/msg/object_array.hpp>
+#endif
+
 #include "bridge/message_conversions.hpp"
 #include "bridge/obstacle_cloud.hpp"
 #include "nav2_fairway_controller/message_times.hpp"
+#include "nav2_fairway_controller/obstacle_messages.hpp"
 
 namespace fairway::nav2 {
 
@@ -31,7 +42,8 @@ ObstacleInputs::ObstacleInputs(std::shared_ptr<LifecycleNode> node,
                                std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap,
                                const Settings& settings,
                                const std::string& scan_topic,
-                               const std::string& obstacles_topic)
+                               const std::string& obstacles_topic,
+                               const std::string& obstacles_type)
     : node_(std::move(node)),
       transforms_(std::move(transforms)),
       costmap_(std::move(costmap)),
@@ -41,10 +53,49 @@ ObstacleInputs::ObstacleInputs(std::shared_ptr<LifecycleNode> node,
         node_, scan_topic, rclcpp::SensorDataQoS(),
         [this](const sensor_msgs::msg::LaserScan& message) { take_scan(message); });
   }
-  if (!obstacles_topic.empty()) {
+  if (!obstacles_topic.empty()) subscribe_obstacles(obstacles_topic, obstacles_type);
+}
+
+void ObstacleInputs::subscribe_obstacles(const std::string& topic, const std::string& type) {
+  if (type == "cloud") {
     obstacles_ = rclcpp::create_subscription<sensor_msgs::msg::PointCloud2>(
-        node_, obstacles_topic, rclcpp::SensorDataQoS(),
-        [this](const sensor_msgs::msg::PointCloud2& message) { take_obstacles(message); });
+        node_, topic, rclcpp::SensorDataQoS(),
+        [this](const sensor_msgs::msg::PointCloud2& message) { take_cloud(message); });
+  }
+#if __has_include(<people_msgs/msg/people.hpp>)
+  if (type == "people") {
+    obstacles_ = rclcpp::create_subscription<people_msgs::msg::People>(
+        node_, topic, rclcpp::SensorDataQoS(), [this](const people_msgs::msg::People& message) {
+          take_obstacles(read_people(message), message.header.frame_id,
+                         seconds_of(message.header.stamp));
+        });
+  }
+#endif
+#if __has_include(<costmap_converter_msgs/msg/obstacle_array_msg.hpp>)
+  if (type == "costmap_converter") {
+    obstacles_ = rclcpp::create_subscription<costmap_converter_msgs::msg::ObstacleArrayMsg>(
+        node_, topic, rclcpp::SensorDataQoS(),
+        [this](const costmap_converter_msgs::msg::ObstacleArrayMsg& message) {
+          take_obstacles(read_converted(message), message.header.frame_id,
+                         seconds_of(message.header.stamp));
+        });
+  }
+#endif
+#if __has_include(<derived_object_msgs/msg/object_array.hpp>)
+  if (type == "objects") {
+    obstacles_ = rclcpp::create_subscription<derived_object_msgs::msg::ObjectArray>(
+        node_, topic, rclcpp::SensorDataQoS(),
+        [this](const derived_object_msgs::msg::ObjectArray& message) {
+          take_obstacles(read_objects(message), message.header.frame_id,
+                         seconds_of(message.header.stamp));
+        });
+  }
+#endif
+  if (!obstacles_) {
+    throw ControllerSetupError(
+        "obstacles_type: expected cloud, or people, costmap_converter, objects if their messages "
+        "were installed when the plugin was built, found " +
+        type);
   }
 }
 
@@ -123,7 +174,7 @@ bool ObstacleInputs::use_scan(const sensor_msgs::msg::LaserScan& message) {
   return true;
 }
 
-void ObstacleInputs::take_obstacles(const sensor_msgs::msg::PointCloud2& cloud) {
+void ObstacleInputs::take_cloud(const sensor_msgs::msg::PointCloud2& cloud) {
   try {
     std::vector<bridge::CloudField> fields;
     for (const auto& field : cloud.fields)
@@ -137,14 +188,23 @@ void ObstacleInputs::take_obstacles(const sensor_msgs::msg::PointCloud2& cloud) 
       warn(read.error().message.c_str());
       return;
     }
-    const Pose2 frame = frame_in_costmap(*transforms_, *costmap_, cloud.header.frame_id);
-    for (MovingObstacle& obstacle : *read) {
+    take_obstacles(*std::move(read), cloud.header.frame_id, seconds_of(cloud.header.stamp));
+  } catch (const std::exception& error) {
+    warn(error.what());
+  }
+}
+
+void ObstacleInputs::take_obstacles(std::vector<MovingObstacle> obstacles,
+                                    const std::string& frame_id,
+                                    double time) {
+  try {
+    const Pose2 frame = frame_in_costmap(*transforms_, *costmap_, frame_id);
+    for (MovingObstacle& obstacle : obstacles) {
       obstacle.position = transform(frame, obstacle.position);
       obstacle.velocity = rotated(obstacle.velocity, frame.heading);
     }
     const std::lock_guard<std::mutex> lock(mutex_);
-    board_.set_detections("topic",
-                          {.obstacles = *std::move(read), .time = seconds_of(cloud.header.stamp)});
+    board_.set_detections("topic", {.obstacles = std::move(obstacles), .time = time});
   } catch (const std::exception& error) {
     warn(error.what());
   }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include <nav2_costmap_2d/costmap_2d_ros.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
@@ -20,13 +21,17 @@ namespace fairway::nav2 {
 /// a scan is kept until it has arrived.
 class ObstacleInputs {
  public:
-  /// Subscribes; an empty topic means none.
+  /// Subscribes; an empty topic means none. @param obstacles_type  `cloud`, `people`,
+  /// `costmap_converter` or `objects`.
+  /// @throws ControllerSetupError for another type, or one whose messages were not installed when
+  /// the plugin was built.
   ObstacleInputs(std::shared_ptr<LifecycleNode> node,
                  TransformBuffer transforms,
                  std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap,
                  const Settings& settings,
                  const std::string& scan_topic,
-                 const std::string& obstacles_topic);
+                 const std::string& obstacles_topic,
+                 const std::string& obstacles_type);
 
   /// Uses other settings; the tracker starts again.
   void set_settings(const Settings& settings);
@@ -36,7 +41,11 @@ class ObstacleInputs {
 
  private:
   void take_scan(const sensor_msgs::msg::LaserScan& message);
-  void take_obstacles(const sensor_msgs::msg::PointCloud2& message);
+  void subscribe_obstacles(const std::string& topic, const std::string& type);
+  void take_cloud(const sensor_msgs::msg::PointCloud2& message);
+  void take_obstacles(std::vector<MovingObstacle> obstacles,
+                      const std::string& frame_id,
+                      double time);
   void use_scans();  // with the lock
   [[nodiscard]] bool use_scan(const sensor_msgs::msg::LaserScan& message);
   void warn(const char* reason) const;

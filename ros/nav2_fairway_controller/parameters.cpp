@@ -62,8 +62,8 @@ Parameters::Parameters(std::shared_ptr<LifecycleNode> node,
       prefix_(plugin + "."),
       frequency_(frequency),
       store_(defaults_at(frequency), frequency.has_value()) {
-  // The values of parameter files are read before the declaration, so that a whole number may be
-  // given for a real one.
+  // The values of parameter files are read before the declaration. So a whole number may be given
+  // for a real one.
   const auto& given = node_->get_node_parameters_interface()->get_parameter_overrides();
   std::vector<SettingChange> changes;
   const auto add = [&](const std::string& name, const rclcpp::ParameterValue& value) {
@@ -137,9 +137,12 @@ std::optional<FollowerSettings> Parameters::take_change() {
   });
 }
 
-std::string read_text(LifecycleNode& node, const std::string& name, const std::string& meaning) {
+std::string read_text(LifecycleNode& node,
+                      const std::string& name,
+                      const std::string& otherwise,
+                      const std::string& meaning) {
   if (!node.has_parameter(name)) {
-    node.declare_parameter(name, rclcpp::ParameterValue(std::string()), fixed(meaning));
+    node.declare_parameter(name, rclcpp::ParameterValue(otherwise), fixed(meaning));
   }
   return node.get_parameter(name).as_string();
 }

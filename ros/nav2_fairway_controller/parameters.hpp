@@ -44,6 +44,7 @@ class Parameters {
 /// Reads a text that is fixed while the plugin is configured.
 [[nodiscard]] std::string read_text(LifecycleNode& node,
                                     const std::string& name,
+                                    const std::string& otherwise,
                                     const std::string& meaning);
 
 /// Reads a switch that is fixed while the plugin is configured.

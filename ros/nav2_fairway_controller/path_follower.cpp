@@ -34,16 +34,6 @@ bool is_zero(const Twist2& twist) noexcept { return twist.linear == 0.0 && twist
 
 }  // namespace
 
-std::string path_fault(const Path& path) {
-  if (path.waypoints.empty()) return "the path is empty";
-  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
-    if (is_finite(path.waypoints[i])) continue;
-    return "pose " + std::to_string(i) + " of " + std::to_string(path.waypoints.size()) +
-           " of the path is not finite";
-  }
-  return {};
-}
-
 PathFollower::PathFollower(const FollowerSettings& settings)
     : settings_(settings),
       navigator_(settings.robot) {}
@@ -223,7 +213,11 @@ void PathFollower::update_piece(const FollowerInput& input, const Measurements& 
 
 FollowerStep PathFollower::judged(const NavigationStep& step, const FollowerInput& input) {
   constexpr double kProgress = 0.05;  // [m]; less is noise of the pose
-  FollowerStep answer{.command = step.command, .status = step.status, .reason = {}};
+  FollowerStep answer{.command = step.command,
+                      .status = step.status,
+                      .limit = step.limit,
+                      .rectangle = step.rectangle,
+                      .reason = {}};
   if (!progress_.empty()) {
     answer.driven = progress_.arc();
     answer.remaining = progress_.length() - progress_.arc();

@@ -9,6 +9,7 @@
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "nav2_fairway_controller/following/follower_mailbox.hpp"
 #include "nav2_fairway_controller/following/path_piece.hpp"
+#include "nav2_fairway_controller/following/stop_reason.hpp"
 
 namespace fairway::nav2 {
 
@@ -33,6 +34,8 @@ enum class FollowerFault : std::uint8_t { None, NoControl, BadPath, NoFrame };
 struct FollowerStep {
   Twist2 command;
   NavigationStatus status = NavigationStatus::NoPlan;
+  LimitingFactor limit = LimitingFactor::None;  ///< reason why the robot is not faster
+  std::size_t rectangle = 0;                    ///< of the corridor, with the robot
   /// The error to report; only while the command is zero, so that the robot brakes within its
   /// limits before.
   FollowerFault fault = FollowerFault::None;
@@ -41,9 +44,6 @@ struct FollowerStep {
   double remaining = 0.0;  ///< length of the rest of the path [m]
   double deviation = 0.0;  ///< distance from the path [m]
 };
-
-/// Returns why a path cannot be followed, for the user; empty if it can.
-[[nodiscard]] std::string path_fault(const Path& path);
 
 /// Follows a path of another planner inside a map that moves with the robot. This is the part of
 /// Nav2's controller that does not depend on Nav2.
@@ -56,7 +56,7 @@ struct FollowerStep {
 /// the robot stops before obstacles on it. Without it, a piece has a bound of its own only where
 /// the robot would otherwise skip a part of the path through free space.
 ///
-/// The functions `set_...`, `cancel` and `reset` may be called from any thread; they take effect at
+/// The functions `set_...`, `cancel` and `reset` may be called from any thread. They take effect at
 /// the start of the next cycle. All others belong to the thread that calls `update`.
 class PathFollower {
  public:

@@ -67,6 +67,7 @@ nav_msgs::msg::Path FairwayPlanner::plan(
     const geometry_msgs::msg::PoseStamped& goal,
     const std::vector<geometry_msgs::msg::PoseStamped>& via_points,
     const std::function<bool()>& cancelled) {
+  if (!parameters_) throw NoValidPath("the planner is not configured");
   static_cast<void>(parameters_->take_change());
   const Settings settings = parameters_->settings().robot;
   PreparedMap map;

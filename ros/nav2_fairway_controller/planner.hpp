@@ -14,8 +14,8 @@
 
 namespace fairway::nav2 {
 
-/// Fairway as a planner of Nav2: a path that a corridor covers from end to end, so that Fairway's
-/// and other controllers can follow it.
+/// Fairway as a planner of Nav2. A corridor covers its path from end to end, so that Fairway's and
+/// other controllers can follow it.
 class FairwayPlanner : public nav2_core::GlobalPlanner {
  public:
   void configure(const LifecycleNode::WeakPtr& parent,

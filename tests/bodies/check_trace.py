@@ -141,7 +141,7 @@ def moved(pose, twist, time):
         h = pose[2] + 0.5 * r * time
         dx, dy = u * time, v * time
         return (x + dx * math.cos(h) - dy * math.sin(h), y + dx * math.sin(h) + dy * math.cos(h), pose[2] + r * time)
-    # Round the fixed point of the motion, which lies at (-v / r, u / r) in the body.
+    # Around the fixed point of the motion, which lies at (-v / r, u / r) in the body.
     cx, cy = x - v / r * math.cos(h) - u / r * math.sin(h), y - v / r * math.sin(h) + u / r * math.cos(h)
     h += r * time
     return (cx + v / r * math.cos(h) + u / r * math.sin(h), cy + v / r * math.sin(h) - u / r * math.cos(h), h)

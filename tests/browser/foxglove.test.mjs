@@ -58,8 +58,8 @@ test('no message arrives after unsubscribing', async () => {
   const id = client.subscribe(channels.find(({ topic }) => topic === '/fairway/world').id);
   await next(client, 'message');
   client.unsubscribe(id);
-  // The server handles requests in order: the first message of a later subscription ends the time
-  // in which messages of the earlier one may still arrive.
+  // The server handles requests in order. The first message of a later subscription therefore ends
+  // the time in which messages of the earlier one may still arrive.
   const later = client.subscribe(channels.find(({ topic }) => topic === '/robot/pose').id);
   let late = 0;
   let seen = 0;

@@ -309,7 +309,6 @@ test('many robots are a table, and 20 robots keep the page quick', () => withLiv
   await page.click('#tool-robot');
   for (let i = 0; i < 19; ++i) await click(page, 4 + (i % 7) * 2, 5 + Math.floor(i / 7) * 3);
   await until(page, () => window.fairway.run.begin.robots.length === 20);
-  await page.click('#forward');  // a paused world shows its robots with the next frame
   await until(page, () => document.querySelectorAll('.fleet tbody tr').length === 20);
   assert.equal(await page.locator('.card:visible').count(), 1);
   await page.click('.fleet tbody tr:nth-child(5) button');

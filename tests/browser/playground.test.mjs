@@ -55,8 +55,8 @@ async function traceOf(name) {
 
 const rows = (csv) => csv.trim().split('\n').map((line) => line.split(','));
 
-// The functions of the standard libraries differ in the last bit, which can change when the solver
-// stops; so the runs agree within a bound [m, rad, m/s, rad/s].
+// The functions of the standard libraries differ in the last bit. This can change when the solver
+// stops, so the runs agree within a bound [m, rad, m/s, rad/s].
 const BOUND = 1e-3;
 for (const name of ['workshop', 'doorways', 'fleet_crossing']) {
   test(`${name}: the commands are those of the tool`, async () => {

@@ -94,7 +94,7 @@ TEST_F(ZoneChanges, AKeepOutInFrontOfTheRobotIsDrivenAround) {
 
 TEST_F(ZoneChanges, AZoneRightInFrontStopsTheRobotByName) {
   ASSERT_TRUE(drive_until([&](const NavigationStep&) { return robot_.pose.position.x() > 5.0; }));
-  // It cannot brake before this zone, and stands partly inside it then.
+  // It cannot brake before this zone, and stops partly inside it.
   const double x = robot_.pose.position.x() + 0.32;
   navigator_.set_zones(
       {{.kind = ZoneKind::KeepOut, .polygon = {{x, -1.0}, {x + 9, -1.0}, {x + 9, 7.0}, {x, 7.0}}}});
@@ -117,6 +117,29 @@ TEST_F(ZoneChanges, ARobotOutsideOfNewStripsStaysThere) {
   for (int i = 0; i < 200; ++i)
     named = cycle().limit == LimitingFactor::Strip || named;
   EXPECT_TRUE(named);
+  EXPECT_EQ(robot_.twist.linear, 0.0);
+}
+
+TEST_F(ZoneChanges, ASpeedZoneIsNamedWhereItSlowsTheRobot) {
+  navigator_.set_zones(
+      {{.kind = ZoneKind::SpeedLimit, .polygon = {{5, 0}, {8, 0}, {8, 6}, {5, 6}}, .speed = 0.3}});
+  int named = 0;
+  const bool reached = drive_until([&](const NavigationStep& step) {
+    if (step.limit == LimitingFactor::SpeedZone) ++named;
+    return step.status == NavigationStatus::GoalReached;
+  });
+  EXPECT_TRUE(reached);
+  EXPECT_GT(named, 50) << "3 m at 0.3 m/s take a hundred cycles";
+}
+
+TEST_F(ZoneChanges, AOneWayZoneAgainstTheRobotStopsItByName) {
+  ASSERT_TRUE(drive_until([&](const NavigationStep&) { return robot_.pose.position.x() > 5.0; }));
+  navigator_.set_zones({{.kind = ZoneKind::OneWay,
+                         .polygon = {{0, 0}, {12, 0}, {12, 6}, {0, 6}},
+                         .direction = 3.141592653589793}});
+  EXPECT_EQ(cycle().limit, LimitingFactor::OneWayZone);
+  for (int i = 0; i < 50; ++i)
+    cycle();
   EXPECT_EQ(robot_.twist.linear, 0.0);
 }
 

@@ -61,7 +61,7 @@ std::string last_state(const EpisodeResult& result) {
          std::to_string(row.pose.position.x()) + " " + std::to_string(row.pose.position.y());
 }
 
-// Keep-outs and speed limits on the way across the floor.
+// Keep-outs and speed limits along the path across the floor.
 Scenario random_floor(test::Random& random) {
   Scenario scenario = open_floor({1.0, 1.0}, {13.0, 13.0});
   for (int i = random.integer(2, 7); i > 0; --i) {

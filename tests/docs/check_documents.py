@@ -49,7 +49,7 @@ def main() -> int:
 
     checks = {"links": lambda: pages.check_links(root, all_pages),
               "words": lambda: words.check_words(root, all_pages),
-              "statuses": lambda: names.check_statuses(root),
+              "statuses": lambda: names.check_statuses(root) + names.check_provoked(root),
               "keys": lambda: names.check_keys(root),
               "code": code}
     if tool:

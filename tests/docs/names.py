@@ -74,6 +74,21 @@ def check_statuses(root: pathlib.Path) -> list:
                      for text in sorted(described - known)]
 
 
+def check_provoked(root: pathlib.Path) -> list:
+    """Some test names each status and each limiting factor of the navigator."""
+    source = (root / "src/fairway/navigation/navigation_status.hpp").read_text()
+    tests = [path.read_text() for folder in ("tests/unit", "tests/closed_loop")
+             for path in sorted((root / folder).rglob("*.cpp"))]
+    errors = []
+    for enumeration in STATUSES["src/fairway/navigation/navigation_status.hpp"]:
+        for value in dict.fromkeys(re.findall(rf"case {enumeration}::(\w+)", source)):
+            bare = rf"\b{enumeration}::{value}\b"
+            used = rf"using enum {enumeration};(?s:.*)\b{value}\b"
+            if not any(re.search(f"{bare}|{used}", text) for text in tests):
+                errors.append(f"tests: expected a test that names {enumeration}::{value}, found none")
+    return errors
+
+
 def cells_of(row: str) -> list:
     """The cells of a row of a table that say something, with links as their texts."""
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", row)

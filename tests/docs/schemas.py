@@ -7,6 +7,11 @@ import tempfile
 
 KINDS = {"object": dict, "array": list, "string": str, "boolean": bool, "integer": int,
          "number": (int, float), "null": type(None)}
+DYNABARN = {"start": [-3, 0, 0], "goal": [3, 0], "goal_radius": 1.0, "timeout_s": 20.0,
+            "worlds": [{"world": 0, "obstacles": [
+                {"name": "cart", "radius": 0.5, "keys": [[0, 0, 3], [9, 0, -3]]}]}]}
+# A car beside a bay between two boxes, in the form of the TPCAP competition.
+PARKING = "0,4,0,5,0,0,2,4,4,-8,-1,-1,-1,-1,1,-8,1,11,-1,18,-1,18,1,11,1\n"
 PROBLEM = "0 free 0  0 0 0  1 0.2 0  2 0.4 0  0 0 0  -1 -1.5 4 1.5\n"
 
 
@@ -51,19 +56,29 @@ def check_schemas(root: pathlib.Path, tool: pathlib.Path) -> list:
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "problem.txt").write_text(PROBLEM)
+        (folder / "moving.json").write_text(json.dumps(DYNABARN))
+        (folder / "parking").mkdir()
+        (folder / "parking/Case1.csv").write_text(PARKING)
         worlds = root / "benchmarks/make_narrow_worlds.py"
         subprocess.run([worlds, folder / "worlds", "--count", "1"], check=True, capture_output=True)
         subprocess.run([root / "benchmarks/make_body_tasks.py", folder / "bodies"], check=True)
         subprocess.run([root / "benchmarks/make_people_cases.py", folder / "people"], check=True)
+        recorded = [tool, "simulate", root / "scenarios/doorways.yaml", "--log", folder / "run.mcap"]
+        subprocess.run(recorded, check=True, capture_output=True)
         plan = ["plan", workshop, "--start", "2,4.4", "--goal", "22.2,14.6"]
         runs = [plan, [*plan, "--set", "robot.radius=1"], ["simulate", root / "scenarios/workshop.yaml"],
                 ["simulate", root / "scenarios/workshop.yaml", "--time-limit", "1"],
                 ["solve", folder / "problem.txt", "--out", folder / "problem.res"],
-                ["barn", folder / "worlds"], ["bodies", folder / "bodies", "--tasks", "corner_car_mirrored"],
-                ["people", "recorded", folder / "people"]]
+                ["barn", folder / "worlds", "--shard", "1/1"], ["merge", folder / "barn.json"],
+                ["dynabarn", folder / "moving.json"],
+                ["bodies", folder / "bodies", "--tasks", "corner_car_mirrored", "--shard", "1/1"],
+                ["parking", folder / "parking"], ["people", "recorded", folder / "people"],
+                ["people", "crowdnav", folder / "people", "--cases", "0"],
+                ["replay", folder / "run.mcap"], ["compare", folder / "plan.json", folder / "simulate.json"],
+                ["statuses"]]
         errors = []
         for run in runs:
-            out = folder / "result.json"
+            out = folder / f"{run[0]}.json"  # which later commands read
             subprocess.run([tool, *run, "--json", out], capture_output=True, check=False)
             result = json.loads(out.read_text())
             schema = str(result.get("schema", "")).removeprefix("fairway/")

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "fairway/io/recording/scenario_archive.hpp"
+#include "fairway/io/recording/exact/scenario_archive.hpp"
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "support/temporary_folder.hpp"

@@ -8,8 +8,8 @@
 
 namespace fairway::test {
 
-/// Algorithm 1's inner loop literally, in one orientation [rad]: up, left, down, right, one step
-/// after the other, with every strip tested on the map. None when the start is not free.
+/// Algorithm 1's inner loop literally, in one orientation [rad]. It advances up, left, down, right,
+/// one step after the other, with every strip tested on the map. None when the start is not free.
 inline std::optional<OrientedRectangle> grow_step_by_step(const BitGrid& obstacles,
                                                           double clearance,
                                                           const Eigen::Vector2d& seed,

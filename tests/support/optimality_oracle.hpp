@@ -14,8 +14,8 @@
 
 namespace fairway::test {
 
-/// How far a solution is from the first-order optimality conditions, from its commands alone: the
-/// least norm of
+/// Measures how far a solution is from the first-order optimality conditions, from its commands
+/// alone. It is the least norm of
 ///     grad J - sum y_i grad c_i - sum l_j grad g_j
 /// over 0 <= y_i <= penalty weight for the soft constraints at their bound (y_i = penalty weight
 /// where violated, 0 where inactive) and l_j >= 0 for the bounds at their bound. Slow: bounded

@@ -10,8 +10,8 @@
 
 namespace fairway::test {
 
-/// Checks paths between random points of a large map: each keeps its clearance, and there is one
-/// wherever neighbouring cells connect the two points.
+/// Checks paths between random points of a large map. Each path keeps its clearance, and there is
+/// one wherever neighbouring cells connect the two points.
 inline void expect_paths_where_cells_connect(const BitGrid& obstacles) {
   const DistanceField distances(obstacles);
   const GridFrame& frame = obstacles.frame();

@@ -30,7 +30,7 @@ class Random {
 };
 
 /// A random map with difficult geometry: single-cell posts, one-cell diagonal lines and solid
-/// blocks, in half of the cases with a turned, shifted origin.
+/// blocks. Half of the maps have a turned, shifted origin.
 inline OccupancyGrid random_world(Random& random, int max_side = 160) {
   GridFrame frame{.width = random.integer(max_side / 4, max_side),
                   .height = random.integer(max_side / 4, max_side),

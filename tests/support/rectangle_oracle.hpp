@@ -14,7 +14,7 @@ namespace fairway::test {
 /// interior and no side longer than `longest_side` [m], over `num_angles` orientations. Where a
 /// side could be longer, only that length counts.
 ///
-/// Slow and simple: at each orientation all corners within reach are sorted by height, and every
+/// Slow and simple. At each orientation all corners within reach are sorted by height, and every
 /// height above is paired with every height below. Every rectangle that is free in the workspace
 /// avoids the corners too, so none of these orientations has a larger one. A rectangle here may
 /// contain a part of a cell between two of its corners, at most half a cell deep.

@@ -54,6 +54,23 @@ TEST_F(Bodies, DrivesATaskAndWritesResultAndTrace) {
   EXPECT_EQ(trace.rfind("time,robot,x,y,heading,linear,angular\n0.00,robot,1.5", 0), 0U);
 }
 
+TEST_F(Bodies, DrivesOneShardOfItsTasks) {
+  for (const char* name : {"a.json", "b.json", "c.json"})
+    folder_.write(name, task({{"time_limit", 1.0}}));
+  for (const char* part : {"1/2", "2/2"}) {
+    const std::string file = std::string("part") + part[0] + ".out";
+    const ToolRun result =
+        run_tool(folder_, std::string("bodies . --shard ") + part + " --json " + file);
+    EXPECT_EQ(result.code, 1) << result.err;  // no drive takes less than a second
+  }
+  const ToolRun merged = run_tool(folder_, "merge part1.out part2.out");
+  ASSERT_EQ(merged.code, 0) << merged.err;
+  const auto json = nlohmann::json::parse(merged.out);
+  EXPECT_EQ(json.at("tasks").size(), 3U);
+  EXPECT_EQ(json.at("provenance").at("command").at(1), "merge");
+  EXPECT_EQ(run_tool(folder_, "parking . --shard 3/2").code, 2);
+}
+
 TEST_F(Bodies, GivesTheReasonWhereThereIsNoDrive) {
   const ToolRun blocked = run(task({{"goal", {4.0, 0.5, 0.0}}}), "--json result.json");
   EXPECT_EQ(blocked.code, 1);

@@ -30,6 +30,8 @@ Answer run(std::vector<std::string> words) {
   options.add("--animal", ride.animal, "Which").one_of({"horse", "camel"});
   options.add("--legs", ride.legs, "How many").between(1, 8);
   options.add("--seed", ride.seed, "Of its temper").not_negative();
+  std::string name;
+  tool.add_command("call", "Call an animal", [] { return 0; }).add("NAME", name, "Its").required();
   add_left_out_command(tool, "fly", "Fly a kite", "libkite-dev");
   words.insert(words.begin(), "fairway");
   std::vector<char*> arguments;
@@ -69,6 +71,26 @@ TEST(CommandLine, ReportsWhatItExpectedAndWhatItFound) {
   refused({"ride", "--legs", "2.5"}, "--legs: expected an integer from 1 to 8, found '2.5'");
   refused({"ride", "--seed", "-1"}, "--seed: expected an integer from 0 on, found '-1'");
   refused({"ride", "--seed", "nan"}, "--seed: expected an integer from 0 on, found 'nan'");
+  refused({"ride", "--saddle", "red"},
+          "expected the arguments that fairway ride --help lists, found '--saddle red'");
+  refused({"call"}, "NAME: expected a value, see fairway call --help; found none");
+}
+
+TEST(CommandLine, EachHelpNamesTheDocumentsAndTheManualNamesThemOnce) {
+  CommandLine tool;
+  tool.add_command("call", "Call an animal", [] { return 0; }).footer("It may not come.");
+  tool.add_command("ride", "Ride an animal", [] { return 0; });
+  for (const CommandHelp& command : tool.help())
+    EXPECT_EQ(command.footer, command.name == "call" ? "It may not come." : "");
+  for (const char* command : {"call", "ride"}) {
+    std::string words[] = {"fairway", command, "--help"};
+    char* arguments[] = {words[0].data(), words[1].data(), words[2].data()};
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(tool.run(3, arguments), 0);
+    EXPECT_NE(testing::internal::GetCapturedStdout().find("docs/command_line.md"),
+              std::string::npos)
+        << command;
+  }
 }
 
 }  // namespace

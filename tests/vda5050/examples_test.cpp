@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages of the shared data, each with the answer that its index expects. Without the data
-// the tests skip; order_test.cpp and action_test.cpp hold twins that always run.
+// the tests skip; the tests of orders and actions hold twins that always run.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

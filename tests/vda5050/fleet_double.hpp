@@ -130,6 +130,14 @@ class FleetDouble {
     move_to({x, 0.0}, false, true);
   }
 
+  /// Stops at the end of the present leg, on the x axis.
+  void stop_at_node(double x) {
+    time += 0.1;
+    VehicleMotion motion;
+    motion.pose.position = {x, 0.0};
+    vehicle.update(motion, {.route = vehicle.route_revision(), .at_node = true}, time);
+  }
+
   /// The next state message.
   [[nodiscard]] json state() {
     time += 1.0;

@@ -105,25 +105,30 @@ class SimulatedRun {
   int stops = 0;
 
  private:
-  // The check of a fleet control: with the lines and widths of the order.
+  // The check of a fleet control: with the lines and widths of the released edges.
   void note_place(const Eigen::Vector2d& place) {
     places.push_back(place);
-    const std::vector<RouteLeg>& legs = vehicle.order().legs;
+    std::vector<RouteLeg> legs = vehicle.order().legs;
+    legs.resize(std::min(legs.size(), vehicle.order().released_nodes()));
+    if (!legs.empty() && legs[0].edge_sequence != sequence_) {
+      before_ = current_;
+      current_ = legs[0];
+      sequence_ = legs[0].edge_sequence;
+    }
     double least = std::numeric_limits<double>::infinity();
     constexpr double kNear = 0.4;  // [m]
     if (!legs.empty()) {
       least = outside_by(legs[0], place, 0.25);
       if (legs.size() > 1 && (legs[0].end.position - place).norm() < kNear)
         least = std::min(least, outside_by(legs[1], place, 0.25));
+    } else if (current_) {
+      least = outside_by(*current_, place, 0.25);  // stopped at the end of the base
     }
+    // A vehicle may begin beside its strip, inside the ellipse of its first node.
+    if (!before_ && current_ && ellipse_distance(current_->start, place) <= 1.0) least = 0.0;
     if (before_ && (before_->end.position - place).norm() < kNear)
       least = std::min(least, outside_by(*before_, place, 0.25));
     if (std::isfinite(least)) outside = std::max(outside, least);
-    if (!legs.empty() && legs[0].edge_sequence != sequence_) {
-      before_ = current_;
-      current_ = legs[0];
-      sequence_ = legs[0].edge_sequence;
-    }
   }
 
   static constexpr double kPeriod = 0.1;  // [s]

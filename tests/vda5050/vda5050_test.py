@@ -207,7 +207,7 @@ class VehicleTest(unittest.TestCase):
         fleet.send("order", example("3.0.0", "order_corridors"))
         fleet.wait(has_error("NO_ROUTE_TO_TARGET"), 20)
         fleet.send("order", example("3.0.0", "order_free"))
-        fleet.wait(finished("free"), 120, "the order is driven round the closed door")
+        fleet.wait(finished("free"), 120, "the order is driven around the closed door")
         for p in map(position_of, fleet.all("visualization")):
             self.assertFalse(16.9 - 0.24 < p["x"] < 17.5 + 0.24 and 9.9 < p["y"] < 11.4, p)
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "node/leg_strips.hpp"
 
@@ -14,12 +15,6 @@ namespace {
 using Point = Eigen::Vector2d;
 
 constexpr double kFastest = 100.0;  // that a zone can have [m/s]
-
-// How far a strip extends behind the end at which a robot stops: enough for its tolerance.
-double end_extension(const NodeDeviation& deviation) {
-  constexpr double kMost = 0.3;  // [m]
-  return std::min(reach_of(used_deviation(deviation)), kMost);
-}
 
 // The speed limit of a leg, as wide as its strip and a little longer than its line.
 void add_speed(const RouteLeg& leg, Zones& area) {
@@ -126,27 +121,30 @@ void add_zone(const vda5050::Zone& zone, bool line_guided_is_closed, Zones& area
 
 }  // namespace
 
+Zones strips_behind(const RouteLeg& leg, const RouteLeg& next, double reach, double body) {
+  Zones strips =
+      strips_of(leg, std::nullopt, joint_of(leg, next, body), end_extension(leg.end.deviation));
+  keep_near(leg.end.position, reach, body, strips);
+  return strips;
+}
+
 Zones driving_area(std::span<const RouteLeg> legs,
                    std::span<const vda5050::Zone> zones,
-                   double body) {
-  Zones area;
-  std::optional<StripJoint> start;
+                   double body,
+                   const Zones& behind) {
+  Zones area = behind;
+  const auto joints = joints_of(legs, nullptr, body);
+  Zones before;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const RouteLeg& leg = legs[i];
     const bool last = i + 1 == legs.size();
     const double after =
         last ? end_extension(leg.end.deviation) : reach_of(used_deviation(leg.end.deviation));
-    const std::optional<StripJoint> end = last ? std::nullopt : joint_of(leg, legs[i + 1], body);
-    Zones strips;
-    add_strip(leg, reach_of(used_deviation(leg.start.deviation)), after, strips);
-    if (leg.strip) clip_strips(leg, start, end, strips);
+    Zones strips = strips_of(leg, joints[i], joints[i + 1], after);
     area.insert(area.end(), strips.begin(), strips.end());
     add_speed(leg, area);
-    start = end;
-    if (!end) continue;
-    const Strip& a = *leg.strip;
-    const Strip& b = *legs[i + 1].strip;
-    add_gate(leg, *end, 1.5 * std::max({a.left, a.right, b.left, b.right}), area);
+    if (joints[i]) add_gate(legs[i - 1], *joints[i], before, strips, area);
+    before = std::move(strips);
   }
   for (const vda5050::Zone& zone : zones) {
     if (!legs.empty() && !is_near(zone, legs)) continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "fairway/geometry/pose2.hpp"
@@ -15,7 +16,54 @@ using Point = Eigen::Vector2d;
 
 Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
 
-// The part of a convex polygon on the side of a line against `normal`.
+// How far strips reach along the plane of a joint: to its right, as a negative number, and left.
+struct Reach {
+  double right = 0.0;  // [m]
+  double left = 0.0;   // [m]
+};
+
+Reach reach_at(const StripJoint& joint, const Zones& strips) {
+  constexpr double kNear = 0.01;  // beyond the place where both legs have strips [m]
+  Reach reach;
+  for (const fairway::Zone& strip : strips) {
+    const Point first = joint.node - (joint.before + kNear) * joint.along;
+    const Point last = joint.node + (joint.after + kNear) * joint.along;
+    const auto part = clipped(clipped(strip.polygon, last, joint.along), first, -joint.along);
+    for (const Point& corner : part) {
+      const double side = (corner - joint.node).dot(left_of(joint.along));
+      reach.right = std::min(reach.right, side);
+      reach.left = std::max(reach.left, side);
+    }
+  }
+  return reach;
+}
+
+// Clips the strips of a leg that lie near its joints.
+void clip_strips(const RouteLeg& leg,
+                 const std::optional<StripJoint>& start,
+                 const std::optional<StripJoint>& end,
+                 Zones& strips) {
+  const double width = 2.0 * std::max(leg.strip->left, leg.strip->right);
+  const double near_start = width + reach_of(used_deviation(leg.start.deviation));
+  const double near_end = width + reach_of(used_deviation(leg.end.deviation));
+  const double length = length_of(leg.line);
+  std::erase_if(strips, [&](fairway::Zone& strip) {
+    Point middle = Point::Zero();
+    for (const Point& corner : strip.polygon)
+      middle += corner / static_cast<double>(strip.polygon.size());
+    const double arc = nearest_on(leg.line, middle).arc;
+    const bool whole = leg.line.size() == 2;
+    if (end && (whole || length - arc < near_end))
+      strip.polygon = clipped(strip.polygon, end->node + end->after * end->along, end->along);
+    if (start && (whole || arc < near_start))
+      strip.polygon =
+          clipped(strip.polygon, start->node - start->before * start->along, -start->along);
+    return find_fault(strip).has_value();
+  });
+}
+
+}  // namespace
+
 std::vector<Point> clipped(const std::vector<Point>& polygon,
                            const Point& on,
                            const Point& normal) {
@@ -30,8 +78,6 @@ std::vector<Point> clipped(const std::vector<Point>& polygon,
   }
   return kept;
 }
-
-}  // namespace
 
 void add_strip(const RouteLeg& leg, double before, double after, Zones& area) {
   if (!leg.strip) return;
@@ -94,30 +140,49 @@ std::optional<StripJoint> joint_of(const RouteLeg& leg, const RouteLeg& next, do
                     .after = mixed && leg.strip->contour ? reach : kSeam};
 }
 
-// Clips the strips of a leg that lie near its joints.
-void clip_strips(const RouteLeg& leg,
-                 const std::optional<StripJoint>& start,
-                 const std::optional<StripJoint>& end,
-                 Zones& strips) {
-  const double near = 2.0 * std::max(leg.strip->left, leg.strip->right) +
-                      reach_of(used_deviation(leg.end.deviation));
-  const double length = length_of(leg.line);
+std::vector<std::optional<StripJoint>> joints_of(std::span<const RouteLeg> legs,
+                                                 const RouteLeg* behind,
+                                                 double body) {
+  std::vector<std::optional<StripJoint>> joints(legs.size() + 1);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const RouteLeg* before = i > 0 ? &legs[i - 1] : behind;
+    if (before != nullptr) joints[i] = joint_of(*before, legs[i], body);
+  }
+  return joints;
+}
+
+Zones strips_of(const RouteLeg& leg,
+                const std::optional<StripJoint>& start,
+                const std::optional<StripJoint>& end,
+                double after) {
+  Zones strips;
+  add_strip(leg, reach_of(used_deviation(leg.start.deviation)), after, strips);
+  if (leg.strip) clip_strips(leg, start, end, strips);
+  return strips;
+}
+
+double end_extension(const NodeDeviation& deviation) {
+  constexpr double kMost = 0.3;  // [m]
+  return std::min(reach_of(used_deviation(deviation)), kMost);
+}
+
+void keep_near(const Point& point, double reach, double body, Zones& strips) {
+  constexpr int kSides = 16;
   std::erase_if(strips, [&](fairway::Zone& strip) {
-    Point middle = Point::Zero();
-    for (const Point& corner : strip.polygon)
-      middle += corner / static_cast<double>(strip.polygon.size());
-    const double arc = nearest_on(leg.line, middle).arc;
-    const bool whole = leg.line.size() == 2;
-    if (end && (whole || length - arc < near))
-      strip.polygon = clipped(strip.polygon, end->node + end->after * end->along, end->along);
-    if (start && (whole || arc < near))
-      strip.polygon =
-          clipped(strip.polygon, start->node - start->before * start->along, -start->along);
+    const double far = reach + (strip.reference == ZoneReference::Contour ? body : 0.0);
+    for (int i = 0; i < kSides; ++i) {
+      const Point side = direction(2.0 * std::numbers::pi * i / kSides);
+      strip.polygon = clipped(strip.polygon, point + far * side, side);
+    }
     return find_fault(strip).has_value();
   });
 }
 
-void add_gate(const RouteLeg& leg, const StripJoint& joint, double reach, Zones& area) {
+void add_gate(const RouteLeg& leg,
+              const StripJoint& joint,
+              const Zones& of_leg,
+              const Zones& of_next,
+              Zones& area) {
   const Point& along = joint.along;
   const Point side = left_of(along);
   const NodeDeviation used = used_deviation(leg.end.deviation);
@@ -125,10 +190,12 @@ void add_gate(const RouteLeg& leg, const StripJoint& joint, double reach, Zones&
   const Point local = rotated(side, -used.theta);
   const double half = 1.0 / std::hypot(local.x() / used.a, local.y() / used.b);
   constexpr double kShortest = 0.02;  // [m]
-  if (!(reach > half + kShortest)) return;
-  constexpr double kThin = 0.01;  // half the thickness of a wall [m]
+  constexpr double kThin = 0.01;      // half the thickness of a wall [m]
   const Point& node = leg.end.position;
-  for (const double sign : {-1.0, 1.0}) {
+  const Reach a = reach_at(joint, of_leg);
+  const Reach b = reach_at(joint, of_next);
+  const auto add_wall = [&](double sign, double reach) {
+    if (!(reach > half + kShortest)) return;
     const Point inner = node + sign * half * side;
     const Point outer = node + sign * reach * side;
     area.push_back({.kind = ZoneKind::KeepOut,
@@ -136,7 +203,9 @@ void add_gate(const RouteLeg& leg, const StripJoint& joint, double reach, Zones&
                                 outer - kThin * along},
                     .reference = ZoneReference::Centre,
                     .name = leg.end_node_id});
-  }
+  };
+  add_wall(-1.0, -std::max(a.right, b.right));
+  add_wall(1.0, std::min(a.left, b.left));
 }
 
 }  // namespace fairway::vda5050

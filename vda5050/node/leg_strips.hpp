@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "fairway/zones/zones.hpp"
 #include "protocol/orders/route.hpp"
@@ -29,15 +31,38 @@ struct StripJoint {
                                                  const RouteLeg& next,
                                                  double body);
 
-/// Clips the strips of a leg near its joints.
-void clip_strips(const RouteLeg& leg,
-                 const std::optional<StripJoint>& start,
-                 const std::optional<StripJoint>& end,
-                 Zones& strips);
+/// The joints of legs: the one with number i is at the beginning of leg i.
+/// @param behind  The leg before the first one; may be null.
+[[nodiscard]] std::vector<std::optional<StripJoint>> joints_of(std::span<const RouteLeg> legs,
+                                                               const RouteLeg* behind,
+                                                               double body);
 
-/// Walls on both sides of the node at the end of a leg, so that the reference point passes the node
-/// within its deviation.
-/// @param reach  Length of the walls from the node on [m].
-void add_gate(const RouteLeg& leg, const StripJoint& joint, double reach, Zones& area);
+/// The strips of a leg, clipped near its joints.
+/// @param after  How far they extend beyond an end without a joint [m].
+[[nodiscard]] Zones strips_of(const RouteLeg& leg,
+                              const std::optional<StripJoint>& start,
+                              const std::optional<StripJoint>& end,
+                              double after);
+
+/// How far a strip extends behind the end at which a robot stops: enough for its tolerance [m].
+[[nodiscard]] double end_extension(const NodeDeviation& deviation);
+
+/// Keeps of the strips only the part within about `reach` of a point, for the reference point or
+/// for the body.
+/// @param body  Radius of the disc that covers the robot [m].
+void keep_near(const Eigen::Vector2d& point, double reach, double body, Zones& strips);
+
+/// The part of a convex polygon on the side of a line against `normal`; may be empty.
+[[nodiscard]] std::vector<Eigen::Vector2d> clipped(const std::vector<Eigen::Vector2d>& polygon,
+                                                   const Eigen::Vector2d& on,
+                                                   const Eigen::Vector2d& normal);
+
+/// Walls on both sides of the node at the end of a leg, as long as the strips of both legs meet, so
+/// that the reference point passes the node within its deviation.
+void add_gate(const RouteLeg& leg,
+              const StripJoint& joint,
+              const Zones& of_leg,
+              const Zones& of_next,
+              Zones& area);
 
 }  // namespace fairway::vda5050

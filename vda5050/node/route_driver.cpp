@@ -5,7 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "fairway/geometry/angle.hpp"
 #include "fairway/zones/zone_map.hpp"
+#include "node/approach.hpp"
+#include "node/leg_strips.hpp"
+#include "node/legs_apart.hpp"
+#include "protocol/orders/node_passing.hpp"
 
 namespace fairway::vda5050 {
 
@@ -13,50 +18,21 @@ namespace {
 
 constexpr double kWindow = 12.0;     // length of legs that the navigator knows [m]
 constexpr double kRefresh = 5.0;     // length left at which it gets more [m]
+constexpr double kAtNode = 0.3;      // from a node at which the robot has stopped [m]
 constexpr double kFreeWidth = 1.0;   // of the strip around a path that the robot chose [m]
 constexpr double kPatience = 20.0;   // until a closed leg is given up [s]
 constexpr double kStandstill = 3.0;  // without progress, until a leg counts as closed [s]
 constexpr double kRetry = 1.0;       // between attempts while a leg is closed [s]
 
-// Keeps what both areas need: a robot that stands beside its strip, inside the ellipse of the first
-// node, may drive to the line.
-void add_approach(const RouteLeg& leg, const Eigen::Vector2d& robot, std::vector<RouteLeg>& legs) {
-  if (outside_by(leg, robot, 0.0) <= 0.0) return;
-  if (ellipse_distance(leg.start, robot) > 1.5) return;
-  constexpr double kWidth = 0.1;  // [m]
-  const LinePoint near = nearest_on(leg.line, robot);
-  RouteLeg approach;
-  approach.start.position = robot;
-  approach.start.deviation = approach.end.deviation = {.a = kWidth, .b = kWidth};
-  const double arc = std::min(near.arc + 0.3, length_of(leg.line));
-  Eigen::Vector2d join = leg.line.front();
-  double passed = 0.0;
-  for (std::size_t i = 1; i < leg.line.size(); ++i) {
-    const Eigen::Vector2d chord = leg.line[i] - leg.line[i - 1];
-    const double length = chord.norm();
-    if (passed + length >= arc && length > 0.0) {
-      join = leg.line[i - 1] + (arc - passed) / length * chord;
-      break;
-    }
-    passed += length;
-    join = leg.line[i];
+// The legs from `first` on whose length is about that of a window.
+std::vector<RouteLeg> legs_from(const Route& route, std::size_t first, double length) {
+  std::vector<RouteLeg> legs;
+  for (std::size_t i = first; i < route.legs.size(); ++i) {
+    legs.push_back(route.legs[i]);
+    length += length_of(route.legs[i].line);
+    if (length > kWindow && legs.size() > 1) break;
   }
-  approach.end.position = join;
-  approach.line = {robot, join};
-  approach.strip = Strip{.left = kWidth, .right = kWidth};
-  legs.insert(legs.begin(), approach);
-}
-
-std::vector<Eigen::Vector2d> dense(const std::vector<Eigen::Vector2d>& points) {
-  constexpr double kLongest = 0.25;  // [m]
-  std::vector<Eigen::Vector2d> path{points.front()};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Eigen::Vector2d chord = points[i] - points[i - 1];
-    const int pieces = std::max(1, static_cast<int>(std::ceil(chord.norm() / kLongest)));
-    for (int k = 1; k <= pieces; ++k)
-      path.emplace_back(points[i - 1] + static_cast<double>(k) / pieces * chord);
-  }
-  return path;
+  return legs;
 }
 
 }  // namespace
@@ -110,25 +86,30 @@ std::optional<BitGrid> RouteDriver::map_with(Zones zones) const {
   return map;
 }
 
-// A long order is checked in windows, as it is driven.
+// A long order is checked in windows, as it is driven. Neighbours share a leg, so that the joint
+// between them is checked too, except where the robot stops.
 std::optional<std::size_t> RouteDriver::first_closed(const Route& route,
                                                      const std::vector<vda5050::Zone>& zones) {
+  const double body = settings_.robot.radius;
   std::size_t first = 0;
   while (first < route.legs.size()) {
-    std::vector<RouteLeg> legs;
-    double length = 0.0;
-    for (std::size_t i = first; i < route.legs.size() && (legs.empty() || length < kWindow); ++i) {
-      legs.push_back(route.legs[i]);
-      length += length_of(route.legs[i].line);
+    std::vector<RouteLeg> legs = legs_from(route, first, 0.0);
+    for (std::size_t i = 1; i < legs.size(); ++i) {
+      if (needs_stop(legs[i - 1], legs[i])) legs.resize(i);
     }
     if (const auto leg = choose_free_lines(legs, legs.front().start.position, zones))
       return first + *leg;
-    const std::optional<BitGrid> map = map_with(driving_area(legs, zones, settings_.robot.radius));
+    Zones behind;
+    if (first > 0) behind = strips_behind(route.legs[first - 1], legs.front(), kAtNode, body);
+    legs = legs_apart(legs, behind, body).legs;
+    const std::optional<BitGrid> map = map_with(driving_area(legs, zones, body, behind));
     if (!map) return first;
     const LegPath path =
         path_along(*map, legs, std::nullopt, planner_settings(settings_), planner_);
     if (path.closed_leg) return first + *path.closed_leg;
-    first += legs.size();
+    const std::size_t end = first + legs.size();
+    const bool stops = end == route.legs.size() || needs_stop(route.legs[end - 1], route.legs[end]);
+    first = stops || legs.size() == 1 ? end : end - 1;
   }
   return std::nullopt;
 }
@@ -139,6 +120,7 @@ bool RouteDriver::needs_window(const Vehicle& vehicle, const Measurements& m) co
   if (closed_time_ >= 0.0) return waited;
   if (navigator_.plan_is_current() && !navigator_.plan().usable()) return waited;
   if (window_->whole || window_->closed_leg) return false;
+  if (window_->cut && vehicle.legs_passed() == window_->first) return false;
   const LinePoint near = nearest_on(window_->path, m.pose.position);
   return length_of(window_->path) - near.arc < kRefresh;
 }
@@ -150,31 +132,43 @@ LegPath RouteDriver::window_path(const std::vector<RouteLeg>& legs, const Eigen:
   return {.points = path_back(map, legs.front(), robot, planner, planner_), .closed_leg = 0};
 }
 
+// The strips beside those of the present leg in which the robot may be.
+Zones RouteDriver::strips_around(const RouteLeg& leg, const Eigen::Vector2d& robot) const {
+  const double body = settings_.robot.radius;
+  if (!last_leg_) {
+    const auto approach = approach_to(leg, robot);
+    return approach ? strips_of(*approach, std::nullopt, std::nullopt, kAtNode) : Zones{};
+  }
+  if (!last_leg_->strip) return {};
+  constexpr double kSlack = 0.1;  // [m]
+  const bool inside = outside_by(leg, robot, body) <= 0.0;
+  const double here = (robot - last_leg_->end.position).norm();
+  const double reach = inside ? kAtNode : std::max(kAtNode, here + kSlack);
+  return strips_behind(*last_leg_, leg, reach, body);
+}
+
 void RouteDriver::open_window(const Vehicle& vehicle, const Measurements& m) {
   const Route& route = vehicle.route();
   const Eigen::Vector2d& robot = m.pose.position;
   Window window{.route = vehicle.route_revision(), .first = vehicle.legs_passed()};
-  std::vector<RouteLeg> legs;
-  double length = -nearest_on(route.legs[window.first].line, robot).arc;
-  for (std::size_t i = window.first; i < route.legs.size(); ++i) {
-    legs.push_back(route.legs[i]);
-    length += length_of(route.legs[i].line);
-    if (length > kWindow && legs.size() > 1) break;
-  }
-  window.count = legs.size();
-  window.whole = window.first + window.count == route.legs.size();
+  std::vector<RouteLeg> legs =
+      legs_from(route, window.first, -nearest_on(route.legs[window.first].line, robot).arc);
   (void)choose_free_lines(legs, robot, vehicle.zones());
-  std::vector<RouteLeg> allowed = legs;
-  if (last_leg_ && last_leg_->strip) allowed.insert(allowed.begin(), *last_leg_);
-  if (!last_leg_) add_approach(legs.front(), robot, allowed);
+  const double body = settings_.robot.radius;
+  const Zones behind = strips_around(legs.front(), robot);
+  LegsApart apart = legs_apart(legs, behind, body);
+  window.cut = apart.cut;
+  window.stop = apart.stop;
+  legs = std::move(apart.legs);
+  window.count = legs.size();
+  window.whole = !window.cut && window.first + window.count == route.legs.size();
   LegPath path{.closed_leg = 0};
-  if (const Zones area = driving_area(allowed, vehicle.zones(), settings_.robot.radius);
-      validate(area)) {
+  if (const Zones area = driving_area(legs, vehicle.zones(), body, behind); validate(area)) {
     navigator_.set_zones(area);
     path = window_path(legs, robot);
   }
   if (path.closed_leg) window.closed_leg = window.first + *path.closed_leg;
-  if (!path.points.empty()) window.path = dense(path.points);
+  if (!path.points.empty()) window.path = with_short_chords(path.points);
   follow(vehicle, std::move(window), legs);
   window_time_ = m.time;
 }
@@ -184,14 +178,15 @@ void RouteDriver::follow(const Vehicle& vehicle, Window window, const std::vecto
     navigator_.cancel();
   } else {
     const bool to_end = window.whole && !window.closed_leg;
+    const bool stops = to_end || (window.stop && !window.closed_leg);
     Settings now = navigator_.settings();
     const NodePosition& end = legs.back().end;
     constexpr double kShare = 0.6;  // of the deviation that the robot uses
     constexpr double kLeast = 0.03;
     const NodeDeviation used = used_deviation(end.deviation);
-    const double tolerance = to_end ? std::clamp(kShare * std::min(used.a, used.b), kLeast,
-                                                 settings_.navigation.goal_tolerance)
-                                    : settings_.navigation.goal_tolerance;
+    const double tolerance = stops ? std::clamp(kShare * std::min(used.a, used.b), kLeast,
+                                                settings_.navigation.goal_tolerance)
+                                   : settings_.navigation.goal_tolerance;
     const double turn =
         to_end && end.theta && end.theta_deviation > 0.0
             ? std::clamp(kShare * end.theta_deviation, 0.02, settings_.navigation.heading_tolerance)
@@ -208,16 +203,27 @@ void RouteDriver::follow(const Vehicle& vehicle, Window window, const std::vecto
   arrived_ = false;
 }
 
+// Whether the robot has left the place at which it was when it last made progress.
+bool RouteDriver::makes_progress(const Pose2& pose) {
+  constexpr double kFar = 0.05;  // [m]
+  constexpr double kTurn = 0.2;  // [rad]
+  const bool moved = (pose.position - moved_pose_.position).norm() > kFar ||
+                     std::abs(shortest_turn(pose.heading, moved_pose_.heading)) > kTurn;
+  if (moved) moved_pose_ = pose;
+  return moved;
+}
+
 void RouteDriver::report_progress(const Vehicle& vehicle,
                                   const Measurements& m,
                                   DrivenRoute& driven) {
   constexpr double kMoves = 0.02;  // [m/s]
   const bool moves =
       std::abs(driven.command.linear) > kMoves || std::abs(driven.command.angular) > kMoves;
-  if (moves || !driving_ || arrived_) moved_time_ = m.time;
+  if (!driving_ || arrived_ || makes_progress(m.pose)) moved_time_ = m.time;
   const bool at_end = driven.status == NavigationStatus::GoalReached;
   if (at_end && window_->whole && !window_->closed_leg) arrived_ = true;
   driven.report.arrived = arrived_;
+  driven.report.at_node = at_end && window_->stop && !window_->closed_leg;
   const bool before_closed = window_->closed_leg && (at_end || window_->path.empty() || !moves);
   const bool stuck = !arrived_ && m.time - moved_time_ > kStandstill;
   if (!before_closed && !stuck) {

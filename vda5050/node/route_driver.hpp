@@ -57,6 +57,8 @@ class RouteDriver {
     std::size_t first = 0;  // index of its first leg in the route
     std::size_t count = 0;
     bool whole = false;                       // it reaches the end of the route
+    bool cut = false;                         // it ends before a leg that would open a shortcut
+    bool stop = false;                        // the robot stops at the end of its first leg
     std::optional<std::size_t> closed_leg{};  // in the route
     std::vector<Eigen::Vector2d> path{};
   };
@@ -67,10 +69,12 @@ class RouteDriver {
   std::optional<std::size_t> choose_free_lines(std::vector<RouteLeg>& legs,
                                                const Eigen::Vector2d& robot,
                                                const std::vector<vda5050::Zone>& zones);
+  [[nodiscard]] Zones strips_around(const RouteLeg& leg, const Eigen::Vector2d& robot) const;
   [[nodiscard]] LegPath window_path(const std::vector<RouteLeg>& legs,
                                     const Eigen::Vector2d& robot);
   [[nodiscard]] bool needs_window(const Vehicle& vehicle, const Measurements& measurements) const;
   void follow(const Vehicle& vehicle, Window window, const std::vector<RouteLeg>& legs);
+  [[nodiscard]] bool makes_progress(const Pose2& pose);
   void report_progress(const Vehicle& vehicle,
                        const Measurements& measurements,
                        DrivenRoute& driven);
@@ -89,6 +93,7 @@ class RouteDriver {
   double speed_max_;           // now in force [m/s]
   double window_time_ = -1e9;  // of the last window [s]
   double moved_time_ = -1e9;   // when the robot last made progress [s]
+  Pose2 moved_pose_{};         // and where
   double closed_time_ = -1.0;  // since when it waits [s]
 };
 

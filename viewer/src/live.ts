@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { LiveMessage, LiveState } from './data/live_messages';
 import type { Run } from './data/run';
 import { StreamReader } from './data/stream';
 import { EditButtons } from './input/edit_buttons';
@@ -16,26 +17,6 @@ import { SettingsPanel } from './panels/settings_panel';
 import { Legend } from './view/legend';
 import { Viewer } from './view/viewer';
 
-interface State {
-  paused: boolean;
-  speed: number;
-  map: number;
-  maps: string[];
-  sensing: 'map' | 'lidar';
-  noise: 'none' | 'standard';
-  halted: boolean;
-  waiting: boolean;
-  edited: boolean;
-  undo: string;
-  redo: string;
-}
-
-interface Message {
-  state?: State;
-  notice?: string;
-  refused?: { text: string; at?: { x: number; y: number }; settings?: string[] };
-}
-
 const WINDOW = 60; // displayed past [s]
 const KEPT = 600; // past in memory [s]
 
@@ -51,7 +32,7 @@ class Live implements Transport {
   private readonly toolbar: Toolbar;
   private readonly edits: EditButtons;
   private readonly events: EventList;
-  private state: State | null = null;
+  private state: LiveState | null = null;
   private socket: WebSocket | null = null;
   private run: Run | null = null;
   private following = true;
@@ -159,7 +140,7 @@ class Live implements Transport {
       this.pill('live', 'good');
     });
     socket.addEventListener('message', ({ data }) => {
-      if (typeof data === 'string') this.told(JSON.parse(data) as Message);
+      if (typeof data === 'string') this.told(JSON.parse(data) as LiveMessage);
       else this.received(new Uint8Array(data as ArrayBuffer));
     });
     socket.addEventListener('close', () => {
@@ -190,7 +171,7 @@ class Live implements Transport {
     this.noticeTimer = window.setTimeout(() => { root.hidden = true; }, 8000);
   }
 
-  private told({ state, notice, refused }: Message): void {
+  private told({ state, notice, refused }: LiveMessage): void {
     if (notice) this.tell(notice);
     if (refused) this.refuse(refused);
     if (!state) return;
@@ -206,7 +187,7 @@ class Live implements Transport {
     this.showState();
   }
 
-  private refuse({ text, at, settings }: NonNullable<Message['refused']>): void {
+  private refuse({ text, at, settings }: NonNullable<LiveMessage['refused']>): void {
     if (settings) {
       this.settings.refuse(settings, text);
       if (settings.includes('robot.length')) this.body.refused(text);
@@ -255,6 +236,7 @@ class Live implements Transport {
     }
     if (this.settings.show(run.settings)) this.body.show(run.body);
     this.events.follow(run);
+    this.legend.follow(run);
     if (run.frames.length > 1000 && run.duration - run.frames[0]!.time > 1.2 * KEPT) {
       run.forget(run.duration - KEPT);
     }

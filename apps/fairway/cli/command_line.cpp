@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -23,17 +24,43 @@ bool names_no_command(const CLI::App& tool, const std::string& word) {
                       [&](const CLI::App* command) { return command->check_name(word); });
 }
 
-// Of the one command that a process carries out.
-std::vector<std::string>& command_line_words() {
-  static std::vector<std::string> words;
-  return words;
-}
-
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words)
     text += (text.empty() ? "" : between) + word;
   return text;
+}
+
+// What a command adds to the footer of the tool.
+std::string own_footer(const CLI::App& command, const std::string& of_tool) {
+  std::string footer = command.get_footer();
+  if (footer.ends_with(of_tool)) footer.resize(footer.size() - of_tool.size());
+  if (footer.ends_with('\n')) footer.pop_back();
+  return footer;
+}
+
+// What is wrong with the arguments, in the words of the tool.
+std::string problem_of(const CLI::ParseError& error, const CLI::App& tool) {
+  std::string command = tool.get_name();
+  for (const CLI::App* chosen : tool.get_subcommands())
+    command += " " + chosen->get_name();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    return fmt::format("expected the arguments that {} --help lists, found {}", command,
+                       io::excerpt(joined(tool.remaining(true), " ")));
+  }
+  const std::string text = error.what();
+  constexpr std::string_view kRequired = " is required";
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && text.ends_with(kRequired)) {
+    return fmt::format("{}: expected a value, see {} --help; found none",
+                       text.substr(0, text.size() - kRequired.size()), command);
+  }
+  return text;
+}
+
+// Of the one command that a process carries out.
+std::vector<std::string>& command_line_words() {
+  static std::vector<std::string> words;
+  return words;
 }
 
 }  // namespace
@@ -119,7 +146,9 @@ void Options::add_flag(const char* name, bool& value, const char* help) const {
 
 void Options::take_anything() const { command_->allow_extras(); }
 
-void Options::footer(const std::string& text) const { command_->footer(text); }
+void Options::footer(const std::string& text) const {
+  command_->footer(text + '\n' + command_->get_footer());  // which begins as that of the tool
+}
 
 const char* tool_version() noexcept { return FAIRWAY_VERSION; }
 
@@ -132,7 +161,8 @@ CommandLine::CommandLine()
   tool_->require_subcommand(1);
   tool_->footer(
       "Exit codes: 0 done, 1 the task failed, 2 bad usage or bad input.\n"
-      "Documents: docs/README.md in the sources, share/doc/fairway where it is installed.");
+      "Documents: docs/command_line.md and docs/README.md in the sources, share/doc/fairway where "
+      "they are installed.");
 }
 
 CommandLine::~CommandLine() = default;
@@ -149,7 +179,7 @@ std::vector<CommandHelp> CommandLine::help() const {
        tool_->get_subcommands([](const CLI::App* /*command*/) { return true; })) {
     CommandHelp command{.name = app->get_name(),
                         .help = app->get_description(),
-                        .footer = app->get_footer(),
+                        .footer = own_footer(*app, tool_->get_footer()),
                         .options = {}};
     for (const CLI::Option* option : app->get_options()) {
       OptionHelp one{.name = option->get_name(),
@@ -191,7 +221,7 @@ int CommandLine::run(int argc, char** argv) {
   } catch (const CLI::Success& success) {  // --help, --version
     return tool_->exit(success);
   } catch (const CLI::ParseError& error) {
-    print_error(error.what());
+    print_error(problem_of(error, *tool_));
     return kBadInput;
   }
   const Expected<int> code = chosen_();

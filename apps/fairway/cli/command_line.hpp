@@ -77,8 +77,8 @@ using Work = std::function<Expected<int>()>;
 
 [[nodiscard]] const char* tool_version() noexcept;
 
-/// The words of the command line that this process was started with, the tool's name first; for
-/// results that say how they were made.
+/// Returns the words of the process's command line, the tool's name first. Results name it in their
+/// provenance.
 [[nodiscard]] const std::vector<std::string>& given_command_line() noexcept;
 
 /// What help says about an argument or option of a command.

@@ -114,4 +114,12 @@ Expected<void> check_picture_output(const std::string& path) {
   return io::check_writable(path);
 }
 
+Expected<void> check_animation_output(const std::string& path) {
+  if (path.empty()) return {};
+  const auto format = io::picture_format(path);
+  if (!format || *format != io::PictureFormat::Svg)
+    return fail("--animation: expected a file that ends in .svg, found " + io::excerpt(path));
+  return io::check_writable(path);
+}
+
 }  // namespace fairway::app

@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 /// from a file name, become U+FFFD; numbers that are not finite become null.
 [[nodiscard]] std::string json_text(const Json& json);
 
-/// Keeps what was noted about input files until the command has ended: a command that fails with
-/// exit code 2 prints its error and nothing else.
+/// Keeps the notes about input files until the command has ended. A command that fails with exit
+/// code 2 prints its error and nothing else.
 void note(const io::FileNotes& notes);
 
 /// Notes a file that the command reads, for `check_apart`.
@@ -45,8 +45,8 @@ struct NamedOutput {
   std::string path;  ///< empty: none
 };
 
-/// Whether all outputs differ from each other and from every input noted so far, also where links
-/// or other spellings name the same file. To be called before the first of them is opened.
+/// Checks that all outputs differ from each other and from every input noted so far. Links and
+/// other spellings of the same file count as equal. Call it before the first output is opened.
 [[nodiscard]] Expected<void> check_apart(const std::vector<NamedOutput>& outputs);
 
 /// Whether `write_output` could succeed, for work that is long.
@@ -54,5 +54,8 @@ struct NamedOutput {
 
 /// Does the same for a picture, whose name must end in .svg, .png or .pdf.
 [[nodiscard]] Expected<void> check_picture_output(const std::string& path);
+
+/// Does the same for an animation, whose name must end in .svg.
+[[nodiscard]] Expected<void> check_animation_output(const std::string& path);
 
 }  // namespace fairway::app

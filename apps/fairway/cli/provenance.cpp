@@ -79,7 +79,7 @@ Json map_json(const OccupancyGrid& map) {
           {"cells_crc32", hexadecimal(crc)}};
 }
 
-// A setting's text as the JSON value that it stands for.
+// Returns a setting's text as the JSON value that it denotes.
 Json setting_json(const std::string& text) {
   if (text == "true" || text == "false") return text == "true";
   if (const std::optional<double> number = io::parse_number(text)) return *number;

@@ -12,7 +12,7 @@
 
 namespace fairway::app {
 
-/// What a result was made from.
+/// The inputs of a result.
 struct Provenance {
   const char* schema;              ///< "plan.v1": docs/schemas/plan.v1.schema.json describes it
   std::vector<std::string> files;  ///< files and folders that were read; empty names are left out

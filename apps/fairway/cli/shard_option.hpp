@@ -8,7 +8,7 @@
 
 namespace fairway::app {
 
-/// Part `index` of `count` parts of a batch of runs: every count-th run, so that long and short
+/// Part `index` of `count` parts of a batch. It holds every count-th run, so that long and short
 /// runs spread evenly.
 struct Shard {
   std::size_t index = 1;  ///< 1 to count
@@ -21,7 +21,7 @@ struct Shard {
 /// Adds --shard I/N to a command; `text` is what was given, empty for all runs.
 void add_shard_option(const Options& options, std::string& text);
 
-/// The shard that `text` stands for. @pre the option accepted it.
+/// Returns the shard that `text` denotes. @pre the option accepted it.
 [[nodiscard]] Shard parse_shard(const std::string& text);
 
 }  // namespace fairway::app

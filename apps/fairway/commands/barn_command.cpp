@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
 #include "cli/physics_choice.hpp"
@@ -22,6 +21,7 @@
 #include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/trace_file.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
+#include "results/barn_output.hpp"
 #include "results/episode_output.hpp"
 #include "results/film.hpp"
 #include "results/run_outputs.hpp"
@@ -32,11 +32,6 @@ namespace {
 
 using ReadWorlds = Expected<std::vector<BarnWorld>> (*)(const std::string&,
                                                         const std::vector<int>&);
-
-Json microseconds(const std::vector<double>& seconds) {
-  const Quantiles q = quantiles(seconds);
-  return Json{{"median", 1e6 * q.median}, {"p99", 1e6 * q.p99}, {"max", 1e6 * q.max}};
-}
 
 struct BarnCommand {
   ReadWorlds read = nullptr;
@@ -69,7 +64,6 @@ struct BarnCommand {
                                           const BarnScore& score,
                                           const EpisodeResult& result);
   [[nodiscard]] Expected<void> make_folders() const;
-  [[nodiscard]] Json summary_json(const BarnSummary& summary) const;
 };
 
 Expected<std::vector<int>> BarnCommand::numbers() const {
@@ -171,34 +165,6 @@ Expected<void> BarnCommand::make_folders() const {
   return {};
 }
 
-Json BarnCommand::summary_json(const BarnSummary& summary) const {
-  Json all = Json::array();
-  for (const BarnTrial& trial : summary.trials) {
-    const BarnScore& score = trial.score;
-    Json row{{"world", score.world},
-             {"trial", score.trial},
-             {"success", score.success},
-             {"collided", score.collided},
-             {"time", score.time},
-             {"score", score.score},
-             {"min_clearance", trial.clearance}};
-    if (std::isfinite(trial.separation)) row["min_separation"] = trial.separation;
-    all.push_back(std::move(row));
-  }
-  return Json{{"worlds", std::move(all)},
-              {"success_rate", summary.success_rate()},
-              {"contact_rate", summary.contact_rate()},
-              {"mean_score", summary.mean_score()},
-              {"median_arrival", quantiles(summary.arrivals).median},
-              {"sensing", sensing},
-              {"physics", physics},
-              {"noise", noise},
-              {"cycle_us", microseconds(summary.cycle_seconds)},
-              {"sense_us", microseconds(summary.sense_seconds)},
-              {"plan_us", microseconds(summary.plan_seconds)},
-              {"note", kBarnNote}};
-}
-
 Expected<int> BarnCommand::run() {
   if (const auto checked = check_output(json); !checked) return tl::unexpected(checked.error());
   const Expected<std::vector<int>> wanted = numbers();
@@ -240,7 +206,7 @@ Expected<int> BarnCommand::run() {
     }
   }
   if (!json.empty()) {
-    Json result = summary_json(summary);
+    Json result = barn_json(summary, {.sensing = sensing, .physics = physics, .noise = noise});
     if (!shard.empty()) result["shard"] = shard;
     add_provenance(result, {.schema = "barn.v1",
                             .files = {source, settings.file},
@@ -251,15 +217,7 @@ Expected<int> BarnCommand::run() {
     }
   }
   if (json != "-") {
-    const Quantiles arrival = quantiles(summary.arrivals);
-    const Quantiles cycle = quantiles(summary.cycle_seconds);
-    const std::string text =
-        failures +
-        fmt::format(
-            "{} runs: success {:.1f} %, contact {:.1f} %, score {:.4f} of 0.5, median arrival "
-            "{:.2f} s, cycle {:.0f}/{:.0f} us median/p99\nNote: {}\n",
-            summary.trials.size(), 100.0 * summary.success_rate(), 100.0 * summary.contact_rate(),
-            summary.mean_score(), arrival.median, 1e6 * cycle.median, 1e6 * cycle.p99, kBarnNote);
+    const std::string text = failures + barn_text(summary);
     if (const auto done = print(text); !done) return tl::unexpected(done.error());
   }
   return failures.empty() ? kDone : kFailed;
@@ -273,7 +231,8 @@ void add_command(
   options.add("SOURCE", command->source, source).required();
   options.add("--worlds", command->worlds, "all, or numbers separated by commas");
   options.add("--sensing", command->sensing, "What the robot knows").one_of({"map", "lidar"});
-  options.add("--physics", command->physics, "What moves the robot").one_of({"unicycle", "mujoco"});
+  options.add("--physics", command->physics, "Model that moves the robot")
+      .one_of({"unicycle", "mujoco"});
   options.add("--noise", command->noise, "Errors of lidar and odometry")
       .one_of({"none", "standard"});
   options

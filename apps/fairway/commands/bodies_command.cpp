@@ -137,8 +137,9 @@ void add(
   options.add("--tasks", command->tasks, "all, or names with commas between them");
   options
       .add("--physics", command->physics,
-           "What moves the robot: the kinematics of its base, or MuJoCo")
+           "Model that moves the robot: the kinematics of its base, or MuJoCo")
       .one_of({"unicycle", "mujoco"});
+  add_shard_option(options, command->shard);
   options.add("--trace-dir", command->trace_dir, "Write the rows of every drive here, as NAME.csv");
   options.add("--json", command->json, "Write the result as JSON; - is standard output")
       .type_name("FILE");

@@ -10,6 +10,7 @@
 #include "cli/json_file.hpp"
 #include "cli/number_option.hpp"
 #include "cli/output.hpp"
+#include "cli/provenance.hpp"
 #include "commands/commands.hpp"
 #include "node/order_client.hpp"
 
@@ -50,14 +51,16 @@ Expected<int> OrderCommand::run() {
         if (terminal) std::fprintf(stderr, "%s\n", line.c_str());
       });
   if (!result) return tl::unexpected(result.error());
-  if (json.empty()) {
+  if (json != "-") {
     const auto printed = print((result->done ? "done: " : "not done: ") + result->text + "\n");
     if (!printed) return tl::unexpected(printed.error());
   }
-  const Json written{
-      {"success", result->done}, {"text", result->text}, {"state", result->last_state}};
-  if (const auto done = write_output(json, json_text(written)); !done)
-    return tl::unexpected(done.error());
+  if (!json.empty()) {
+    Json written{{"success", result->done}, {"text", result->text}, {"state", result->last_state}};
+    add_provenance(written, {.schema = "order.v1", .files = {file}});
+    if (const auto done = write_output(json, json_text(written)); !done)
+      return tl::unexpected(done.error());
+  }
   return result->done ? kDone : kFailed;
 }
 

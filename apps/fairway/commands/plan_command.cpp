@@ -86,7 +86,7 @@ PreparedMap prepared(const OccupancyGrid& grid, const PlanQuery& query) {
 PlanAnswer answer(const OccupancyGrid& grid, const PlanQuery& query, int repeats) {
   PlanAnswer best;
   Planner planner;
-  // The fastest repeat of each stage counts: the first ones fetch memory from the system, and other
+  // The fastest repeat of each stage counts. The first ones fetch memory from the system, and other
   // programs may use the machine. 0 repeats: as many as take no noticeable time.
   constexpr int kMostRepeats = 50;
   constexpr double kUnnoticed = 0.4;  // [s]
@@ -152,8 +152,8 @@ Expected<int> PlanCommand::run() const {
     if (!inside) return tl::unexpected(inside.error());
   }
   query.hooks = {.clock = steady_seconds,
-                 // The requested radius, or the clearance at start and goal if that is less; the
-                 // navigator adds a part of the path's margin.
+                 // Returns the requested radius, or the clearance at start and goal if that is
+                 // less. The navigator adds a part of the path's margin.
                  .build =
                      [&](const BitGrid& obstacles, const Path& path, double radius,
                          const CorridorSettings& corridor_settings) {

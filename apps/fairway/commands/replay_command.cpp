@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "cli/provenance.hpp"
 #include "commands/commands.hpp"
 #include "fairway/io/recording/reading/recording_reader.hpp"
 #include "fairway/io/recording/recording.hpp"
@@ -80,9 +81,15 @@ Expected<int> ReplayCommand::run() const {
       return tl::unexpected(done.error());
     }
   }
-  const auto told =
-      json.empty() ? print(table(check)) : write_output(json, json_text(result(check)));
-  if (!told) return tl::unexpected(told.error());
+  if (!json.empty()) {
+    Json written = result(check);
+    add_provenance(written, {.schema = "replay.v1", .files = {recording}});
+    if (const auto done = write_output(json, json_text(written)); !done)
+      return tl::unexpected(done.error());
+  }
+  if (json != "-") {
+    if (const auto done = print(table(check)); !done) return tl::unexpected(done.error());
+  }
   return check.different() == 0 ? kDone : kFailed;
 }
 

@@ -132,8 +132,7 @@ void add_reproduce_command(CommandLine& tool) {
       .shows_default();
   add_settings_options(options, command->settings);
   options.footer(
-      "Settings apply to the runs called ours. Exit code 1: a run broke a guarantee, for example "
-      "by "
+      "Settings apply to the runs of Fairway. Exit code 1: a run broke a guarantee, for example by "
       "a contact.");
 }
 

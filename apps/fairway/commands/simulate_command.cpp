@@ -19,8 +19,10 @@
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/trace_file.hpp"
+#include "fairway/simulation/recorded/observer_list.hpp"
 #include "fairway/simulation/scenarios/swap_scenario.hpp"
 #include "results/episode_output.hpp"
+#include "results/run_animation.hpp"
 #include "results/run_outputs.hpp"
 
 namespace fairway::app {
@@ -43,6 +45,8 @@ struct SimulateCommand {
   std::string json;
   std::string trace;
   std::string picture;
+  std::string animation;
+  RunAnimation moving;
   std::string speeds;
   SettingsOptions settings;
   RunOutputs outputs;
@@ -148,6 +152,11 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
     if (!bytes) return tl::unexpected(bytes.error());
     if (auto done = write_output(picture, *bytes); !done) return done;
   }
+  if (!animation.empty()) {
+    const Expected<std::string> bytes = moving.draw(world, result);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (auto done = write_output(animation, *bytes); !done) return done;
+  }
   if (!speeds.empty()) {
     const Expected<std::string> bytes = speed_picture(world, result, speeds);
     if (!bytes) return tl::unexpected(bytes.error());
@@ -171,8 +180,9 @@ Expected<void> SimulateCommand::write(const Scenario& world, const EpisodeResult
 }
 
 Expected<int> SimulateCommand::run() {
-  for (const auto& checked : {check_output(json), check_output(trace),
-                              check_picture_output(picture), check_picture_output(speeds)}) {
+  for (const auto& checked :
+       {check_output(json), check_output(trace), check_animation_output(animation),
+        check_picture_output(picture), check_picture_output(speeds)}) {
     if (!checked) return tl::unexpected(checked.error());
   }
   const Expected<Scenario> world = load();
@@ -180,6 +190,7 @@ Expected<int> SimulateCommand::run() {
   if (const auto apart = check_apart({{"--json", json},
                                       {"--trace", trace},
                                       {"--picture", picture},
+                                      {"--animation", animation},
                                       {"--speeds", speeds},
                                       {"--log", outputs.log},
                                       {"--report", outputs.report}});
@@ -190,6 +201,9 @@ Expected<int> SimulateCommand::run() {
       choose_physics(setting_names(world->engine)[static_cast<std::size_t>(world->engine)]);
   if (!engine) return tl::unexpected(engine.error());
   if (const auto opened = outputs.open(); !opened) return tl::unexpected(opened.error());
+  ObserverList observers;
+  if (EpisodeObserver* const writes = outputs.observer(); writes != nullptr) observers.add(*writes);
+  if (!animation.empty()) observers.add(moving);
   Progress progress(world->name);
   const EpisodeHooks hooks{.clock = steady_seconds,
                            .on_cycle =
@@ -200,7 +214,7 @@ Expected<int> SimulateCommand::run() {
                                },
                            .physics = *engine,
                            .solver = nullptr,
-                           .observer = outputs.observer(),
+                           .observer = observers.empty() ? nullptr : &observers,
                            .play = {}};
   const EpisodeResult result = run_episode(*world, hooks);
   if (const auto closed = outputs.close(); !closed) return tl::unexpected(closed.error());
@@ -236,7 +250,7 @@ void add_simulate_command(CommandLine& tool) {
       .one_of({"map", "lidar"});
   options.add("--noise", command->noise, "Errors of lidar and odometry; overrides the scenario")
       .one_of({"none", "standard"});
-  options.add("--physics", command->physics, "What moves the robots; overrides the scenario")
+  options.add("--physics", command->physics, "Model that moves the robots; overrides the scenario")
       .one_of({"unicycle", "mujoco"});
   options
       .add("--body", command->body,
@@ -250,6 +264,8 @@ void add_simulate_command(CommandLine& tool) {
   options.add("--trace", command->trace, "Write every cycle as CSV; - is standard output")
       .type_name("FILE.csv");
   options.add("--picture", command->picture, "Draw the run; .svg, .png or .pdf").type_name("FILE");
+  options.add("--animation", command->animation, "Draw the run as a moving picture; .svg")
+      .type_name("FILE.svg");
   options.add("--speeds", command->speeds, "Draw speeds over time; .svg, .png or .pdf")
       .type_name("FILE");
   add_run_options(options, command->outputs);

@@ -60,12 +60,12 @@ struct SolveCommand {
   std::string out;
   std::string solver = "interior_point";
   std::string warm_file;
-  int starts = 4;
+  int starts = 0;  // 0: as many as the solver takes by default
   int repeat = 1;
   std::string json;
   SettingsOptions settings;
 
-  [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<int> run();
   [[nodiscard]] Expected<Settings> load() const;
   [[nodiscard]] SolvedInstance solve_one(InstanceSolver& solve,
                                          const ControlProblem& problem,
@@ -115,7 +115,8 @@ Expected<Settings> SolveCommand::load() const {
   return loaded;
 }
 
-Expected<int> SolveCommand::run() const {
+Expected<int> SolveCommand::run() {
+  if (starts == 0) starts = solver == "interior_point" ? 4 : 1;
   if (out.empty()) return fail("--out: expected a file name, found an empty one");
   note_input(instances_file);
   note_input(warm_file);
@@ -181,8 +182,9 @@ void add_solve_command(CommandLine& tool) {
       .shows_default()
       .one_of({"interior_point", "ipopt"});
   options.add("--warm", command->warm_file, "Result file with commands for a warm start");
-  options.add("--starts", command->starts, "Number of starts per instance; the best result is kept")
-      .shows_default()
+  options
+      .add("--starts", command->starts,
+           "Number of starts per instance; the best result is kept (default: 4, for ipopt 1)")
       .between(1, 1000);
   options.add("--repeat", command->repeat, "Number of repeats; the fastest time is written")
       .shows_default()

@@ -15,8 +15,8 @@ namespace fairway::app {
 /// The result as a short table for the user.
 [[nodiscard]] std::string episode_table(const EpisodeResult& result);
 
-/// Describes in one line which robot failed first and why: its position, the reason why there is no
-/// plan, or its last status. @pre the run was not successful.
+/// Describes in one line which robot failed first and why. The line has its position, the reason
+/// why there is no plan, or its last status. @pre the run was not successful.
 [[nodiscard]] std::string failure_text(const Scenario& scenario, const EpisodeResult& result);
 
 /// The pictures of a run, in the format that the file name's suffix selects.

@@ -2,7 +2,7 @@
 #include "results/instance_solver.hpp"
 
 #include "cli/left_out.hpp"
-#include "fairway/mpc/interior_point/solver.hpp"
+#include "fairway/mpc/interior_point/four_start_solver.hpp"
 
 #ifdef FAIRWAY_HAS_IPOPT
 #include "fairway/mpc/ipopt/ipopt_solver.hpp"
@@ -18,13 +18,13 @@ class InteriorPoint final : public InstanceSolver {
                            std::span<const InitialGuess> guesses) override {
     const InteriorPointSettings settings =
         guesses.front().count > 0 ? InteriorPointSettings::warm() : InteriorPointSettings{};
-    if (guesses.size() == 1) return solver_.solve(problem, guesses.front(), settings);
-    if (guesses.size() == 4) return solver_.solve_from_four(problem, guesses.front(), settings);
-    return solver_.solve_best(problem, guesses, settings);
+    if (guesses.size() == 1) return solver_.single().solve(problem, guesses.front(), settings);
+    if (guesses.size() == 4) return solver_.solve(problem, guesses.front(), settings);
+    return solver_.single().solve_best(problem, guesses, settings);
   }
 
  private:
-  InteriorPointSolver solver_;
+  FourStartSolver solver_;
 };
 
 #ifdef FAIRWAY_HAS_IPOPT

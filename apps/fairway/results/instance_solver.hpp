@@ -19,14 +19,14 @@ class InstanceSolver {
   InstanceSolver& operator=(const InstanceSolver&) = delete;
   virtual ~InstanceSolver() = default;
 
-  /// Solves from each guess (at least one) and keeps the best result: a solved one first, then the
-  /// least cost plus penalty. Valid until the next call.
+  /// Solves from each guess (at least one) and keeps the best result. A solved one comes first,
+  /// then the least cost plus penalty. Valid until the next call.
   [[nodiscard]] virtual const MpcSolution& solve(const ControlProblem& problem,
                                                  std::span<const InitialGuess> guesses) = 0;
 };
 
-/// Makes `interior_point`, `ipopt` (the paper's method with soft constraints) or `ipopt_hard` (the
-/// paper's method); an error if this build lacks it.
+/// Makes a solver by name; an error if this build lacks it. The names are `interior_point`, `ipopt`
+/// (the paper's method with soft constraints) and `ipopt_hard` (the paper's method).
 [[nodiscard]] Expected<std::unique_ptr<InstanceSolver>> make_instance_solver(
     const std::string& name);
 

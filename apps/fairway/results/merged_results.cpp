@@ -128,8 +128,8 @@ Json joined(std::string_view key, const std::vector<Weighted>& parts) {
   return object;
 }
 
-// How much a part counts in a summary: means of `fairway people` are over its successes, and its
-// rate of danger is over its steps; everything else is over all runs.
+// Returns the weight of a part in a summary. Means of `fairway people` are over its successes, and
+// its rate of danger is over its steps; everything else is over all runs.
 double weight_of(std::string_view key, const Json& runs) {
   double weight = 0.0;
   for (const Json& run : runs) {

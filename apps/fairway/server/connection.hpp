@@ -13,7 +13,7 @@ namespace fairway::app {
   return std::make_shared<const std::string>(std::move(text));
 }
 
-/// A WebSocket and the client at its other end. Used in the network's thread only.
+/// A WebSocket connection and the client at its other end. Used only in the network's thread.
 class Connection {
  public:
   Connection() = default;
@@ -21,12 +21,12 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
   virtual ~Connection() = default;
 
-  /// Queues a message. One who reads too slowly for too long is disconnected, though not within
+  /// Queues a message. A client that reads too slowly for too long is disconnected, but not within
   /// this call.
   virtual void send(std::shared_ptr<const std::string> message, bool binary) = 0;
 };
 
-/// What talks through it.
+/// Receives the events of a connection.
 class Dialogue {
  public:
   Dialogue() = default;
@@ -34,7 +34,7 @@ class Dialogue {
   Dialogue& operator=(const Dialogue&) = delete;
   virtual ~Dialogue() = default;
 
-  /// The connection is open; it lives until `on_closed`, and no message comes after that.
+  /// Called when the connection is open. It exists until `on_closed`; no message comes after that.
   virtual void on_open(Connection& connection) = 0;
   virtual void on_message(Connection& connection, std::string_view message, bool binary) = 0;
   virtual void on_closed(Connection& connection) = 0;

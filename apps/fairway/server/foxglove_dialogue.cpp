@@ -52,7 +52,7 @@ void FoxgloveDialogue::on_open(Connection& connection) {
 void FoxgloveDialogue::on_closed(Connection& connection) { viewers_.erase(&connection); }
 
 void FoxgloveDialogue::on_message(Connection& connection, std::string_view message, bool binary) {
-  if (binary) return;  // clients may publish in binary; nothing is taken from them
+  if (binary) return;  // clients may publish in binary; their messages are ignored
   try {
     const Json json = Json::parse(message);
     const auto& op = json.at("op").get_ref<const std::string&>();
@@ -91,7 +91,7 @@ void FoxgloveDialogue::tell_all(const Json& json) {
     viewer->send(message, false);
 }
 
-// A new run has channels of its own; those of the one before are gone.
+// A new run has its own channels; those of the run before are removed.
 void FoxgloveDialogue::replace_channels(LiveMessages::Batch& batch) {
   if (batch.begins_run && !channels_.empty()) {
     Json gone = Json::array();

@@ -12,8 +12,8 @@
 
 namespace fairway::app {
 
-/// Talks with viewers in the protocol foxglove.websocket.v1: announces channels, and sends the
-/// messages of those that were subscribed to. Whoever subscribes gets the last message at once.
+/// Serves viewers by the protocol foxglove.websocket.v1: announces channels and sends subscribed
+/// messages. A new subscriber receives the last message at once.
 class FoxgloveDialogue final : public Dialogue {
  public:
   static constexpr const char* kProtocol = "foxglove.websocket.v1";

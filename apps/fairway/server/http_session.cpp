@@ -58,7 +58,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
   }
 
  private:
-  // Who may not ask, or asks for nothing we have, is told before a body is read.
+  // Requests that are not allowed, or ask for unknown targets, are answered before a body is read.
   void on_header() {
     const auto& request = parser_->get();
     const std::string_view host = view(request[http::field::host]);
@@ -107,7 +107,8 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
     downloading_ = true;
     stream_.expires_never();  // the world answers when it is between two cycles
     const auto executor = stream_.get_executor();
-    // The world's thread hands the session back whole: it must end in the network's.
+    // The world's thread hands the session back, because it must be destroyed in the network's
+    // thread.
     const auto done = [self = shared_from_this(), executor, name](std::string bytes) mutable {
       boost::asio::post(
           executor, [self = std::move(self), name, bytes = std::move(bytes)]() mutable {
@@ -120,11 +121,11 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
 
   void take_map() {
     const std::string_view type = view(parser_->get()[http::field::content_type]);
-    // Other types could be sent by a page of any site without asking first.
+    // A page of any site could send other content types without a preflight request.
     if (type != "application/json") return refuse(http::status::unsupported_media_type);
     stream_.expires_never();  // decoding has bounds of its own
     const auto executor = stream_.get_executor();
-    // The thread hands the session back whole: it must end in the network's.
+    // The thread hands the session back, because it must be destroyed in the network's thread.
     const auto done = [self = shared_from_this(), executor](MapUploads::Outcome outcome,
                                                             std::string reason) mutable {
       boost::asio::post(executor,
@@ -151,7 +152,7 @@ class HttpSession final : public std::enable_shared_from_this<HttpSession> {
     if (!is_viewer && view(request.target()) != "/live") return refuse(http::status::not_found);
     context_.world.welcome();
     Dialogue& dialogue = is_viewer ? static_cast<Dialogue&>(context_.viewers) : context_.pages;
-    // The connection now belongs to the socket session, with its end.
+    // The socket session now owns the connection, and reports its end.
     start_socket_session(std::move(stream_), parser_->release(), dialogue,
                          is_viewer ? FoxgloveDialogue::kProtocol : nullptr,
                          std::exchange(on_end_, nullptr));

@@ -14,7 +14,7 @@
 
 namespace fairway::app {
 
-/// What requests are answered from. Lives as long as the network's loop.
+/// The state from which requests are answered. Exists as long as the network's loop.
 struct HttpContext {
   LiveWorld& world;
   MapUploads& uploads;
@@ -27,13 +27,13 @@ struct HttpContext {
 /// Answers the requests of one connection, one after another:
 ///
 ///     GET /                                            the page
-///     GET /recording.mcap /scenario.zip /report.html   what the world is asked to save
+///     GET /recording.mcap /scenario.zip /report.html   files that the world makes
 ///     POST /map                                        a map: {name, yaml, resolution, image}
 ///     WebSocket /live                                  the page's dialogue
 ///     WebSocket with foxglove.websocket.v1             viewers
 ///
-/// An image is base64. So that memory is bounded, few downloads are answered at the same time.
-/// Nothing of a request is ever used as a name of a file.
+/// An image is base64. To bound memory, only few downloads are answered at the same time. No part
+/// of a request is ever used as a file name.
 /// @param on_end  Called once when the connection is over.
 void start_http_session(boost::asio::ip::tcp::socket socket,
                         HttpContext& context,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the world does when it is asked.
+// Changes of a live world on request.
 #include <algorithm>
 #include <cmath>
 
@@ -20,8 +20,8 @@ struct CellRange {
   int last = -1;
 };
 
-// Those between two coordinates, widened by `radius`; clamped before they become integers, since a
-// stroke may lie anywhere.
+// Returns the cells between two coordinates, widened by `radius`. Coordinates are clamped before
+// they become integers, because a stroke may lie anywhere.
 CellRange cells_between(double a, double b, double radius, int side) {
   const double low = std::floor(std::min(a, b) - radius);
   const double high = std::ceil(std::max(a, b) + radius);
@@ -70,7 +70,7 @@ void LiveWorld::apply(EpisodeControl& /*control*/, const SpeedCommand& command) 
 }
 
 void LiveWorld::apply(EpisodeControl& /*control*/, const RestartCommand& /*command*/) {
-  // Removed robots leave their indices, so edits from before would change others.
+  // Removed robots leave their indices unused, so earlier edits would change other robots.
   if (std::find(removed_.begin(), removed_.end(), true) != removed_.end()) history_.clear();
   again_ = true;
 }
@@ -105,7 +105,7 @@ void LiveWorld::edited(Edit edit) {
   tell_state();
 }
 
-// Makes cells what `states` says; cells under a robot stay free.
+// Sets cells to `states`; cells under a robot stay free.
 void LiveWorld::set_cells(EpisodeControl& control,
                           const std::vector<CellIndex>& cells,
                           const std::vector<CellState>& states) {
@@ -198,14 +198,14 @@ void LiveWorld::apply(EpisodeControl& /*control*/, const ChooseMapCommand& comma
   const bool kept = left_[command.index].has_value();
   begin_with(command.index, kept ? *left_[command.index] : choices_[command.index].make());
   state_.edited = kept;
-  // A given scenario has its own settings; the built-in maps keep those in force.
+  // A given scenario has its own settings; the built-in maps keep the current ones.
   if (!choices_[command.index].own_settings) {
     scenario_.settings = settings;
     scenario_.sensing = sensing;
   }
 }
 
-// Begins a new run with a choice, as it is given or as it was left.
+// Begins a new run with a choice, in its original or its edited state.
 void LiveWorld::begin_with(std::size_t choice, Scenario scenario) {
   scenario_ = std::move(scenario);
   removed_.assign(scenario_.robots.size(), false);

@@ -21,8 +21,9 @@ constexpr double kLongestStroke = 100.0;   // [m]
 constexpr std::size_t kLongestText = 400;  // of a setting [bytes]
 constexpr std::size_t kMostIndex = 100'000;
 constexpr std::size_t kMostAssignments = 20;
+constexpr std::size_t kMostCorners = 100;  // of a zone
 
-// Numbers of a message; what is wrong is thrown and becomes an Error in parse_command.
+// Reads numbers of a message. Errors are thrown and become an Error in parse_command.
 double number(const Json& json, const char* key, double most = kFurthest) {
   const double value = json.at(key).get<double>();
   if (!(std::abs(value) <= most))
@@ -86,6 +87,24 @@ Enumeration choice(const Json& json, const char* key) {
   throw std::invalid_argument(std::string(key) + " is unknown");
 }
 
+ClientCommand zone(const Json& json) {
+  ZoneCommand command;
+  if (json.contains("index")) command.index = index(json, "index");
+  const Json& given = json.at("zone");
+  Zone& zone = command.zone;
+  zone.kind = choice<ZoneKind>(given, "kind");
+  if (given.contains("reference")) zone.reference = choice<ZoneReference>(given, "reference");
+  if (given.contains("speed")) zone.speed = number(given, "speed");
+  if (given.contains("weight")) zone.weight = number(given, "weight");
+  if (given.contains("direction")) zone.direction = wrap_to_pi(number(given, "direction", 1e3));
+  const Json& polygon = given.at("polygon");
+  if (!polygon.is_array() || polygon.size() > kMostCorners)
+    throw std::invalid_argument("polygon is not a short list");
+  for (const Json& corner : polygon)
+    zone.polygon.push_back(point(corner));
+  return command;
+}
+
 ClientCommand walk(const Json& json) {
   WalkCommand command{.body = {}, .target = point(json)};
   if (json.contains("body")) command.body = index(json, "body");
@@ -139,6 +158,11 @@ const std::map<std::string, Reader, std::less<>>& readers() {
       {"remove_body",
        [](const Json& json) -> ClientCommand {
          return RemoveBodyCommand{.body = index(json, "body")};
+       }},
+      {"zone", zone},
+      {"remove_zone",
+       [](const Json& json) -> ClientCommand {
+         return RemoveZoneCommand{.index = index(json, "index")};
        }},
       {"set", setting},
       {"sense",

@@ -14,8 +14,8 @@
 
 namespace fairway::app {
 
-// What can be asked of a live world. Each is plain data; whether it makes sense in the world as it
-// is then, the world looks itself.
+// Requests to a live world. Each is plain data; the world itself checks whether it applies to its
+// present state.
 
 struct PauseCommand {
   bool paused = false;
@@ -38,7 +38,7 @@ struct PoseCommand {
   std::size_t robot = 0;
   Pose2 pose;
 };
-/// Puts a robot back to its start, for example after a collision; it keeps its goal.
+/// Resets a robot to its start, for example after a collision; it keeps its goal.
 struct ResetRobotCommand {
   std::size_t robot = 0;
 };
@@ -46,11 +46,11 @@ struct ResetRobotCommand {
 struct HaltCommand {
   bool halted = false;
 };
-/// Undoes the last edit, or makes the edit again that was undone last.
+/// Undoes the last edit, or redoes the edit that was undone last.
 struct UndoCommand {
   bool redo = false;
 };
-/// Begins again with the map and the robots as they were before any edit.
+/// Restarts with the map and the robots as they were before any edit.
 struct RevertCommand {};
 struct AddRobotCommand {
   Pose2 pose;
@@ -74,7 +74,15 @@ struct WalkCommand {
 struct RemoveBodyCommand {
   std::size_t body = 0;
 };
-/// Changes settings together: they are valid together, or none of them changes.
+/// Puts a zone in the place of another one; without an index it is added.
+struct ZoneCommand {
+  std::optional<std::size_t> index{};
+  Zone zone{};
+};
+struct RemoveZoneCommand {
+  std::size_t index = 0;
+};
+/// Changes settings together: either all of them are valid together, or none is changed.
 struct SettingCommand {
   std::vector<std::string> assignments;  ///< group.name=value
 };
@@ -82,13 +90,13 @@ struct ChooseMapCommand {
   std::size_t index = 0;
 };
 
-/// What the robots know from now on: begins a new run.
+/// Changes what the robots sense: begins a new run.
 struct SenseCommand {
   Sensing sensing = Sensing::Map;
   SensorNoise noise = SensorNoise::None;
 };
 
-/// What a client may send.
+/// Any request that a client may send.
 using ClientCommand = std::variant<PauseCommand,
                                    StepCommand,
                                    SpeedCommand,
@@ -105,12 +113,14 @@ using ClientCommand = std::variant<PauseCommand,
                                    PaintCommand,
                                    WalkCommand,
                                    RemoveBodyCommand,
+                                   ZoneCommand,
+                                   RemoveZoneCommand,
                                    SettingCommand,
                                    SenseCommand,
                                    ChooseMapCommand>;
 
-/// Reads a client's message: a JSON object with `do` and what belongs to it. Everything that comes
-/// out is finite and of a sane size; a key too many is passed over.
+/// Reads a client's message: a JSON object with `do` and its arguments. All numbers of the result
+/// are finite and within bounds; unknown keys are ignored.
 [[nodiscard]] Expected<ClientCommand> parse_command(std::string_view text);
 
 }  // namespace fairway::app

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kRoom = 0.15;  // beyond the robot's radius, where it starts and ends [m]
 
-// Breadth first over the cells with room around `start`; returns the cell that is reached last.
+// Searches breadth first over the cells with clearance around `start`; returns the cell that is
+// reached last.
 CellIndex furthest(const DistanceField& distances, double room, CellIndex start) {
   const GridFrame& frame = distances.frame();
   const auto number = [&](CellIndex cell) {

@@ -9,18 +9,18 @@
 
 namespace fairway::app {
 
-/// A map to choose, with robots on it.
+/// A map that the page offers, with robots on it.
 struct MapChoice {
   std::string name;
   std::function<Scenario()> make;
   bool own_settings = false;  ///< whether its settings are part of it
 };
 
-/// Maps that the tool draws itself, so that the live page needs no file.
+/// Makes maps by program, so that the live page needs no file.
 [[nodiscard]] std::vector<MapChoice> built_in_maps();
 
-/// A scenario on an uploaded map: one robot with a long way to go. Where it fits
-/// nowhere, it stands in the middle.
+/// Makes a scenario on an uploaded map: one robot with a long path to its goal. If the robot fits
+/// nowhere, it is placed in the middle.
 [[nodiscard]] Scenario scenario_on(const std::string& name, const OccupancyGrid& map);
 
 }  // namespace fairway::app

@@ -9,7 +9,7 @@
 
 namespace fairway::app {
 
-/// The messages of a live run: kept as a recording, and handed on in batches to who listens.
+/// The messages of a live run. They are kept as a recording, and passed in batches to the listener.
 class LiveMessages final : public io::MessageSink {
  public:
   struct Message {
@@ -17,7 +17,7 @@ class LiveMessages final : public io::MessageSink {
     std::uint64_t time = 0;  ///< [ns]
     std::string content;
   };
-  /// What is new. Channels are numbered from `first_channel` on through all runs.
+  /// New messages. Channels are numbered from `first_channel` on through all runs.
   struct Batch {
     bool begins_run = false;
     std::uint32_t first_channel = 0;  ///< number of the first of the new channels
@@ -25,7 +25,7 @@ class LiveMessages final : public io::MessageSink {
     std::vector<Message> messages;
   };
 
-  /// @param first_channel  Number of this run's first channel for those who listen.
+  /// @param first_channel  Number of this run's first channel for the listener.
   explicit LiveMessages(std::uint32_t first_channel)
       : first_channel_(first_channel),
         batch_{.begins_run = true, .first_channel = first_channel, .channels = {}, .messages = {}} {
@@ -41,7 +41,7 @@ class LiveMessages final : public io::MessageSink {
   /// The whole recording as it is now.
   [[nodiscard]] std::string recording() const;
 
-  /// Whether the recording has become so large that it does not go on.
+  /// Returns whether the recording has reached its greatest size and has ended.
   [[nodiscard]] bool full() const noexcept;
 
  private:

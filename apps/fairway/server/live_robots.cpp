@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a live world does with its robots and people when it is asked.
+// Changes of the robots and people of a live world on request.
 #include <algorithm>
 #include <utility>
 
@@ -17,7 +17,7 @@ constexpr double kPersonRadius = 0.3;  // [m]
 constexpr std::size_t kMostBodies = 100;
 constexpr std::size_t kMostRobots = 50;
 
-// "robot 3": the first number that no other has.
+// Returns a name such as "robot 3", with the first number that is unused.
 template <typename Named>
 std::string new_name(const std::string& kind, const std::vector<Named>& others) {
   for (std::size_t number = 1;; ++number) {
@@ -165,7 +165,7 @@ void LiveWorld::set_body(EpisodeControl& control,
   }
   if (index > control.world().num_bodies()) return;
   control.set_body(index, *body);
-  // A scenario that is saved has it where it was moved to.
+  // A saved scenario has the person at its new place.
   MovingBody saved = *body;
   if (!saved.loop && !saved.key_frames.empty()) {
     saved.key_frames = {{.time = 0.0, .position = body->key_frames.back().position}};
@@ -217,7 +217,7 @@ void LiveWorld::apply(EpisodeControl& control, const RemoveBodyCommand& command)
   if (command.body >= control.world().num_bodies()) return;
   const MovingBody before = control.world().body(command.body);
   set_body(control, command.body, {});
-  // Put back as the last one: indices of the others must not change twice.
+  // The person is restored as the last one, because indices of others must not change twice.
   edited({.label = "remove person",
           .undo = [this,
                    before](EpisodeControl& to) { set_body(to, to.world().num_bodies(), before); },

@@ -71,7 +71,7 @@ class LiveServer {
   }
 
  private:
-  // The world runs in a thread of its own; what it tells is handed over to the network's.
+  // The world runs in its own thread; its messages are handed over to the network's thread.
   LiveListener listener() {
     const auto handed = [this](auto member) {
       return [this, member](auto what) {
@@ -97,7 +97,7 @@ class LiveServer {
   void accept() {
     acceptor_.async_accept([this](error_code error, tcp::socket socket) {
       if (error) {
-        // Out of descriptors, most likely: try again when some have become free.
+        // Most likely there are no free descriptors. Try again when some are free.
         pause_.expires_after(std::chrono::milliseconds(200));
         pause_.async_wait([this](error_code) { accept(); });
         return;
@@ -112,8 +112,9 @@ class LiveServer {
     });
   }
 
-  // Handlers that are left in the loop when it is destroyed hold sessions, which use what follows;
-  // so the world's thread must end first and the loop be emptied before the rest goes.
+  // Handlers that remain in the loop when it is destroyed hold sessions, which use the members
+  // below. So the world's thread must end first, and the loop must be emptied before the rest is
+  // destroyed.
   int connections_ = 0;
   FoxgloveDialogue viewers_;
   asio::io_context loop_{1};

@@ -12,15 +12,15 @@
 
 namespace fairway::app {
 
-/// Where and to whom the live page is served.
+/// Address at which the live page is served, and names by which it may be addressed.
 struct ServerSettings {
   std::string address = "127.0.0.1";
   std::uint16_t port = 8787;  ///< 0: one that is free
   OriginCheck check;
 };
 
-/// Serves a live world until the process is told to end (SIGINT or SIGTERM).
-/// @param on_ready  Told the address of the page, once it can be opened.
+/// Serves a live world until the process receives SIGINT or SIGTERM.
+/// @param on_ready  Called with the address of the page, once it can be opened.
 [[nodiscard]] Expected<void> serve_live(std::vector<MapChoice> maps,
                                         const ServerSettings& settings,
                                         const std::function<void(const std::string&)>& on_ready);

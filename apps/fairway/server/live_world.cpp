@@ -8,7 +8,7 @@
 
 #include "experiments/clocks.hpp"
 #include "fairway/base/utf8_text.hpp"
-#include "fairway/io/recording/scenario_archive.hpp"
+#include "fairway/io/recording/exact/scenario_archive.hpp"
 #include "fairway/io/web_report/report.hpp"
 #include "fairway/simulation/recorded/observer_list.hpp"
 #include "server/live_maps.hpp"
@@ -130,8 +130,8 @@ void LiveWorld::run_once() {
                              .play = [this](EpisodeControl& control) { return play(control); }}));
 }
 
-// Whatever a run ended with, the world goes on: with the settings of the last run that began, then
-// with the first choice, then when something is asked.
+// The world continues however a run ended. It tries the settings of the last run that began, then
+// the first choice, and then waits for a request.
 void LiveWorld::recover(const std::string& reason) {
   listener_.on_notice("The run has ended: " + one_line(reason));
   ++failures_;
@@ -143,7 +143,8 @@ void LiveWorld::recover(const std::string& reason) {
   requests_.clear();
 }
 
-// Between two cycles: publishes what is new, serves requests, and waits until the next is due.
+// Between two cycles: publishes new records, serves requests, and waits until the next cycle is
+// due.
 bool LiveWorld::play(EpisodeControl& control) {
   failures_ = 0;
   good_settings_ = scenario_.settings;
@@ -157,8 +158,8 @@ bool LiveWorld::play(EpisodeControl& control) {
   return !stopping_;
 }
 
-// However late the world is, requests are served in every cycle; however many there are, the world
-// goes on.
+// Requests are served in every cycle, however late the world is. The world advances, however many
+// requests there are.
 void LiveWorld::serve_requests(EpisodeControl& control) {
   const double least = steady_seconds() + kServing;
   while (true) {
@@ -166,6 +167,8 @@ void LiveWorld::serve_requests(EpisodeControl& control) {
     if (!request && !waits_on()) return;
     if (request) {
       carry_out(control, *request);
+      const bool asked = std::holds_alternative<Asked>(*request);
+      if (asked && holds() && !again_ && !step_) stream_.tell_paused_world(control);
     } else {
       control.take_plans();
     }
@@ -178,14 +181,13 @@ void LiveWorld::serve_requests(EpisodeControl& control) {
 
 bool LiveWorld::holds() const { return state_.paused || state_.waiting; }
 
-// Whether the world stays as it is although nothing was asked.
+// Returns whether the world does not change without a request.
 bool LiveWorld::waits_on() {
   const std::lock_guard lock(mutex_);
   return !stopping_ && holds();
 }
 
-// So that the past which late comers are sent is bounded, also where the world is paused and
-// painted.
+// Bounds the past that new viewers receive, also while a paused world is painted.
 void LiveWorld::tell_beginning(double time) {
   if (time < told_beginning_ + kBeginningPeriod && told_since_ < kBeginningBytes) return;
   told_beginning_ = time;
@@ -193,8 +195,8 @@ void LiveWorld::tell_beginning(double time) {
   listener_.on_beginning(stream_.beginning(time));
 }
 
-// Waits for a request; none when the next cycle is due, at the end, or when serving has lasted
-// `until` [s].
+// Waits for a request. Returns none when the next cycle is due, at the end, or when serving has
+// lasted `until` [s].
 std::optional<LiveWorld::Request> LiveWorld::next_request(double until) {
   std::unique_lock lock(mutex_);
   const auto asked = [this] { return stopping_ || !requests_.empty(); };

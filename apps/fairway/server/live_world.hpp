@@ -22,7 +22,7 @@
 
 namespace fairway::app {
 
-/// What everybody who looks at a live world should know besides the run itself.
+/// State of a live world that all viewers need besides the run itself.
 struct LiveState {
   bool paused = false;
   double speed = 1.0;
@@ -45,11 +45,12 @@ struct Refusal {
   std::vector<std::string> settings{};  ///< of these settings, group.name
 };
 
-/// Told from the world's own thread. Records are those of RunStream.
+/// Receives the events of a live world, in the world's own thread. Records are those of RunStream.
 struct LiveListener {
   std::function<void(std::string records)> on_run;      ///< a new run begins with these
   std::function<void(std::string records)> on_records;  ///< what is new
-  /// Records that begin the run as it is now, for those who join later and need not see all of it.
+  /// Records that begin the run in its present state, for viewers that join later and do not need
+  /// all of it.
   std::function<void(std::string records)> on_beginning;
   std::function<void(LiveMessages::Batch batch)> on_messages;
   std::function<void(const LiveState& state)> on_state;
@@ -57,14 +58,14 @@ struct LiveListener {
   std::function<void(const Refusal& refusal)> on_refusal = [](const Refusal&) {};
 };
 
-/// A simulated world that runs in a thread of its own, in (a multiple of) real time, and does what
-/// is asked of it between two control cycles.
+/// A simulated world that runs in a thread of its own, in real time or a multiple of it. It
+/// executes requests between two control cycles.
 class LiveWorld {
  public:
-  /// What can be downloaded; each gives the bytes of a file, from the world's thread.
+  /// Downloads. Each returns the bytes of a file, in the world's thread.
   enum class Download : std::uint8_t { Recording, Scenario, Report };
 
-  /// When the world begins to move. Stepped: a SteppedWorld advances it, for programs without
+  /// When the world begins to run. Stepped: a SteppedWorld advances it, for programs without
   /// threads.
   enum class Begin : std::uint8_t { AtOnce, WithViewer, Stepped };
 
@@ -74,14 +75,14 @@ class LiveWorld {
   LiveWorld(const LiveWorld&) = delete;
   LiveWorld& operator=(const LiveWorld&) = delete;
 
-  /// Asks for something; safe from any thread. Where too much is waiting already, it is dropped.
+  /// Queues a request; safe from any thread. If too many are waiting already, it is dropped.
   /// @param client  Receives the refusal, if there is one.
   void ask(ClientCommand command, std::uint64_t client = 0);
 
-  /// A viewer has come: a world that waits for one begins. Safe from any thread.
+  /// Notes that a viewer has connected: a world that waits for one begins. Safe from any thread.
   void welcome();
 
-  /// Adds a scenario to the choices and begins with it; false where too much is waiting already.
+  /// Adds a scenario to the choices and begins it; false if too many requests are waiting already.
   [[nodiscard]] bool use_map(Scenario scenario);
 
   void download(Download what, std::function<void(std::string)> done);
@@ -131,6 +132,8 @@ class LiveWorld {
   void apply(EpisodeControl& control, const PaintCommand& command);
   void apply(EpisodeControl& control, const WalkCommand& command);
   void apply(EpisodeControl& control, const RemoveBodyCommand& command);
+  void apply(EpisodeControl& control, const ZoneCommand& command);
+  void apply(EpisodeControl& control, const RemoveZoneCommand& command);
   void apply(EpisodeControl& control, const SettingCommand& command);
   void apply(EpisodeControl& control, const SenseCommand& command);
   void apply(EpisodeControl& control, const ChooseMapCommand& command);
@@ -144,6 +147,8 @@ class LiveWorld {
   void set_cells(EpisodeControl& control,
                  const std::vector<CellIndex>& cells,
                  const std::vector<CellState>& states);
+  void set_zones(EpisodeControl& control, const Zones& zones);
+  void change_zones(EpisodeControl& control, std::string label, const Zones& zones);
   void use_settings(EpisodeControl& control, const Settings& settings);
   void set_body(EpisodeControl& control, std::size_t index, const std::optional<MovingBody>& body);
   [[nodiscard]] Scenario as_saved() const;
@@ -155,8 +160,8 @@ class LiveWorld {
   std::size_t num_given_;
   LiveListener listener_;
   LiveState state_;
-  // With everything that was changed. While a run lasts, robots that were removed from it are kept
-  // so that indices do not change; `as_saved` leaves them out.
+  // The scenario with all edits. During a run, robots that were removed from it are kept so that
+  // indices do not change; `as_saved` leaves them out.
   Scenario scenario_;
   std::vector<bool> removed_;                  // robots of scenario_
   std::vector<std::optional<Scenario>> left_;  // edited choices, for when they are chosen again
@@ -169,7 +174,7 @@ class LiveWorld {
   double due_ = 0.0;          // when the next cycle is [s]
   double told_beginning_ = 0.0;
   std::size_t told_since_ = 0;  // then [bytes]
-  bool fresh_ = true;           // nothing of this run has been told
+  bool fresh_ = true;           // no record of this run has been sent
   bool full_told_ = false;
   std::string records_;  // of this run, for a report
   io::RunStream stream_;

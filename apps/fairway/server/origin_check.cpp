@@ -7,7 +7,7 @@ namespace fairway::app {
 
 namespace {
 
-// The host without its port; an IPv6 address keeps its brackets.
+// Returns the host without its port; an IPv6 address keeps its brackets.
 std::string_view without_port(std::string_view host) {
   const std::size_t bracket = host.rfind(']');
   const std::size_t colon = host.rfind(':');

@@ -7,9 +7,9 @@
 
 namespace fairway::app {
 
-/// Decides whom a server on this machine answers. A page of any site can make a browser connect to
-/// it, so requests must name a host that can only mean this server (against names that are made to
-/// resolve here), and what changes anything must come from a page of its own.
+/// Decides which requests a server on this machine answers. A page of any site can make a browser
+/// connect to it. So requests must name a host that can only be this server (against names that are
+/// made to resolve here), and requests that change the world must come from a page of its own.
 struct OriginCheck {
   std::vector<std::string> hosts;    ///< further host names by which it may be addressed
   std::vector<std::string> origins;  ///< further origins whose pages may connect

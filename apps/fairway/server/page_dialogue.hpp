@@ -12,8 +12,9 @@
 
 namespace fairway::app {
 
-/// Talks with the pages that show a live world: records go out as binary messages, state and
-/// notices as JSON, commands come in as JSON. Who joins late is told the last minutes first.
+/// Serves the pages that show a live world. Records are sent as binary messages, state and notices
+/// as JSON; commands are received as JSON. A viewer that joins late first receives the last
+/// minutes.
 class PageDialogue final : public Dialogue {
  public:
   explicit PageDialogue(LiveWorld& world) : world_(world) {}
@@ -34,7 +35,7 @@ class PageDialogue final : public Dialogue {
 
   void send_all(const Bytes& message, bool binary);
 
-  // A stretch of the past: a beginning, and all records since, up to the next stretch.
+  // A part of the past: records that begin it, and all records until the next part.
   struct Stretch {
     Bytes beginning;
     std::string records;

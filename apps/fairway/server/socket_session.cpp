@@ -61,7 +61,7 @@ class SocketSession final : public Connection, public std::enable_shared_from_th
     waiting_ += message->size();
     queue_.push_back({.content = std::move(message), .binary = binary});
     if (waiting_ > kMostWaitingBytes) {
-      // It does not keep up. The pending read ends, and with it the session.
+      // The client does not keep up. The pending read ends, and with it the session.
       beast::get_lowest_layer(socket_).cancel();
       return;
     }
@@ -86,7 +86,7 @@ class SocketSession final : public Connection, public std::enable_shared_from_th
     });
   }
 
-  // Whoever sends too much is read no faster than this; the rest waits at the sender.
+  // A client that sends too much is read no faster than this; the rest waits at the sender.
   void pace() {
     const double now = steady_seconds();
     allowance_ = std::min(kBurst, allowance_ + (now - last_read_) * kMessagesPerSecond) - 1.0;

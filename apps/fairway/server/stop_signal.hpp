@@ -9,11 +9,11 @@
 
 namespace fairway::app {
 
-/// Takes SIGINT and SIGTERM in a thread of its own, which calls `on_signal`. Where that has not
-/// ended the process within 1.5 s, because a plan or a download still runs, this ends it.
+/// Handles SIGINT and SIGTERM in a thread of its own, which calls `on_signal`. If the process has
+/// not ended within 1.5 s, because a plan or a download still runs, this ends it.
 ///
-/// To be made before all other threads, which inherit that these signals are blocked. They stay
-/// blocked: it belongs to a process that ends with it.
+/// Construct it before all other threads: they inherit that these signals are blocked. The signals
+/// stay blocked, so use it only in a process that ends with it.
 class StopSignal {
  public:
   explicit StopSignal(std::function<void()> on_signal);

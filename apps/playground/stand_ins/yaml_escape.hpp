@@ -43,7 +43,7 @@ inline void append_utf8(unsigned code, std::string& out) {
   put(0x80U | (code & 0x3FU));
 }
 
-/// Appends what an escape in a double-quoted text stands for. `at` is at the character behind the
+/// Appends what an escape in a double-quoted text denotes. `at` is at the character behind the
 /// backslash, and then at the escape's last one. @return false for an unknown escape.
 inline bool append_escaped(std::string_view text, std::size_t& at, std::string& out) {
   if (at >= text.size()) return false;

@@ -18,8 +18,8 @@ constexpr auto kBreaks = [](const CorridorOutcome& o) { return o.breaks; };
 constexpr auto kIsBroken = [](const CorridorOutcome& o) { return o.breaks > 0 ? 1 : 0; };
 constexpr auto kIsComplete = [](const CorridorOutcome& o) { return o.complete ? 1 : 0; };
 
-// Table II as printed: rows SRC, FSRC, MDSRC; number, mean area [m^2] and total time [s] in
-// Environment 1, then in Environment 2.
+// Table II as printed, with the rows SRC, FSRC and MDSRC. The columns are number, mean area [m^2]
+// and total time [s] in Environment 1, then in Environment 2.
 struct PaperRow {
   std::array<double, 3> first;
   std::array<double, 3> second;

@@ -32,8 +32,8 @@ struct FieldSample {
 [[nodiscard]] Table field_table(const FieldSample& sample);
 [[nodiscard]] Json field_numbers(const FieldSample& sample);
 
-/// Gain of MDSRC over SRC with 20 obstacles minus that with 5, field by field [percentage points];
-/// positive means that the advantage grows.
+/// Gain of MDSRC over SRC with 20 obstacles minus that with 5, field by field [percentage points].
+/// Positive means that the advantage grows.
 [[nodiscard]] Estimate area_gain_growth(const FieldSample& sample);
 [[nodiscard]] Estimate count_gain_growth(const FieldSample& sample);
 

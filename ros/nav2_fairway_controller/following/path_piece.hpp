@@ -39,8 +39,9 @@ struct PieceLimits {
 
 /// Chooses the piece of a path from the robot's position on it onwards.
 ///
-/// The piece ends at the end of the path, before the edge of the map, where the path doubles back
-/// or returns to near itself, and where the robot fits: an end beside an obstacle is moved back.
+/// The piece ends at the end of the path, before the edge of the map, or where the path doubles
+/// back or returns to near itself. The robot must fit at the end: an end beside an obstacle is
+/// moved back.
 /// @param frame  Pose of the path's frame in the frame of the map. @pre the path is not empty.
 [[nodiscard]] PathPiece choose_piece(const PathProgress& path,
                                      const Pose2& frame,
@@ -54,15 +55,14 @@ struct PieceLimits {
                               const Eigen::Vector2d& robot);
 
 /// Returns whether the robot's disc fits along a straight line that misses a part of the piece by
-/// more than `bound` [m]: without a strip the shortest path would skip that part.
+/// more than `bound` [m]. Without a strip the shortest path would skip that part.
 [[nodiscard]] bool has_shortcut(const Path& piece,
                                 const BitGrid& obstacles,
                                 double radius,
                                 double bound);
 
-/// Returns the obstacles, and in addition everything further than `bound` [m] from the piece: the
-/// robot's disc fits only where its centre is inside the strip. @param loose  The same bound
-/// between the robot and the path [m], where the robot may be outside the strip.
+/// Returns the obstacles, and in addition everything further than `bound` [m] from the piece. The
+/// robot's disc then fits only where its centre is inside the strip.
 [[nodiscard]] BitGrid strip_around(
     const Path& piece, const BitGrid& obstacles, double radius, double bound, double loose);
 

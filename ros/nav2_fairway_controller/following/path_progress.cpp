@@ -22,8 +22,8 @@ PathProgress::PathProgress(Path path) : path_(std::move(path)) {
   }
 }
 
-// Returns the nearest position with an arc length between two values, of equally near ones the
-// first; or the first local minimum that is at most `enough` away.
+// Returns the nearest position with an arc length between two values; of equally near ones, the
+// first. It prefers the first local minimum that is at most `enough` away.
 PathProgress::Nearest PathProgress::nearest_between(const Vector2d& position,
                                                     double from,
                                                     double to,

@@ -23,12 +23,12 @@ class PathProgress {
   [[nodiscard]] const Path& path() const noexcept { return path_; }
   [[nodiscard]] double length() const noexcept { return arcs_.empty() ? 0.0 : arcs_.back(); }
 
-  /// Finds the first position on the path: the earliest one that is at most slightly further from
-  /// the robot than the nearest. @param position  The robot in the frame of the path [m].
+  /// Finds the first position on the path. This is the earliest one that is at most slightly
+  /// further from the robot than the nearest.
   void start(const Eigen::Vector2d& position) noexcept;
 
-  /// Finds the position on the path nearest to the robot between the last one, less a small step
-  /// back, and `limit`. @param limit  Greatest arc length that is considered [m].
+  /// Finds the position on the path nearest to the robot. The search begins slightly before the
+  /// last position and ends at `limit`.
   void advance(const Eigen::Vector2d& position, double limit) noexcept;
 
   /// Continues from an arc length that the robot has reached [m]; it does not return behind it.

@@ -8,8 +8,8 @@
 
 namespace fairway::nav2 {
 
-/// A speed limit as Nav2 sends it: an absolute speed [m/s] or a percentage of the greatest speed;
-/// 0 removes the limit.
+/// A speed limit as Nav2 sends it: an absolute speed [m/s] or a percentage of the greatest speed. 0
+/// removes the limit.
 struct SpeedLimit {
   double value = 0.0;
   bool percentage = false;
@@ -39,7 +39,7 @@ struct GoalTolerance {
   bool requires_stop = false;  ///< whether the robot must be stopped, too
 };
 
-/// Narrows the navigator's own tolerances where the goal checker's are narrower: otherwise the
+/// Narrows the navigator's own tolerances where the goal checker's are narrower. Otherwise the
 /// robot would stop before the checker accepts the goal.
 void narrow_tolerances(const GoalTolerance& checker, NavigationSettings& navigation) noexcept;
 

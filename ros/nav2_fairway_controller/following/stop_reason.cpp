@@ -42,6 +42,16 @@ const char* end_of(PieceEnd end) noexcept {
 
 }  // namespace
 
+std::string path_fault(const Path& path) {
+  if (path.waypoints.empty()) return "the path is empty";
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    if (is_finite(path.waypoints[i])) continue;
+    return "pose " + std::to_string(i) + " of " + std::to_string(path.waypoints.size()) +
+           " of the path is not finite";
+  }
+  return {};
+}
+
 std::string why_no_piece(const PathProgress& path,
                          const PathPiece& piece,
                          const Pose2& frame,

@@ -10,6 +10,9 @@
 
 namespace fairway::nav2 {
 
+/// Returns why a path cannot be followed, for the user; empty if it can.
+[[nodiscard]] std::string path_fault(const Path& path);
+
 /// Explains why the robot cannot follow its path from here, with distances.
 [[nodiscard]] std::string why_no_piece(const PathProgress& path,
                                        const PathPiece& piece,

@@ -116,8 +116,8 @@ template <typename Number>
   return log_near_one(value) + std::numbers::ln2 * doublings;
 }
 
-/// Sums the logarithms of many positive numbers: multiplies the mantissas, adds the exponents
-/// separately, and takes one logarithm at the end. @pre each number is between 1e-100 and 1e100.
+/// Sums the logarithms of many positive numbers with one call of a logarithm. It multiplies the
+/// mantissas and adds the exponents separately. @pre each number is between 1e-100 and 1e100.
 template <typename Lanes>
 class LogSum {
  public:

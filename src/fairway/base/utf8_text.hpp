@@ -40,8 +40,8 @@ namespace fairway {
   return std::nullopt;
 }
 
-/// `text` as one line of valid UTF-8: a space for every control character, U+FFFD for every byte
-/// that belongs to no character. What was found in a file, or a file's name, may hold anything.
+/// Returns `text` as one line of valid UTF-8, for text from files and file names. Every control
+/// character becomes a space, every byte that belongs to no character becomes U+FFFD.
 [[nodiscard]] inline std::string one_line(std::string_view text) {
   std::string line;
   line.reserve(text.size());

@@ -57,8 +57,8 @@ Reach FewestRectangles::onward_reach(const BitGrid& obstacles, const Joint& begi
   return best;
 }
 
-// Tries to end the new links at an old one: whether one rectangle, where the reach was found, can
-// lead to the joint at the beginning of an old link. The furthest few such links are tried.
+// Tries to end the new links at an old one. One rectangle, where the reach was found, must lead to
+// the joint at the beginning of that old link. The furthest few such links are tried.
 bool FewestRectangles::hook(const BitGrid& obstacles,
                             const Joint& begin,
                             const Reach& reach,
@@ -266,8 +266,8 @@ const CorridorResult& FewestRectangles::build(const BitGrid& obstacles,
   const double cell = grid.resolution;
   clearance_ = workspace ? 0.0 : robot_radius;
   min_overlap_ = settings.min_overlap_area / (cell * cell);
-  // The orientation of the reach is tried as well, so a coarse search over the others suffices: it
-  // saves much time and loses little area.
+  // The orientation of the reach is tried as well, so a coarse search over the others suffices.
+  // This saves much time and loses little area.
   rectangle_settings_ = {.longest_side = settings.longest_side,
                          .num_orientations = 8,
                          .refinements = 3,

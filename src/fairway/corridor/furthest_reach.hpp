@@ -47,8 +47,8 @@ class ReachSearch {
   static constexpr std::size_t kPathDirections = 3;
   static constexpr std::size_t kMostDirections = kPathDirections + 64;
 
-  // Knowledge about an orientation, independent of the joint: the path fits up to `good`, and does
-  // not fit up to `bad` [cells].
+  // Knowledge about an orientation that does not depend on the joint. The path fits up to `good`,
+  // and does not fit up to `bad` [cells].
   struct Direction {
     double angle = 0.0;
     double good = -1.0;

@@ -8,9 +8,9 @@ namespace fairway {
 
 /// The region that two consecutive rectangles share. Lengths are in cells.
 ///
-/// Both rectangles contain the path from `from` to `to` with `margin` to every side, so they share
-/// at least a disc of that radius, swept along that part. With an `offset`, the disc lies beside
-/// the path, displaced from its point `to`, and the path itself has only the plain margin.
+/// Both rectangles contain the path from `from` to `to` with `margin` to every side. They share at
+/// least a disc of that radius, swept along that part. With an `offset`, the disc lies beside the
+/// path, displaced from its point `to`, and the path itself has only the plain margin.
 struct Joint {
   double from = 0.0;
   double to = 0.0;

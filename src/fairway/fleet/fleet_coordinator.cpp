@@ -125,8 +125,8 @@ void FleetCoordinator::update_retreat(const Vector2d& here,
   if (is_still_valid(*found, here, around)) retreat_ = *found;
 }
 
-// Returns the cost of retreating: the length of the own retreat path, or that of a following robot,
-// which has to retreat first, if that is longer.
+// Returns the cost of retreating: the length of the robot's own retreat path, or of a follower's if
+// that is longer. A follower has to retreat first.
 double FleetCoordinator::retreat_cost(const Vector2d& here,
                                       const PassingEnvironment& around) noexcept {
   double cost = retreat_.length(here);

@@ -20,12 +20,12 @@ struct FleetCoordinatorInput {
 /// Coordinates a robot with other robots: roundabouts where paths meet, and priority in narrow
 /// places.
 ///
-/// Roundabouts: two paths meet if both robots, driving straight ahead at full speed, would come
-/// closer than their bodies and a clearance. If two robots meet nearly head-on, or three or more
-/// meet, each drives around the mean of the meeting points, on a circle with enough clearance for
-/// all of them and with the centre on its left. If roundabouts overlap, each robot adopts the
-/// largest that it receives, so that all use the same. A robot that stops on a roundabout enlarges
-/// it. A robot leaves a roundabout when its own path no longer crosses it.
+/// Roundabouts: two paths meet if both robots, driving straight at full speed, would come too
+/// close. If two robots meet nearly head-on, or three or more meet, each drives around the mean of
+/// the meeting points, on a circle with enough clearance for all of them and with the centre on its
+/// left. If roundabouts overlap, each robot adopts the largest that it receives, so that all use
+/// the same. A robot that stops on a roundabout enlarges it. A robot leaves a roundabout when its
+/// own path no longer crosses it.
 ///
 /// Narrow places: if two robots meet head-on where they cannot pass each other, one of them steps
 /// aside and waits. It is the one that can. If both can, it is the one further from the narrow

@@ -26,8 +26,8 @@ struct MotionReport {
   const FleetCoordinator& fleet;
 };
 
-/// Makes the message to the other robots: the motion of this cycle, the safe stop after it, and the
-/// intended path.
+/// Makes the message to the other robots: the motion of this cycle, the stop after it, the intended
+/// path.
 [[nodiscard]] SharedMotion report_motion(const MotionReport& report) noexcept;
 
 }  // namespace fairway

@@ -11,7 +11,7 @@
 
 namespace fairway {
 
-/// Points of a path where another robot cannot pass: there is not enough clearance to move over by
+/// Points of a path where another robot cannot pass. There is not enough clearance to move over by
 /// two bodies, neither to the left nor to the right.
 struct NarrowPlaces {
   static constexpr int kMaxPlaces = 24;
@@ -36,23 +36,23 @@ struct NarrowPlaces {
 
   /// Returns the arc length of the first place if `other` enters it together with this robot [m].
   ///
-  /// Entering together means in the same direction at about the same time, so that one of the two
-  /// must go first. The result is infinite if they do not, or if one of them is already inside.
+  /// Entering together means in the same direction at about the same time: one robot must go first.
+  /// The result is infinite if they do not, or if one of them is already inside.
   [[nodiscard]] double length_to_merging(const SharedMotion& other, double radius) const noexcept;
 };
 
 /// Returns whether driving straight from `from` to `to` leads past the goal of `other`.
 ///
-/// Past means closer to the goal than the robot could pass `other` there: once `other` has arrived,
-/// the robot could not return. The goal is the end of the published path; a truncated path has
-/// none.
+/// Past means closer to the goal than the place where the robot could pass `other`. Once `other`
+/// has arrived, the robot could not return. The goal is the end of the published path; a truncated
+/// path has none.
 [[nodiscard]] bool passes_goal_of(const SharedMotion& other,
                                   const Eigen::Vector2d& from,
                                   const Eigen::Vector2d& to,
                                   double radius) noexcept;
 
-/// Returns whether a robot at `place` lets `other` pass, with `more` clearance than necessary [m]:
-/// the place is clear of the path and the position of `other`.
+/// Returns whether a robot at `place` lets `other` pass, with `more` clearance than necessary [m].
+/// The place must be clear of the path and the position of `other`.
 [[nodiscard]] bool lets_pass(const Eigen::Vector2d& place,
                              const SharedMotion& other,
                              double radius,
@@ -62,11 +62,11 @@ struct NarrowPlaces {
 struct PassingEnvironment {
   const BitGrid* obstacles = nullptr;
   Fleet fleet;  ///< all robots nearby
-  /// Robots that shall pass; null entries are skipped.
+  /// Robots that are to pass; null entries are skipped.
   std::span<const SharedMotion* const> passing;
   double radius = 0.0;  ///< radius of the disc that covers the robot [m]
 
-  /// Returns whether `other`, one of the fleet, is among those that shall pass.
+  /// Returns whether `other`, one of the fleet, is among those that are to pass.
   [[nodiscard]] bool must_yield_to(const SharedMotion& other) const noexcept {
     return std::find(passing.begin(), passing.end(), &other) != passing.end();
   }

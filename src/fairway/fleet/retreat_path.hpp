@@ -27,15 +27,15 @@ struct RetreatPath {
   [[nodiscard]] double length(const Eigen::Vector2d& position) const noexcept;
 };
 
-/// Drops the points of a retreat path that a robot at `position` has passed: the robot drives
+/// Drops the points of a retreat path that a robot at `position` has passed. The robot drives
 /// straight to the furthest point that it can reach without touching static obstacles.
 void shorten(RetreatPath& path,
              const Eigen::Vector2d& position,
              const BitGrid& obstacles,
              double radius) noexcept;
 
-/// Returns whether a retreat path is still usable: free of static obstacles, with a place that lets
-/// all robots in `passing` pass.
+/// Returns whether a retreat path is still usable. It must be free of static obstacles, and its
+/// place must let all robots in `passing` pass.
 [[nodiscard]] bool is_still_valid(const RetreatPath& path,
                                   const Eigen::Vector2d& position,
                                   const PassingEnvironment& around) noexcept;

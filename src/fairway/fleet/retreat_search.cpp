@@ -32,8 +32,8 @@ constexpr std::array<Direction, 8> kNeighbours{{{.x = 1, .y = 0},
                                                 {.x = -1, .y = -1},
                                                 {.x = 1, .y = -1}}};
 
-// Returns the space that other robots need before the place: those between this robot and a passing
-// one, which will retreat after this robot [m].
+// Returns the space that other robots need before the place [m]. These are the robots between this
+// one and a passing one; they retreat after this robot.
 double clearance_for_followers(const Vector2d& position,
                                const PassingEnvironment& around) noexcept {
   double needed = 0.0;

@@ -11,9 +11,9 @@ namespace fairway {
 
 /// Searches for the path that find_retreat_path describes, a bounded part per control cycle.
 ///
-/// Breadth first on a lattice of 0.2 m about the position at the begin, then pulled straight, for
-/// one clearance after another. The robots around may move meanwhile: each part uses those of its
-/// own cycle, and the caller checks the result with `is_still_valid`.
+/// Searches breadth first on a lattice of 0.2 m about the position at the start. The path is then
+/// straightened, for one clearance after another. Other robots may move during the search: each
+/// part uses those of its own cycle, and the caller checks the result with `is_still_valid`.
 class RetreatSearch {
  public:
   /// Starts at `position`; forgets an earlier search.
@@ -22,8 +22,8 @@ class RetreatSearch {
   void stop() noexcept { running_ = false; }
   [[nodiscard]] bool running() const noexcept { return running_; }
 
-  /// Continues within the budget of a cycle: the result once it is known, a path that does not
-  /// exist where there is none. @pre running.
+  /// Continues the search within the budget of a cycle. Returns the result once it is known; a path
+  /// that does not exist means that there is none. @pre running.
   [[nodiscard]] std::optional<RetreatPath> advance(const PassingEnvironment& around) noexcept;
 
  private:
@@ -71,8 +71,8 @@ class RetreatSearch {
 
 /// Finds the shortest path from `position` to a place where all robots in `passing` can pass.
 ///
-/// The path comes no closer to the passing robots, does not pass their goals, and avoids all robots
-/// that are not driving. It is empty if there is no such place within 12 m to each side.
+/// The path comes no closer to the passing robots and does not pass their goals. It avoids all
+/// robots that are not driving. It is empty if there is no such place within 12 m to each side.
 ///
 /// The robot keeps 0.2 m from static obstacles or, if there is no such path, 0.1, 0.05 or 0.01 m.
 /// Robots that drive in the same direction do not block the path, because they retreat too. If some

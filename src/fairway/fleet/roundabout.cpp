@@ -29,8 +29,8 @@ void append(ReferencePath& path, const Vector2d& point) noexcept {
 
 double angle_of(const Vector2d& v) noexcept { return std::atan2(v.y(), v.x()); }
 
-// Returns the angle, seen from the centre, between a point at `distance` and the touching point of
-// its tangent; 0 from inside.
+// Returns the angle at the centre between a point at `distance` and its tangent's touching point.
+// It is 0 for a point inside.
 double tangent_angle(double radius, double distance) noexcept {
   return distance > radius ? std::acos(radius / distance) : 0.0;
 }

@@ -28,8 +28,9 @@ struct ConvexPart {
 
 /// The outline of a robot as a union of a few convex parts, in the robot's frame.
 ///
-/// The origin is the reference point, which poses and twists are of: the middle of the fixed axle
-/// for a wheeled base that cannot move sideways. It may lie anywhere, also outside the body.
+/// The origin is the reference point, to which poses and twists refer. For a wheeled base that
+/// cannot move sideways this is the middle of the fixed axle. It may lie anywhere, also outside the
+/// body.
 class BodyShape {
  public:
   static constexpr int kMaxParts = 8;
@@ -38,8 +39,8 @@ class BodyShape {
   /// A point at the reference.
   BodyShape() { measure(); }
 
-  /// Expects 1 to kMaxParts parts; each with 1 to kMaxVertices vertices that are finite and form a
-  /// convex polygon (either orientation), and a radius of at least 0. A part must not be a point.
+  /// Expects 1 to kMaxParts parts, none of which is a single point. Each part has 1 to kMaxVertices
+  /// finite vertices that form a convex polygon in either orientation, and a radius of at least 0.
   [[nodiscard]] static Expected<BodyShape> make(std::span<const ConvexPart> parts);
 
   /// A convex polygon, in either orientation.
@@ -49,12 +50,12 @@ class BodyShape {
   /// `reference_to_front` and `width` across. @pre length and width are positive.
   [[nodiscard]] static BodyShape rectangle(double length, double width, double reference_to_front);
 
-  /// The same as a footprint: discs or a rectangle.
+  /// Makes the shape of a footprint: discs or a rectangle.
   [[nodiscard]] static BodyShape of(const Footprint& footprint);
 
   [[nodiscard]] std::span<const ConvexPart> parts() const noexcept { return parts_; }
 
-  /// Whether it is a single rectangle along the axes, without rounding.
+  /// Returns whether the body is a single rectangle along the axes, without rounding.
   [[nodiscard]] bool is_rectangle() const noexcept { return rectangle_; }
 
   /// Corners of its bounding box along the axes [m].
@@ -70,10 +71,10 @@ class BodyShape {
   /// Distance from `point`, in the body's frame, to the body [m]; 0 inside.
   [[nodiscard]] double distance(const Eigen::Vector2d& point) const noexcept;
 
-  /// Discs whose union covers it: when all of them are free, so is the body.
+  /// Discs whose union covers the body: when all of them are free, so is the body.
   [[nodiscard]] std::span<const Footprint::Disc> cover() const noexcept { return cover_; }
 
-  /// Discs inside it: when one of them is blocked, so is the body.
+  /// Discs inside the body: when one of them is blocked, so is the body.
   [[nodiscard]] std::span<const Footprint::Disc> core() const noexcept { return core_; }
 
   /// Greatest speed of any of its points in its own frame under a twist: |v + angular x q|.

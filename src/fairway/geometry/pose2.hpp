@@ -32,14 +32,15 @@ struct Twist2 {
   return std::isfinite(twist.linear) && std::isfinite(twist.angular);
 }
 
-/// Whether a place can be meant: finite, and so near to the origin that a double still resolves
-/// nanometres. Arithmetic on others overflows in a grid's indices.
+/// Returns whether a position is plausible: finite, and so near to the origin that a double
+/// resolves nanometres. Arithmetic on other positions overflows in the indices of a grid.
 [[nodiscard]] inline bool is_plausible(const Eigen::Vector2d& point) noexcept {
   constexpr double kFurthest = 1e7;  // [m]
   return std::abs(point.x()) <= kFurthest && std::abs(point.y()) <= kFurthest;
 }
 
-/// The same of a pose, whose heading must not be more turns than a robot makes in a drive: degrees.
+/// Returns whether a pose is plausible. Its heading must not be more turns than a robot makes in a
+/// drive, as headings in degrees are.
 [[nodiscard]] inline bool is_plausible(const Pose2& pose) noexcept {
   constexpr double kMostHeading = 64.0;  // [rad]
   return is_plausible(pose.position) && std::abs(pose.heading) <= kMostHeading;

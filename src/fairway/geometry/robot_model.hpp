@@ -11,8 +11,8 @@
 
 namespace fairway {
 
-/// Velocity in the plane, in the frame of the body: along the heading, to the left of it, and
-/// angular, counter-clockwise positive.
+/// Velocity in the plane, in the frame of the body. Its parts are the speed along the heading, to
+/// the left of it, and the angular speed, counter-clockwise positive.
 struct PlanarTwist {
   double linear = 0.0;   ///< along the heading [m/s]
   double lateral = 0.0;  ///< to the left [m/s]; 0 for every base but an omnidirectional one
@@ -43,11 +43,11 @@ struct PlanarTwist {
   return {.position = transform(pose, way), .heading = pose.heading + turn};
 }
 
-/// The constant twist that leads from `from` to `to` in one second, turning by at most pi: the
-/// inverse of `moved`.
+/// Returns the constant twist that leads from `from` to `to` in one second: the inverse of `moved`.
+/// It turns by at most pi.
 [[nodiscard]] PlanarTwist twist_between(const Pose2& from, const Pose2& to) noexcept;
 
-/// How a base moves.
+/// Kind of a base: how it moves.
 enum class BaseKind : std::uint8_t {
   Unicycle,  ///< drives along its heading and turns on the spot: two driven wheels
   Car,       ///< steers its front wheels and drives its rear axle; speed is that of the rear axle
@@ -90,7 +90,7 @@ struct WheelLimit {
   std::array<Eigen::Vector2d, kMaxModules> modules{};  ///< Swerve: places in the robot's frame [m]
 };
 
-/// What a base can do. Keys that do not apply to its kind are not looked at.
+/// Limits of a base. Values that do not apply to its kind are ignored.
 struct BaseModel {
   BaseKind kind = BaseKind::Unicycle;
   double wheelbase = 1.0;            ///< Car, Tricycle: from fixed axle to steered wheel [m]
@@ -121,9 +121,10 @@ struct BaseModel {
 /// The speed of the fastest wheel over its limit; 0 without limit.
 [[nodiscard]] double wheel_load(const BaseModel& base, const PlanarTwist& twist) noexcept;
 
-/// How much of what the base can reach a twist takes: 1 at the first speed limit, wheels included.
-/// Infinite for a twist that the base cannot drive at any speed. Proportional to the twist, so a
-/// motion of direction `twist` per unit takes at least `speed_load` seconds per unit.
+/// Returns the share of the base's limits that a twist uses: 1 at the first speed limit, wheels
+/// included. It is infinite for a twist that the base cannot drive at any speed. It is proportional
+/// to the twist, so a motion of direction `twist` per unit takes at least `speed_load` seconds per
+/// unit.
 [[nodiscard]] double speed_load(const BaseModel& base, const PlanarTwist& twist) noexcept;
 
 /// A robot with its true outline and its own kind of base.

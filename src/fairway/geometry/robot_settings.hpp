@@ -35,8 +35,8 @@ struct RobotSettings {
   double angular_lag = 0.0;    ///< time constant with which angular speed follows [s], 0 to 1
 };
 
-/// How one speed of the base follows its command: after `delay`, then as v' = (command - v) / lag,
-/// and never faster than `acceleration` and `braking` allow.
+/// How one speed of the base follows its command. After `delay` it follows as v' = (command - v) /
+/// lag, never faster than `acceleration` and `braking` allow.
 struct AxisActuation {
   double delay = 0.0;         ///< [s]
   double lag = 0.0;           ///< [s]; 0: as fast as the limits allow
@@ -62,8 +62,8 @@ struct AxisActuation {
           .braking = robot.angular_braking_max > 0.0 ? robot.angular_braking_max : a};
 }
 
-/// The change that is possible in both directions, which plans keep to: of acceleration and braking
-/// the smaller one.
+/// Returns the change that is possible in both directions: the smaller one of acceleration and
+/// braking. Plans keep to it.
 [[nodiscard]] inline double change_max(const AxisActuation& axis) noexcept {
   return std::min(axis.acceleration, axis.braking);
 }

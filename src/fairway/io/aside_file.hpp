@@ -11,7 +11,7 @@ namespace fairway::io {
 
 /// A file that grows while a long task runs, written aside as `path.part` and renamed when whole.
 ///
-/// An older file of that name stays until then, and stays for good where the task is killed or the
+/// An older file of that name stays until then. It stays for good where the task is killed or the
 /// disk fills up. A second task that wants the same file is refused while the first one runs. A
 /// device or a pipe is written directly.
 class AsideFile {

@@ -15,8 +15,8 @@ namespace fairway::io {
 /// `path`.
 [[nodiscard]] Expected<std::string> read_whole_file(const std::string& path, std::size_t limit);
 
-/// Writes `content` to a new file beside `path` and then renames it, so that readers see either the
-/// old or the new file. Writes directly to `path` if that is a device or a pipe.
+/// Writes `content` to a new file beside `path` and then renames it. Readers therefore see either
+/// the old or the new file. A device or a pipe is written directly.
 [[nodiscard]] Expected<void> write_file_atomically(const std::string& path,
                                                    std::string_view content);
 

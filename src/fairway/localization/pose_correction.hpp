@@ -24,8 +24,8 @@ struct PoseCertainty {
   double share = 0.0;    ///< part of the scan that lies on known surfaces []
 };
 
-/// Corrects poses by odometry with scans: an extended Kalman filter whose measurement is the match
-/// of a scan with the surfaces seen before, or with those of a known map.
+/// Corrects poses from odometry with scans, by an extended Kalman filter. Its measurement is the
+/// match of a scan with the surfaces seen before, or with those of a known map.
 ///
 /// The state is the transformation from the frame of the odometry to that of the map. Odometry
 /// errors grow with the distance driven and the angle turned. Deterministic; allocates in the
@@ -54,8 +54,8 @@ class PoseCorrection {
   /// @return the motion by which the scan was moved, about the corrected sensor.
   ScanMotion match(std::span<const Eigen::Vector2d> ends, const Pose2& odometry);
 
-  /// Remembers surfaces of the last scan: the points of those beams for which `is_static(beam,
-  /// end)` holds, where `end` is the corrected end of the beam.
+  /// Remembers surfaces of the last scan. It takes the points of those beams for which
+  /// `is_static(beam, end)` holds, where `end` is the corrected end of the beam.
   template <typename IsStatic>
   void remember(IsStatic&& is_static) {
     if (known_map_ || !remembers_) return;

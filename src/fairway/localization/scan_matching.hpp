@@ -10,7 +10,7 @@
 
 namespace fairway {
 
-/// A small motion of a scan about a centre: it shifts by (x, y) [m], and turns by the third number
+/// A small motion of a scan about a centre. It shifts by (x, y) [m], and turns by the third number
 /// [rad].
 using ScanMotion = Eigen::Vector3d;
 
@@ -44,9 +44,9 @@ struct ScanMatch {
 
 /// Finds the motion about `center` that moves the points of a scan onto the surfaces of a map.
 ///
-/// Gauss-Newton on the weighted distances from the lines through the nearest points, with Cauchy
-/// weights whose scale becomes smaller, and with a prior of mean zero. The normal of a line is the
-/// mean of those of both points.
+/// The method is Gauss-Newton on the weighted distances from the lines through the nearest points.
+/// The weights are Cauchy weights whose scale becomes smaller, and there is a prior of mean zero.
+/// The normal of a line is the mean of those of both points.
 /// @param prior  Information about the motion before the match, positive definite.
 [[nodiscard]] ScanMatch match_scan(const SurfacePoints& map,
                                    std::span<const SurfacePoint> scan,

@@ -36,8 +36,8 @@ class SurfacePoints {
 
   void add(const SurfacePoint& point) noexcept;
 
-  /// Returns the point nearest to `to` within `reach` [m] whose normal is within 60 degrees of that
-  /// of `to`; null if there is none. @pre reach <= kCell
+  /// Returns the point nearest to `to` within `reach` [m]; null if there is none. Its normal must
+  /// be within 60 degrees of that of `to`. @pre reach <= kCell
   [[nodiscard]] const SurfacePoint* nearest(const SurfacePoint& to, double reach) const noexcept;
 
   /// Number of points added so far, including those that have left the window.
@@ -73,8 +73,8 @@ void surface_of_scan(std::span<const Eigen::Vector2d> ends,
                      std::vector<SurfacePoint>& points,
                      std::vector<std::size_t>& beams);
 
-/// Adds the surfaces of the blocked cells of a map: one point for each side of a cell that faces a
-/// free one, with a normal from the neighbouring sides.
+/// Adds the surfaces of the blocked cells of a map. Each side of a cell that faces a free cell adds
+/// one point, with a normal from the neighbouring sides.
 void add_surface_of_map(const BitGrid& map, SurfacePoints& points);
 
 }  // namespace fairway

@@ -25,7 +25,7 @@ enum class UnknownCells : std::uint8_t { Occupied, Free };
 /// band without obstacles in one step.
 ///
 /// A grid may carry zones beside its cells. The tests of free space obey them exactly: no cell
-/// stands for a zone.
+/// represents a zone.
 class BitGrid {
  public:
   static constexpr int kBandRows = 8;  ///< rows in a band; the topmost band may have fewer

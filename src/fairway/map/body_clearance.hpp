@@ -17,8 +17,8 @@ struct BodyContact {
       Eigen::Vector2d::UnitX();  ///< from the obstacle to the body, in the world
 };
 
-/// Tests a body of any shape against the blocked cells of a map: poses, and motions from one pose
-/// to another with everything between.
+/// Tests a body of any shape against the blocked cells of a map. It tests poses, and whole motions
+/// from one pose to another.
 ///
 /// Zones of the map count as well: keep-outs and strips. Cells and body are closed, and everything
 /// outside the map is blocked. Every test is exact up to kFreeSpaceSkin (free_space.hpp), which
@@ -42,25 +42,26 @@ class BodyClearance {
   /// pose that is not finite. @pre clearance >= 0.
   [[nodiscard]] bool is_free(const Pose2& pose, double clearance) const noexcept;
 
-  /// The same for all poses on the way from `start` with constant `twist` for `duration` [s].
+  /// As above, for all poses of the motion from `start` with constant `twist` for `duration` [s].
   ///
-  /// Proven, not sampled: from a pose that has more clearance than any point of the body moves in
-  /// half of an interval, the whole interval is free; else it is halved. False also where the
-  /// clearance exceeds `clearance` by less than kMotionTolerance.
+  /// The result is proven, not sampled. Where a pose has more clearance than any point of the body
+  /// moves in half of an interval, the whole interval is free; otherwise the interval is halved.
+  /// The result is also false where the clearance exceeds `clearance` by less than
+  /// kMotionTolerance.
   [[nodiscard]] bool is_free(const Pose2& start,
                              const PlanarTwist& twist,
                              double duration,
                              double clearance) const noexcept;
 
-  /// Distance from the body at `pose` to the nearest obstacle, at most `limit` [m]; within 1e-4 m
-  /// below. 0 when they touch.
+  /// Returns the distance from the body at `pose` to the nearest obstacle, at most `limit` [m]. The
+  /// result is at most 1e-4 m too small; it is 0 when they touch.
   [[nodiscard]] double distance(const Pose2& pose, double limit) const noexcept;
 
   /// A fast lower bound of `distance`, at least 0: from discs that cover the body [m].
   [[nodiscard]] double distance_bound(const Pose2& pose) const noexcept;
 
-  /// The places where the body is nearer than `reach` [m] to obstacles: the nearest of each corner
-  /// region of the body and each direction. Written to `found`, at most kMaxContacts.
+  /// Finds where the body is nearer than `reach` [m] to obstacles. It writes the nearest place of
+  /// each corner region of the body and each direction to `found`, at most kMaxContacts.
   /// @return how many.
   [[nodiscard]] std::size_t contacts(const Pose2& pose,
                                      double reach,

@@ -62,9 +62,9 @@ void shorten(std::vector<std::uint16_t>& steps, int most) {
     step = std::min(step, limit);
 }
 
-// Counts steps to the nearest blocked cell of the column, or to the outside, for the columns of
-// some words and for rows `first` to `last`. `steps` points to row `first`; the rows before and
-// after are right already.
+// Counts steps to the nearest blocked cell of the column, or to the outside. It does so for the
+// columns of some words and for rows `first` to `last`. `steps` points to row `first`; the rows
+// before and after are already correct.
 void measure_columns(const BitGrid& obstacles,
                      int first,
                      int last,
@@ -81,9 +81,9 @@ void measure_columns(const BitGrid& obstacles,
   }
 }
 
-// Returns the last row from `y` on, in direction `step`, that a change of columns `first` to `last`
-// before row y can concern: there every column has met an obstacle, or the map ends, or `most` rows
-// have passed.
+// Returns the last row from `y` on, in direction `step`, that a change of columns before row y can
+// affect. The change is in columns `first` to `last`. At that row every column has met an obstacle,
+// or the map ends, or `most` rows have passed.
 int last_concerned(const BitGrid& obstacles, int y, int step, int first, int last, int most) {
   const auto inside = [&](int row) { return row >= 0 && row < obstacles.frame().height; };
   int furthest = y - step;

@@ -13,16 +13,16 @@ namespace fairway {
 
 /// The second pass of the distance transform for one row, by trial of all columns that can matter.
 ///
-/// Cells are processed in parts of 64 and many at once; the columns around a part are tried from
-/// the nearest outwards until none can be nearer than what is found. Squared distances are in (half
+/// Cells are processed in parts of 64, many at once. The columns around a part are tried from the
+/// nearest outwards, until none can be nearer than the best so far. Squared distances are in (half
 /// cells)^2 and have 16 bits, so the search ends kMostColumns columns away.
 class DistanceRow {
  public:
   static constexpr int kPart = 64;         ///< cells that are processed together
   static constexpr int kMostColumns = 61;  ///< furthest column that is tried
 
-  /// Loads the steps along each column to its nearest obstacle, as far as cells `first` to `last`
-  /// need them; steps above `most` count as `most`. Outside the row everything is blocked.
+  /// Loads the steps along each column to its nearest obstacle. Cells `first` to `last` determine
+  /// how far; steps above `most` count as `most`. Outside the row everything is blocked.
   /// @pre 1 <= most <= kMostColumns
   void load(const std::uint16_t* steps, int width, int most, int first, int last);
 

@@ -18,8 +18,8 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
 
 /// Returns a blocked cell at most `clearance` + kFreeSpaceSkin [m] away from `rectangle`, or none.
 ///
-/// Where the zones of the map forbid the rectangle, with the same clearance and skin, the result is
-/// a cell outside the grid. `subject` says what the rectangle stands for, which only zones ask.
+/// Where the zones forbid the rectangle, with the same clearance and skin, the result is a cell
+/// outside the grid. `subject` says what the rectangle represents, which matters to zones only.
 ///
 /// All other tests for free space in Fairway rely on this one. Cells are closed squares, the
 /// rectangle is closed, and distances are Euclidean (the grown rectangle has round corners).
@@ -27,12 +27,12 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
 /// outside the grid is blocked; the cell returned then lies outside the grid.
 ///
 /// With clearance 0 the function tests a footprint or a workspace rectangle. With the robot's
-/// radius it tests a rectangle for the centre of a disc robot; a segment then stands for a straight
+/// radius it tests a rectangle for the centre of a disc robot; a segment then represents a straight
 /// motion, and a point for a disc. An empty rectangle, a negative clearance or a non-finite number
 /// counts as blocked.
 ///
-/// Cost: one word operation per 64 cells of every band that the region touches, and of every row of
-/// the bands that contain obstacles near the region.
+/// The cost is one word operation per 64 cells of every band that the region touches. Bands that
+/// contain obstacles near the region cost as much for each of their rows.
 [[nodiscard]] std::optional<CellIndex> find_blocked_cell(
     const BitGrid& obstacles,
     const OrientedRectangle& rectangle,
@@ -66,8 +66,8 @@ inline constexpr double kFreeSpaceSkin = 1e-6;
                                          double limit,
                                          ZoneSubject subject = ZoneSubject::Disc) noexcept;
 
-/// A rectangle in grid coordinates: the points origin + x u + y v with min <= (x, y) <= max, where
-/// u is the unit vector `along` and v is u rotated by +90 degrees. Lengths are in cells.
+/// A rectangle in grid coordinates, with lengths in cells. It holds the points origin + x u + y v
+/// with min <= (x, y) <= max, where u is the unit vector `along` and v is u rotated by +90 degrees.
 ///
 /// Searches that test thousands of rectangles use this form: it needs no sine or cosine per test.
 struct TurnedBox {
@@ -84,14 +84,14 @@ struct BlockedCells {
   bool in_zone = false;      ///< zones forbid the region (cells may be written as well)
 };
 
-/// Finds blocked cells at most `radius` [cells] from `box`: in every row that has any, the one
-/// nearest to `towards` in columns.
+/// Finds blocked cells at most `radius` [cells] from `box`. In every row that has any, it finds the
+/// one nearest to `towards` in columns.
 ///
 /// Writes the cells into `found` until it is full. Rows are visited in bands (BitGrid::kBandRows),
 /// from the band of `towards` outwards. No skin is added. The part of the region outside the grid
 /// is reported, but not searched.
 ///
-/// The test is as exact as find_blocked_cell: unless `found` is empty, no cell is written if and
+/// The test is as exact as find_blocked_cell. Unless `found` is empty, no cell is written if and
 /// only if there is none. Zones count as for a Disc. @pre the box is not empty and finite; radius
 /// >= 0.
 [[nodiscard]] BlockedCells find_blocked_cells(const BitGrid& obstacles,
@@ -100,8 +100,8 @@ struct BlockedCells {
                                               const Eigen::Vector2d& towards,
                                               std::span<CellIndex> found) noexcept;
 
-/// Returns whether no blocked cell is at most `radius` [cells] from `box`, the region lies in the
-/// grid, and zones do not forbid it for a Disc. No skin is added. @pre as find_blocked_cells.
+/// Returns whether no blocked cell is at most `radius` [cells] from `box`. The region must also lie
+/// in the grid, and no zone may forbid it for a Disc. No skin is added. @pre as find_blocked_cells.
 [[nodiscard]] bool is_free(const BitGrid& obstacles, const TurnedBox& box, double radius) noexcept;
 
 }  // namespace fairway

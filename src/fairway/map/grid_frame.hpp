@@ -20,7 +20,7 @@ struct CellIndex {
 
 /// The pose and size of a grid: it maps cells to the world.
 ///
-/// Grid coordinates count cells from the lower-left corner of cell (0, 0), so cell (i, j) is the
+/// Grid coordinates count cells from the lower-left corner of cell (0, 0). So cell (i, j) is the
 /// closed square [i, i+1] x [j, j+1]. `origin` is the world pose of that corner, yaw included, as
 /// `origin` of map_server.
 struct GridFrame {

@@ -11,8 +11,8 @@ namespace fairway {
 /// of `from` that is larger than those of `onto` is first divided into equal squares, and the
 /// centre of each square counts.
 ///
-/// Obstacles move by at most half the diagonal of a cell, which is also the error of entering them
-/// into `from`. No cell becomes free. Does not allocate.
+/// Obstacles move by at most half the diagonal of a cell, the error of entering them into `from`.
+/// No cell becomes free. Does not allocate.
 void add_obstacles(const BitGrid& from, BitGrid& onto) noexcept;
 
 }  // namespace fairway

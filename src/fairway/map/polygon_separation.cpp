@@ -18,8 +18,8 @@ const Vector2d& next_vertex(const ConvexPart& part, int i) noexcept {
   return part.vertex(i + 1 == part.count ? 0 : i + 1);
 }
 
-// The axis along which the two overlap least: they are apart along an axis exactly when the result
-// is positive for it.
+// Finds the axis along which the two overlap least. They are apart along an axis exactly when the
+// result is positive for it.
 struct Overlap {
   double gap = -kInfinity;
   Vector2d normal = Vector2d::UnitX();

@@ -13,12 +13,13 @@ struct Separation {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< unit vector from the cell to the polygon
 };
 
-/// Distance between the cell [x, x+1] x [y, y+1] and the polygon of `part`'s vertices, which are in
-/// grid coordinates here, without its radius. Both closed; exact.
+/// Returns the distance between the cell [x, x+1] x [y, y+1] and the polygon of `part`'s vertices.
+/// The vertices are in grid coordinates; the radius of the part is ignored. Both sets are closed;
+/// the result is exact.
 [[nodiscard]] Separation separation(const ConvexPart& part, CellIndex cell) noexcept;
 
-/// The columns that the polygon touches between two heights, low <= y <= high; empty (first above
-/// second) where it does not reach there.
+/// Returns the columns that the polygon touches between two heights, low <= y <= high. The result
+/// is empty (first above second) where the polygon does not reach there.
 struct Columns {
   double left = 0.0;
   double right = -1.0;

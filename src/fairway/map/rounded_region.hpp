@@ -12,9 +12,9 @@ namespace fairway::internal {
 // The right half of the outline of a rounded rectangle, as a function of the height y. A rounded
 // rectangle is the set of all points within `radius` of a rectangle.
 //
-// The outline consists of an arc about the bottom corner, a side, an arc about the outer corner, a
-// side, and an arc about the top corner. The left half has the same form with x negated and the two
-// sides swapped. The function is concave.
+// The outline has five pieces: an arc about the bottom corner, a side, an arc about the outer
+// corner, a side, and an arc about the top corner. The left half has the same form with x negated
+// and the two sides swapped. The function is concave.
 class Flank {
  public:
   // (c, s) is the direction of the side from bottom to outer, both >= 0. Sides may have length 0.

@@ -67,7 +67,7 @@ struct PredictedObstacle {
 /// solution.
 ///
 /// The two targets of the paper (Q1 and Q2) equal one target at their weighted mean plus a
-/// constant, so this form represents them exactly; see `dual_target`.
+/// constant. So this form represents them exactly; see `dual_target`.
 struct ControlProblem {
   int horizon = 10;  ///< N, 1..kMaxHorizon
   double dt = 0.1;   ///< length of a step [s]

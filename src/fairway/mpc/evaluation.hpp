@@ -48,8 +48,9 @@ struct CommandBounds {
   Twist2 max;
 };
 
-/// Returns the commands of step k that are part of some sequence within all bounds, whatever came
-/// before: those in the command range from which the stop at the end is reachable.
+/// Returns the commands of step k that are part of some sequence within all bounds. Earlier
+/// commands do not matter: these are the commands in range from which the stop at the end is
+/// reachable.
 [[nodiscard]] CommandBounds reachable_bounds(const ControlProblem& problem, int k) noexcept;
 
 /// Moves commands to the nearest ones, from the first step on, that satisfy every bound; non-finite

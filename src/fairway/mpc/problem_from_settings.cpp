@@ -21,8 +21,8 @@ SpeedRange reachable(const SpeedRange& range, double last, double change) noexce
   return {.low = std::min(range.low, last + change), .high = std::max(range.high, last - change)};
 }
 
-// Returns the change limit, or infinity if it never binds: if it covers the whole range and the
-// last command, which may lie outside the range.
+// Returns the change limit, or infinity if it never binds. It never binds if it covers the whole
+// range and the last command, which may lie outside the range.
 double change_limit(double acceleration, double dt, const SpeedRange& range, double last) noexcept {
   const double change = acceleration * dt;
   const double widest = std::max(range.high, last) - std::min(range.low, last);

@@ -68,7 +68,7 @@ bool keep_outs_allowed(const ControlProblem& problem) noexcept {
   return true;
 }
 
-// Every interval of reachable_bounds leads to the next one, so only the first step can fail: its
+// Every interval of reachable_bounds leads to the next one, so only the first step can fail. Its
 // interval must not be empty, and must lie within one change of the previous command.
 bool bounds_agree(const ControlProblem& problem) noexcept {
   constexpr double kRounding = 1e-9;

@@ -12,8 +12,8 @@ enum class Punctuality : std::uint8_t {
   First,   ///< there was none before it
   OnTime,  ///< within the longest hold, or earlier than a period
   Late,    ///< later than the longest hold after the one before
-  /// The time is not finite, not after that of the cycle before, or not in seconds: the second time
-  /// in a row more than a hundred periods later.
+  /// The time is not finite, not after that of the cycle before, or not in seconds. Times count as
+  /// not in seconds if they are more than a hundred periods later for the second time in a row.
   Invalid,
 };
 
@@ -60,6 +60,11 @@ class CycleTimer {
   /// The longest interval of the last seconds that was not on time [s]; 0 for none.
   [[nodiscard]] double longest_late() const noexcept { return late_; }
 
+  /// The shortest interval of the last seconds, or a period where none was shorter [s].
+  [[nodiscard]] double shortest(double period) const noexcept {
+    return irregular_ ? std::min(period, shortest_) : period;
+  }
+
   /// Whether the cycles of the last seconds were noticeably earlier or later than a period.
   [[nodiscard]] bool irregular() const noexcept { return irregular_; }
 
@@ -74,6 +79,7 @@ class CycleTimer {
       late_at_ = time;
     }
     if (std::abs(timing.elapsed - period) > kNoticeable * period) {
+      shortest_ = irregular_ ? std::min(shortest_, timing.elapsed) : timing.elapsed;
       irregular_ = true;
       irregular_at_ = time;
     }
@@ -88,6 +94,7 @@ class CycleTimer {
   double late_at_ = 0.0;
   bool irregular_ = false;
   double irregular_at_ = 0.0;
+  double shortest_ = 0.0;
 };
 
 }  // namespace fairway

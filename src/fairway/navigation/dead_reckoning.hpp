@@ -6,8 +6,8 @@
 
 namespace fairway {
 
-/// Where the commands of the last cycles lead: from a pose that is a little old to now, and whether
-/// a new pose fits the one before.
+/// Advances poses along the commands of the last cycles. It moves a slightly old pose to now, and
+/// decides whether a new pose fits the one before.
 class DeadReckoning {
  public:
   DeadReckoning() = default;
@@ -17,10 +17,10 @@ class DeadReckoning {
       : linear_shift_(robot.linear_delay + robot.linear_lag),
         angular_shift_(robot.angular_delay + robot.angular_lag) {}
 
-  /// Forgets everything; the robot moves with `actual`.
+  /// Forgets everything; the robot is assumed to move with `actual`.
   void reset(const Twist2& actual) noexcept;
 
-  /// A command was sent at `time` [s]; the base ramps to it within `dt` [s].
+  /// Records a command sent at `time` [s]; the base ramps to it within `dt` [s].
   void sent(double time, const Twist2& command, double dt) noexcept {
     sent(time, command, {.linear = dt, .angular = dt});
   }
@@ -31,15 +31,16 @@ class DeadReckoning {
 
   [[nodiscard]] const CommandHistory& history() const noexcept { return history_; }
 
-  /// Where a robot that was at `pose` at `from` is at `to` [s]; `pose` itself when from >= to.
+  /// Returns where a robot that was at `pose` at `from` is at `to` [s]; `pose` itself when from >=
+  /// to.
   [[nodiscard]] Pose2 advanced(const Pose2& pose, double from, double to) const noexcept;
 
   /// Takes in a pose that was true at `time` [s].
   ///
-  /// It fits when it is within `tolerance` [m] and half of the distance driven since of where the
-  /// last one that fitted leads; the first one fits. Poses that agree among themselves for half a
-  /// second fit again once the robot has stopped: then it is the map that was wrong before, or the
-  /// robot was carried.
+  /// The pose fits when it is near the place to which the last fitting pose leads. Near means
+  /// within `tolerance` [m] and half of the distance driven since; the first pose fits. Poses that
+  /// agree among themselves for half a second fit again once the robot has stopped: then the map
+  /// was wrong before, or the robot was carried.
   [[nodiscard]] bool fits(const Pose2& pose, double time, double tolerance) noexcept;
 
  private:

@@ -5,8 +5,8 @@
 
 namespace fairway {
 
-/// Decides when the position of the goal is reached: the robot is near it, and either slow or past
-/// the nearest point. The goal stays reached until the robot is pushed away.
+/// Decides when the position of the goal is reached. The robot must be near it, and either slow or
+/// past the nearest point. The goal stays reached until the robot is pushed away.
 class GoalCheck {
  public:
   /// Starts again for another goal.

@@ -7,8 +7,9 @@
 
 namespace fairway {
 
-/// Checks the inputs of a cycle: returns why the robot must not drive on them (not finite, too old,
-/// or a pose jump), or None. If the pose is consistent, `reckoning` is updated with it.
+/// Checks the inputs of a cycle, and returns why the robot must not drive on them, or None. Inputs
+/// may be not finite or too old, and the pose may jump. If the pose is consistent, `reckoning` is
+/// updated with it.
 [[nodiscard]] LimitingFactor check_input(const NavigationInput& input,
                                          const SafetySettings& settings,
                                          DeadReckoning& reckoning) noexcept;

@@ -79,7 +79,7 @@ enum class LimitingFactor : std::uint8_t {
   SolverFailed,
   NoPath,
   InvalidGoal,  ///< the goal is not finite, or its heading is not in radians
-  InvalidTime,  ///< the times of the cycles are not in seconds, stand still or run backwards
+  InvalidTime,  ///< the times of the cycles are not in seconds, do not advance or run backwards
   SmallerPlan,  ///< the plan was made for a smaller robot
   InvalidScan,  ///< the last scan was refused: not finite, or absurd
   LateCycle,    ///< the cycle came later than `safety.longest_hold` after the one before

@@ -125,7 +125,7 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
   const RobotSettings& robot = settings_.robot;
   const MpcSettings& mpc = settings_.mpc;
   set_from_settings(mpc, robot, sent_, problem_);
-  // What is on its way through the delay is executed first. A base that ramps from command to
+  // Commands that the delay still holds back are executed first. A base that ramps from command to
   // command is, half a cycle later, where one that jumps would be.
   problem_.start = step(ahead_, sent_, lag_, Integration::Midpoint);
   set_predictions(settings_.prediction, robot,
@@ -207,8 +207,8 @@ NavigationStep Navigator::send(std::size_t candidate, std::span<const Twist2> co
           .plan = &solution_};
 }
 
-// No new command is proven: continues the stop that was, unless a moving obstacle that moves
-// differently from its prediction would hit the robot on it; then evades as long as possible.
+// No new command is proven, so this continues the stop that was. If a moving obstacle that deviates
+// from its prediction would hit the robot on it, the robot evades as long as possible.
 NavigationStep Navigator::stop_or_evade(const NavigationInput& input) noexcept {
   solution_.horizon = 0;  // what was planned is not what is done: start again without it
   const StopSituation now = situation(input);
@@ -283,6 +283,7 @@ StopSituation Navigator::situation(const NavigationInput& input) const noexcept 
           .hold = settings_.mpc.horizon * settings_.mpc.step_length,
           .longest_interval = std::max(timer_.longest_late(), first ? kFirst : 0.0),
           .irregular = timer_.irregular(),
+          .shortest_interval = timer_.shortest(period_),
           .response = &response_,
           .history = &reckoning_.history(),
           .time = input.time};

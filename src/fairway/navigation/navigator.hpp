@@ -45,16 +45,16 @@ class Navigator {
   /// Forgets the plan: the robot brakes to a standstill.
   void cancel();
 
-  /// Sets the twist that the robot really has, where that differs from the last command: after a
-  /// hold, a jump, or at the first cycle of a robot that moves already.
+  /// Sets the actual twist of the robot, where it differs from the last command. This is so after a
+  /// pause, after a jump of the pose, or if the robot already moves in the first cycle.
   void reset(const Twist2& actual = {}) noexcept;
 
   /// Runs one control cycle. Never fails: when no command can be shown to be safe, it brakes along
   /// the stop that was verified last, and the status and limit say why.
   [[nodiscard]] NavigationStep update(const NavigationInput& input) noexcept;
 
-  /// The message to the other robots after an update at `time` and `pose`: what the robot does in
-  /// this cycle and would do after it, and what it intends.
+  /// Makes the message to the other robots after an update at `time` and `pose`. It holds the
+  /// motion of this cycle, the stop after it, and the intended path.
   [[nodiscard]] SharedMotion share(std::uint32_t robot,
                                    double time,
                                    const Pose2& pose) const noexcept;

@@ -30,8 +30,8 @@ void Navigator::find_zone_speeds(const NavigationInput& input) noexcept {
   find_speed_limits(*zones, path_, body_.circumscribed_radius() + kBeside, reach, zone_speeds_);
 }
 
-// The speed from which the limit of a zone ahead can still be met after the next command, and the
-// speed of a robot that brakes for a hold.
+// Limits the speed so that the limit of a zone ahead can still be met after the next command. It
+// also sets the speed of a robot that brakes for a hold.
 void Navigator::limit_speed(const NavigationInput& input) noexcept {
   const double change = change_max(linear_actuation(settings_.robot));
   // The first command of an answer is reached a step later.

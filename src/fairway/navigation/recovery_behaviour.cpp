@@ -87,8 +87,8 @@ Twist2 drive_off(const RecoveryInput& in) noexcept {
   return best;
 }
 
-// Whether a plan covers less than a radian of turning: the controller then does not see what
-// turning is good for, and drives wide circles.
+// Returns whether a plan covers less than a radian of turning. The controller then does not see the
+// benefit of turning, and drives wide circles.
 bool turns_slowly(const RecoveryInput& in) noexcept {
   return in.robot.angular_max * in.reach < 1.0 * in.robot.linear_max;
 }

@@ -14,9 +14,9 @@
 
 namespace fairway {
 
-/// What to try when the robot stands still although it should drive.
+/// What to try when the robot is at standstill although it should drive.
 enum class RecoveryAction : std::uint8_t {
-  None,             ///< it drives, or has not stood still for long
+  None,             ///< it drives, or has stopped only recently
   TurnFirst,        ///< a base that turns slowly turns to the path before it drives
   Turn,             ///< turn on the spot towards the reference path
   Plan,             ///< ask for a new path and corridor from here
@@ -41,12 +41,13 @@ struct RecoveryView {
   double patience = 0.0;      ///< standstill before a recovery begins [s]
 };
 
-/// Watches whether the robot makes progress, and goes through what can be done where it does not:
-/// turn, plan, drive off, back, turn to clearance, wait, and the next round.
+/// Watches whether the robot makes progress, and selects a recovery action where it does not. The
+/// actions are: turn, plan, drive off, back, turn to clearance, wait, and the next round.
 ///
 /// A standstill is noticed after the patience; motion without progress after five times that. A
-/// robot that turns towards its path makes progress, however slowly. After kRounds attempts it
-/// stays, facing its path: turning back and forth in front of a goal that is taken helps no one.
+/// robot that turns towards its path makes progress, however slowly. After kRounds attempts the
+/// robot stays and faces its path, since turning back and forth in front of an occupied goal has no
+/// use.
 class RecoveryBehaviour {
  public:
   static constexpr int kRounds = 4;        ///< attempts before it stays
@@ -64,8 +65,8 @@ class RecoveryBehaviour {
     if (action_ == RecoveryAction::Stay) leave_stay();
   }
 
-  /// Notes that the action could not be taken safely in this cycle; after three such cycles the
-  /// next one is tried.
+  /// Notes that the action could not be taken safely in this cycle. After three such cycles the
+  /// next action is tried.
   void refuse() noexcept { ++refused_; }
 
   [[nodiscard]] RecoveryAction update(const RecoveryView& view) noexcept {

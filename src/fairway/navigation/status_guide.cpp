@@ -210,7 +210,7 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
                   "The time of a cycle is not later than the one before, or more than 100 "
                   "control periods later: the robot stops.",
               .causes =
-                  "Times in milliseconds; a clock that stands still, jumps or runs "
+                  "Times in milliseconds; a clock that stops, jumps or runs "
                   "backwards.",
               .remedy = "Give the seconds of one monotonic clock, the same for all inputs."};
     case LimitingFactor::SmallerPlan:

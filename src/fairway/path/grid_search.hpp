@@ -26,7 +26,7 @@ class GridSearch {
 
   /// Finds a cheapest path from any of `starts` to any of `goals`.
   ///
-  /// Returns false if there is no path, or if the cheapest one is too long: more than about a
+  /// Returns false if there is no path, or if the best one is too long. The limit is about a
   /// million straight steps at the lowest cost. Terminals that are not nodes are ignored.
   /// @pre `begin` of the grid was called; the terminals' costs are below 2^28.
   [[nodiscard]] bool find(BlockGrid& grid,

@@ -21,8 +21,8 @@ bool on_map(const GridFrame& frame, const Vector2d& point) {
   return is_finite(point) && frame.contains(frame.cell_at(point));
 }
 
-// The point with the greatest clearance among some in the cell about `centre`, its sides included;
-// the centre itself where that is enough.
+// Returns the point with the greatest clearance among some in the cell about `centre`, its sides
+// included. It returns the centre itself where that is enough.
 Vector2d best_in_cell(const TravelCost& costs, const Vector2d& centre) noexcept {
   constexpr std::array kOffsets = {0.0, 0.25, -0.25, 0.5, -0.5};  // [cells]
   if (costs.fits(centre, centre)) return centre;
@@ -108,8 +108,8 @@ void PathPlanner::join_grid(const TravelCost& costs, double robot_radius, End& e
       add_ring(costs, costs.required(), ring, end);
   }
   if (end.cells.empty()) {
-    // To leave a gap between two posts straight ahead takes sqrt(required^2 - radius^2) until the
-    // margin is kept; twice that distance also leads out of most corners.
+    // A robot that leaves a gap between two posts keeps the margin after sqrt(required^2 -
+    // radius^2). Twice that distance also leads out of most corners.
     end.tight = true;
     const double required = costs.required();
     const double exit_distance =
@@ -187,8 +187,9 @@ bool PathPlanner::may_join(const TravelCost& costs, const End& end, const Vector
                        : costs.goes_against_zone(end.point, point));
 }
 
-// Searches with so much less clearance that the cell beside the best point is allowed, moves every
-// point to the best one in its cell, and keeps the path if all of it then has the whole clearance.
+// Searches with so much less clearance that the cell beside the best point is allowed. It then
+// moves every point to the best one in its cell, and keeps the path if all of it has the whole
+// clearance.
 bool PathPlanner::search_between_centres(const TravelCost& costs,
                                          const PathSettings& settings,
                                          double robot_radius,

@@ -24,9 +24,9 @@ struct PathResult {
 /// Finds paths for a disc robot, on one map after another, and reuses its memory.
 ///
 /// Every straight piece of a path keeps the robot's radius plus `settings.margin` from every
-/// blocked cell, exactly (is_free holds for it). If the start or the goal is closer to an obstacle
-/// than that, the first or the last piece keeps only the radius. A path has at least two waypoints:
-/// the first equals the start and the last equals the goal, to the bit.
+/// blocked cell. This is exact: is_free holds for it. If the start or the goal is closer to an
+/// obstacle than that, the first or the last piece keeps only the radius. A path has at least two
+/// waypoints: the first equals the start and the last equals the goal, to the bit.
 ///
 /// The search first covers blocks of 4 x 4 cells, and then the cells along the blocks found. It
 /// finds a path wherever neighbouring allowed cells (see TravelCost) connect start and goal; that

@@ -20,8 +20,8 @@ inline constexpr std::array<int, 8> kStepY{0, 1, 1, 1, 0, -1, -1, -1};
 /// Cost of a node that no search has reached.
 inline constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::max();
 
-/// A lattice of nodes in the form that GridSearch reads: one byte per node, surrounded by a border
-/// of blocked nodes.
+/// A lattice of nodes in the form that GridSearch reads. It has one byte per node and a border of
+/// blocked nodes.
 ///
 /// A byte of 0 means that there is no node. Otherwise its lower bits are the cost per step in units
 /// of `unit`. kOpen means that the node and its eight neighbours are all linked, and that costs
@@ -59,8 +59,8 @@ class SearchGrid {
     return static_cast<std::uint8_t>(std::min(units, static_cast<int>(kCost)));
   }
 
-  // Returns whether GridSearch may skip detours at a node (see GridSearch::run): the node and its
-  // neighbours all exist, and their costs differ little.
+  // Returns whether GridSearch may skip detours at a node (see GridSearch::run). The node and its
+  // neighbours must all exist, and their costs must differ little.
   [[nodiscard]] bool is_gentle(int index) const noexcept;
 
   const TravelCost* costs_ = nullptr;
@@ -72,13 +72,13 @@ class SearchGrid {
   int unit_ = 1;
 };
 
-/// The map at a quarter of its resolution: a node is a block of 4 x 4 cells with at least one
+/// The map at a quarter of its resolution. A node is a block of 4 x 4 cells with at least one
 /// allowed cell.
 ///
 /// The cost of a node is that of its cell with the greatest clearance. Two blocks are linked if
 /// allowed cells of both are neighbours. Everything that is connected on the map is therefore
 /// connected here; the reverse fails only where a block has allowed cells on both sides of a thin
-/// obstacle. Rows are computed on first use, so a short path on a large map is cheap.
+/// obstacle. Rows are computed on first use, so a short path on a large map costs little.
 class BlockGrid : public SearchGrid {
  public:
   static constexpr int kSide = 4;  ///< side of a block [cells]

@@ -134,8 +134,8 @@ bool Straightening::move_corner(const TravelCost& costs,
   return moved;
 }
 
-// Replaces a corner by two, one on each leg, where that pays: a sharp turn around an obstacle needs
-// more than one corner.
+// Replaces a corner by two, one on each leg, where that reduces the cost. A sharp turn around an
+// obstacle needs more than one corner.
 bool Straightening::cut_corners(const TravelCost& costs) {
   bool changed = false;
   cut_.clear();

@@ -9,10 +9,10 @@ namespace fairway {
 
 /// Turns a chain of neighbouring cells into a few straight lines without losing clearance.
 ///
-/// A straight line replaces a part of the chain only if it costs no more (TravelCost::line, which
-/// includes clearance) and the robot fits along it (TravelCost::fits). Corners are then moved,
-/// dropped and cut in two as long as this reduces the cost. The result never costs more than the
-/// chain and is a local optimum. The first and the last point stay.
+/// A straight line replaces a part of the chain only if it costs no more and the robot fits along
+/// it. TravelCost::line gives the cost, clearance included, and TravelCost::fits the test. Corners
+/// are then moved, dropped and cut in two as long as this reduces the cost. The result never costs
+/// more than the chain and is a local optimum. The first and the last point stay.
 class Straightening {
  public:
   /// Replaces `points` [grid coordinates] in place. @pre the robot fits along each piece.

@@ -99,7 +99,7 @@ TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
   if (!inside(a) || !inside(b)) return {};
   constexpr double kFar = std::numeric_limits<double>::max();
   const float* const cells = distances_.cells().data();
-  // Follows the longer axis u, one column of cells at a time; in each column the line meets one
+  // Follows the longer axis u, one column of cells at a time. In each column the line meets one
   // cell, or two neighbours across, along v. The loop has no branches that depend on the line,
   // because they would be mispredicted.
   const bool steep = std::abs(b.y() - a.y()) > std::abs(b.x() - a.x());

@@ -17,8 +17,8 @@ namespace fairway {
 /// 1 + comfort_weight. A line costs the integral over the cells it crosses. A cell is *allowed* if
 /// a disc of radius r is free at its centre (is_free holds there).
 ///
-/// Zones of the map add their cost of a metre (ZoneMap::cost_at), for lines exactly, and forbid
-/// lines against the direction of a one-way zone.
+/// Zones of the map add their cost of a metre (ZoneMap::cost_at), exactly for lines. One-way zones
+/// forbid lines against their direction.
 class TravelCost {
  public:
   /// Keeps references to both maps, which must outlive this object.
@@ -67,8 +67,8 @@ class TravelCost {
   /// between allowed neighbours that share a side are always free.
   [[nodiscard]] bool diagonals_need_checks() const noexcept { return corner_ >= 0; }
 
-  /// Returns whether the robot can move between the centres of two allowed diagonal neighbours,
-  /// `cell` and the one at (dx, dy).
+  /// Returns whether the robot can move diagonally between the centres of two allowed cells. The
+  /// cells are `cell` and the one at (dx, dy).
   [[nodiscard]] bool diagonal_is_free(CellIndex cell, int dx, int dy) const noexcept {
     if (corner_ < 0) return true;
     const int near = corner_;

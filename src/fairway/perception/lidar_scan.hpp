@@ -29,7 +29,7 @@ struct LidarScan {
 /// @param position  Of the robot that carries the sensor, in the frame of the poses [m].
 [[nodiscard]] bool is_plausible(const LidarScan& scan, const Eigen::Vector2d& position) noexcept;
 
-/// What a beam tells about where it ends.
+/// What a beam measures at its end.
 enum class BeamEnd : std::uint8_t {
   Hit,      ///< there is an obstacle
   Open,     ///< the beam is free up to there

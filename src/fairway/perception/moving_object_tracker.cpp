@@ -104,8 +104,8 @@ void MovingObjectTracker::correct(std::size_t index,
   const CenterFit fit =
       fit_center(cluster_, track.radius, track.position(), kPointSigma, guess_sigma);
   if (fit.deviation > 3.0 * kPointSigma && !behind) return;
-  // The errors of the points of a scan are correlated (the object is not a perfect disc), so they
-  // do not average out.
+  // The errors of the points of a scan are correlated, so they do not average out: the object is
+  // not a perfect disc.
   const Eigen::Matrix2d noise =
       fit.covariance + kPointSigma * kPointSigma * Eigen::Matrix2d::Identity();
   track.correct(fit.center, noise);

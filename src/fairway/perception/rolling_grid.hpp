@@ -70,7 +70,7 @@ class RollingGrid {
   /// Returns Occupied, Free or Unknown; Unknown outside the window.
   [[nodiscard]] CellState at(CellIndex cell) const noexcept;
 
-  /// Returns whether an obstacle in this cell must have come there recently: beams had crossed the
+  /// Returns whether an obstacle in this cell must have come there recently. Beams had crossed the
   /// cell until it was surely free, and since then at most kNewScans scans hit it. False outside
   /// the window.
   [[nodiscard]] bool would_be_new(CellIndex cell) const noexcept;

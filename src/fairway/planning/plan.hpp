@@ -40,16 +40,16 @@ struct Plan {
   }
 };
 
-/// Whether a plan can be followed, where it did not come from a planner just now: the error says
-/// what is wrong. One that is not usable says so itself and is valid.
+/// Checks whether a plan from another source can be followed; the error says what is wrong. A plan
+/// that is not usable says so itself and is valid.
 ///
-/// A usable plan has a path and a corridor of plausible numbers, its goal is a place, and every
+/// A usable plan has a path and a corridor of plausible numbers. Its goal is plausible, and every
 /// rectangle's admissible part meets the next one's.
 [[nodiscard]] Expected<void> validate(const Plan& plan);
 
-/// Whether a plan was made for a robot whose discs have at least these radii [m]: the one that
-/// covers it, or, where start or goal have less clearance, the one inside it. Such a plan leads the
-/// body away from there, and every command is checked with the body itself.
+/// Returns whether a plan was made for a robot whose discs have at least these radii [m]. These are
+/// the disc that covers the robot, or, where start or goal have less clearance, the one inside it.
+/// Such a plan leads the body away from there, and every command is checked with the body itself.
 [[nodiscard]] inline bool fits(const Plan& plan, double radius, double inner_radius) noexcept {
   constexpr double kLeastShare = 0.85;  // of the radius; the planner keeps 0.9
   constexpr double kInnerShare = 0.95;

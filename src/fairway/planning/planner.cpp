@@ -28,7 +28,7 @@ constexpr std::array kCorridorTries = {CorridorTry{0.5, 1.0},  CorridorTry{0.5, 
                                        CorridorTry{0.5, 0.05}, CorridorTry{0.0, 0.25},
                                        CorridorTry{0.0, 0.05}, CorridorTry{0.0, 0.005}};
 
-// Returns the radius of the disc for which the corridor is built: robot and margin, or the
+// Returns the radius of the disc for which the corridor is built. It is robot and margin, or the
 // clearance of start and goal if that is less.
 double corridor_radius(const PreparedMap& map,
                        const Eigen::Vector2d& start,
@@ -87,8 +87,8 @@ double deepest_along(const ZonePolygon& polygon, const Segment& piece) {
   return deepest;
 }
 
-// Zones in which the one-way zones that a path does not enter are keep-outs for the centre; null
-// if there are none.
+// Returns zones in which the one-way zones that a path avoids are keep-outs for the centre; null if
+// there are none.
 std::shared_ptr<const ZoneMap> with_closed_lanes(const BitGrid& obstacles, const Path& path) {
   const ZoneMap* zones = obstacles.zones();
   if (zones == nullptr) return nullptr;

@@ -75,14 +75,13 @@ class Planner {
 
   /// Finds a path and then its corridor: the input and output of Algorithm 2.
   ///
-  /// Tries the path's margin and the overlap of the corridor from the values of the settings
-  /// downwards, and returns the first complete corridor. A single fixed margin would fail in some
-  /// maps.
+  /// Tries the path's margin and the corridor's overlap from the settings' values downwards. It
+  /// returns the first complete corridor. A single fixed margin would fail in some maps.
   ///
   /// Around a one-way zone that the path does not enter, the corridor leaves the zone out.
   ///
-  /// Always returns a plan: a start or goal that is not finite counts as outside the map, and a
-  /// radius or setting that is negative or not finite gives InvalidInput.
+  /// Always returns a plan, also for invalid arguments. A start or goal that is not finite counts
+  /// as outside the map; a radius or setting that is negative or not finite gives InvalidInput.
   [[nodiscard]] Plan plan(const PreparedMap& map,
                           const Eigen::Vector2d& start,
                           const Goal& goal,

@@ -35,7 +35,7 @@ void select_nearest(MovingObstacles obstacles,
 double forecast_deviation(const PredictionSettings& settings, double speed, double ahead) noexcept {
   constexpr double kNow = 0.03;       // [m]
   constexpr double kMost = 1.0;       // [m]
-  constexpr double kStanding = 0.25;  // share of the growth of an obstacle that stands
+  constexpr double kStanding = 0.25;  // share of the growth, for an obstacle at standstill
   constexpr double kWalking = 0.8;    // speed from which it has all of it [m/s]
   const double share = kStanding + (1.0 - kStanding) * std::min(1.0, speed / kWalking);
   return std::min(kNow + share * settings.deviation_growth * ahead, kMost);

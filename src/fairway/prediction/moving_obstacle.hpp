@@ -14,13 +14,13 @@
 
 namespace fairway {
 
-/// Positions at even intervals, straight between them; before the first it stands at the first,
-/// after the last at the last.
+/// Positions at even intervals, with straight lines between them. The motion stays at the first
+/// position before the start, and at the last one after the end.
 struct SampledMotion {
   static constexpr int kMaxSamples = 51;
-  double start = 0.0;     ///< time of the first [s]
-  double interval = 0.1;  ///< between two [s]
-  int count = 0;          ///< at least 1 to be asked
+  double start = 0.0;     ///< time of the first sample [s]
+  double interval = 0.1;  ///< between two samples [s]
+  int count = 0;          ///< number of samples; `at` needs at least 1
   std::array<Eigen::Vector2d, kMaxSamples> positions;
 
   [[nodiscard]] Eigen::Vector2d at(double time) const noexcept {
@@ -33,14 +33,14 @@ struct SampledMotion {
     return positions[k] + share * (positions[k + 1] - positions[k]);
   }
 
-  /// Adds a sample; beyond the most that fit they are dropped.
+  /// Adds a sample; samples beyond kMaxSamples are dropped.
   void add(const Eigen::Vector2d& position) noexcept {
     if (count < kMaxSamples) positions[static_cast<std::size_t>(count++)] = position;
   }
 };
 
-/// A place that several robots want to pass at a time: everybody goes round it with the centre on
-/// the left.
+/// A circle around a place where the paths of several robots meet. All of them drive around its
+/// centre with the centre on their left.
 struct Roundabout {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0.0;  ///< [m]; 0: there is none
@@ -48,56 +48,57 @@ struct Roundabout {
   [[nodiscard]] bool exists() const noexcept { return radius > 0.0; }
 };
 
-/// The next points of a robot's way, straight between them.
+/// The next points of a robot's path, with straight lines between them.
 struct UpcomingWaypoints {
   static constexpr int kMaxPoints = 6;
   int count = 0;
   std::array<Eigen::Vector2d, kMaxPoints> points;
 };
 
-/// What a robot tells the other robots about itself in every cycle.
+/// The message that a robot publishes to the other robots in every control cycle.
 struct SharedMotion {
-  std::uint32_t robot = 0;  ///< who tells; no two of a fleet are alike
-  double time = 0.0;        ///< when it was told, on the clock of all [s]
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< then [m]
-  double speed = 0.0;         ///< the greatest in the cycle then, without sign [m/s]
-  double radius = 0.0;        ///< of the disc that covers it [m]
-  double speed_max = 0.0;     ///< [m/s]
-  double acceleration = 0.0;  ///< with which it gains and loses speed [m/s^2]
+  std::uint32_t robot = 0;  ///< number of the sender, unique in the fleet
+  double time = 0.0;        ///< of publication, on the fleet's clock [s]
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< at that time [m]
+  double speed = 0.0;                                  ///< greatest of that cycle, unsigned [m/s]
+  double radius = 0.0;                                 ///< of the disc that covers the robot [m]
+  double speed_max = 0.0;                              ///< [m/s]
+  double acceleration = 0.0;  ///< least of acceleration and braking [m/s^2]
   double turn_max = 0.0;      ///< [rad/s]
-  SampledMotion plan{};       ///< what it intends to do
-  SampledMotion stop{};     ///< what it has bound itself to until it tells something else: to stand
-  UpcomingWaypoints way{};  ///< from its position on, as it would be without other robots
-  bool under_way = false;   ///< it has a way, and is not at its goal
+  SampledMotion plan{};       ///< motion that the robot intends
+  SampledMotion stop{};       ///< motion that it has committed to, until its next message
+  UpcomingWaypoints way{};    ///< its path, as it would be without other robots
+  bool under_way = false;     ///< whether it follows a path and is not at its goal
   double distance_to_bottleneck =
-      std::numeric_limits<double>::infinity();  ///< to where it meets others in a narrow place [m]
-  bool can_step_aside = true;                   ///< and wait there until they have passed
+      std::numeric_limits<double>::infinity();  ///< to the narrow place where it meets others [m]
+  bool can_step_aside = true;                   ///< whether it can move aside and wait there
   double retreat_length =
-      0.0;  ///< to where it could wait when it cannot step aside; infinite: nowhere [m]
-  Roundabout roundabout{};  ///< that it goes round
+      0.0;                  ///< to a place where the others can pass; infinite if there is none [m]
+  Roundabout roundabout{};  ///< roundabout that the robot follows
 };
 
-/// Whether a message can be true: all of it is finite, and within bounds that no robot exceeds.
+/// Returns whether a message is plausible: every number is finite and within bounds that no robot
+/// exceeds.
 [[nodiscard]] bool is_plausible(const SharedMotion& motion) noexcept;
 
-/// What robots tell of places is rounded to this, so that it is short to send and to keep [m].
+/// Published positions are rounded to this, which shortens messages and recordings [m].
 inline constexpr double kToldQuantum = 1e-3;
 
-/// The same with the places of plan, stop and way rounded to kToldQuantum. (Lengths are not: robots
-/// compare theirs with those of others to agree on who goes first.)
+/// Returns the message with the positions of plan, stop and path rounded to kToldQuantum. (Lengths
+/// are not rounded: robots compare them to agree on who goes first.)
 ///
-/// A place is off by at most kToldQuantum / sqrt(2) then, and so is everything straight between two
-/// places: `radius` grows by a little more than that. So who keeps clear of what was rounded keeps
-/// clear of the robot.
+/// Rounding moves a position, and every point between two positions, by at most kToldQuantum /
+/// sqrt(2). `radius` grows by slightly more, so a robot that keeps clear of the rounded motion
+/// keeps clear of the robot.
 [[nodiscard]] SharedMotion rounded(SharedMotion motion) noexcept;
 
-/// How far a robot can be from the stop that it told, when it was not heard for `unseen` seconds
-/// and may have told others since [m].
+/// Returns how far a robot can be from the stop in its newest message [m]. It may have published
+/// other messages in the last `unseen` seconds, which were not received.
 ///
-/// It is taken to brake at once in what it told and in what it has told since. With v its speed
-/// when it told, v' = min(speed_max, v + a unseen) the fastest that it can be now, it is at most v'
-/// unseen further on, needs (v'^2 - v^2) / 2a more to stop, and has turned its braking by at most 2
-/// turn_max unseen.
+/// The robot is assumed to brake at once in the stop that it published, and in every later one.
+/// With v its speed when it published, v' = min(speed_max, v + a unseen) is its greatest speed now.
+/// It is then at most v' unseen further on, needs (v'^2 - v^2) / 2a more to stop, and has turned
+/// its braking path by at most 2 turn_max unseen.
 [[nodiscard]] inline double reach_beyond_stop(const SharedMotion& motion, double unseen) noexcept {
   if (!(unseen > 0.0)) return 0.0;
   const double v = motion.speed;
@@ -107,22 +108,23 @@ inline constexpr double kToldQuantum = 1e-3;
   return now * unseen + braking - v * v / (2.0 * motion.acceleration) + turned * braking;
 }
 
-/// A robot of the fleet, as another one knows it.
+/// A robot of the fleet, as another robot knows it.
 struct FleetMember {
-  const SharedMotion* motion = nullptr;  ///< the last that was heard of it
-  double unseen = 0.0;  ///< for how long it may have told others something else since [s]
+  const SharedMotion* motion = nullptr;  ///< its newest message that was received
+  double unseen = 0.0;                   ///< time in which it may have published a newer one [s]
 };
 
 using Fleet = std::span<const FleetMember>;
 
-/// Something that moves, as a disc: a person, a cart, another robot.
+/// A moving obstacle as a disc: a person, a cart, another robot.
 struct MovingObstacle {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< centre now, world frame [m]
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s]
   double radius = 0.0;                                 ///< of the body [m]
 };
 
-/// Whether an obstacle can be one: nothing that moves is faster or larger.
+/// Returns whether an obstacle is plausible: finite, and neither faster nor larger than any real
+/// one.
 [[nodiscard]] inline bool is_plausible(const MovingObstacle& obstacle) noexcept {
   constexpr double kFastest = 1000.0;  // [m/s]
   constexpr double kLargest = 1000.0;  // [m]
@@ -133,16 +135,16 @@ struct MovingObstacle {
 
 using MovingObstacles = std::span<const MovingObstacle>;
 
-/// Where a constant velocity leads after `time` [s]: the paper's prediction.
+/// Returns the position after `time` [s] at constant velocity: the paper's prediction.
 [[nodiscard]] inline Eigen::Vector2d predicted_position(const MovingObstacle& obstacle,
                                                         double time) noexcept {
   return obstacle.position + time * obstacle.velocity;
 }
 
-/// How moving obstacles are predicted, and the distance kept from the prediction.
+/// Settings of the prediction of moving obstacles, and of the distance kept from it.
 struct PredictionSettings {
   double obstacle_margin = 0.1;      ///< distance kept beyond both radii [m], 0 to 10
-  bool predict_motion = true;        ///< obstacles keep their velocity; false: they stand still
+  bool predict_motion = true;        ///< obstacles keep their velocity; false: their position
   double obstacle_growth = 0.1;      ///< growth of that distance per second ahead [m/s], 0 to 10
   double obstacle_growth_max = 0.2;  ///< greatest growth of that distance [m], 0 to 10
   double comfort_distance = 0.3;     ///< distance that the robot prefers to keep beyond that [m]
@@ -157,8 +159,7 @@ void visit_prediction(Settings& s, Visitor&& field) {
                     0, 10, kEssential});
   field(s.predict_motion,
         SettingInfo{"predict_motion", "",
-                    "predict that moving obstacles keep their velocity; if not, that they stand "
-                    "still"});
+                    "predict that moving obstacles keep their velocity; if not, that they stop"});
   field(s.obstacle_growth,
         SettingInfo{"obstacle_growth", "m/s",
                     "growth of that distance per second ahead, since predictions err", 0, 10});

@@ -16,27 +16,28 @@ struct StopSequence {
   std::array<Twist2, kMaxLength> commands;
 };
 
-/// The command of one cycle on the way from `current` to `wanted`: each speed changed by no more
-/// than the acceleration limits allow in `period` [s].
+/// Returns the command of one cycle that leads from `current` towards `wanted`. Each speed changes
+/// by no more than the acceleration limits allow in `period` [s].
 [[nodiscard]] Twist2 limited_change(const Twist2& current,
                                     const Twist2& wanted,
                                     const RobotSettings& robot,
                                     double period) noexcept;
 
-/// Braking from `current` as hard as the limits allow, one command per `period` [s].
+/// Brakes from `current` as hard as the limits allow, with one command per `period` [s].
 [[nodiscard]] StopSequence brake_from(const Twist2& current,
                                       const RobotSettings& robot,
                                       double period) noexcept;
 
-/// Pieces of a control period in each of which the twist is taken as constant.
+/// Number of pieces of a control period; the twist is taken as constant in each.
 inline constexpr int kRampPieces = 4;
 
 /// The mean twist in one of these pieces, while the base ramps linearly from `from` to `to`.
 [[nodiscard]] Twist2 ramp_mean(const Twist2& from, const Twist2& to, int piece) noexcept;
 
-/// Where a robot at `pose` that moves with `current` now will be at the end of each control period
-/// while it executes `command` and then `stop` from its command number `done` on; the first sample
-/// is now. Cycles beyond those that fit are left out, and the last sample is where it stops.
+/// Predicts where a robot is at the end of each control period during a command and the stop after
+/// it. The robot is at `pose`, moves with `current`, and executes `command` and then `stop` from
+/// its command number `done` on. The first sample is now; the last one is where it stops. Cycles
+/// beyond the last sample that fits are left out.
 [[nodiscard]] SampledMotion stop_track(const Pose2& pose,
                                        const Twist2& current,
                                        const Twist2& command,

@@ -29,8 +29,8 @@ CollisionEnvironment static_environment(const BitGrid& obstacles,
                               .moving = {}};
   if (disc || radius < body.circumscribed_radius()) return around;
   // The plan keeps the covering disc free, so that the robot can turn anywhere. As long as the body
-  // is free a little of that may be lost on the way, but no more than is lost already. Where the
-  // disc has less clearance than the margin, the margin must not forbid to turn.
+  // is free, a little of that may be lost during the stop, but no more than is lost already. Where
+  // the disc has less clearance than the margin, the margin must not forbid to turn.
   const double disc_room =
       distance_to_blocked(obstacles, pose.position, radius + margin, ZoneSubject::Body) -
       2.0 * kFreeSpaceSkin;

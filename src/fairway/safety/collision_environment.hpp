@@ -6,13 +6,13 @@
 
 namespace fairway {
 
-/// The static part of what a stop is checked against, for a robot at `pose`: its body, the margin,
-/// and the disc in which it must be able to turn; nothing that moves.
+/// Returns the static part of the check of a stop, for a robot at `pose`. It holds the body, the
+/// margin and the disc in which the robot must be able to turn, but no moving obstacle.
 ///
 /// The body keeps `stop_margin`, and the disc about a rectangular body may lose
-/// `turn_clearance_tolerance`. A robot that stands nearer to something than that must be able to
-/// leave: then what counts is to come no nearer. A disc keeps no more than half of the plan's
-/// margin, which is all that there can be where the way is tight.
+/// `turn_clearance_tolerance`. A robot that is already nearer to an obstacle must be able to leave,
+/// so it only must not come nearer. A disc keeps no more than half of the plan's margin, because a
+/// narrow passage has no more.
 /// @param plan_margin  Clearance beyond the robot's radius that the plan keeps [m].
 /// @param radius       Of the disc that the plan keeps free [m].
 [[nodiscard]] CollisionEnvironment static_environment(const BitGrid& obstacles,

@@ -7,37 +7,37 @@
 
 namespace fairway {
 
-/// The commands of the last seconds. A delayed base still has to execute the newest of them, and an
-/// old pose is advanced along them.
+/// Keeps the commands of the last seconds. A delayed base still has to execute the newest of them,
+/// and an old pose is advanced along them.
 class CommandHistory {
  public:
-  /// Forgets everything; the base has moved with `actual` for all time.
+  /// Forgets everything; the base is assumed to have moved with `actual` until now.
   void reset(const Twist2& actual) noexcept;
 
-  /// A command was sent at `time` [s]. A base that ramps to it gets there within `ramp.linear` and
-  /// `ramp.angular` [s].
+  /// Records a command sent at `time` [s]. A base that ramps to it reaches it within `ramp.linear`
+  /// and `ramp.angular` [s].
   void send(double time, const Twist2& command, const Twist2& ramp) noexcept;
 
-  /// The twist of a base without delay that ramps linearly to each command, at `time` [s].
+  /// Returns the twist of a base without delay that ramps linearly to each command, at `time` [s].
   [[nodiscard]] Twist2 ramped(double time) const noexcept;
 
-  /// The same at a `time` not before the newest command: exactly that command once its ramp is
+  /// As above, for a `time` not before the newest command: exactly that command once its ramp is
   /// over.
   [[nodiscard]] Twist2 reached(double time) const noexcept;
 
-  /// The newest command that was sent at or before `time` [s].
+  /// Returns the newest command that was sent at or before `time` [s].
   [[nodiscard]] Twist2 sent(double time) const noexcept;
 
-  /// When the first command after `time` was sent [s]; infinite where there is none.
+  /// Returns when the first command after `time` was sent [s]; infinite where there is none.
   [[nodiscard]] double next_change(double time) const noexcept;
 
-  /// The clock was set: moves every stored time by `shift` [s].
+  /// Moves every stored time by `shift` [s], after the clock was set.
   void shift_times(double shift) noexcept;
 
   [[nodiscard]] const Twist2& latest() const noexcept { return latest_; }
 
  private:
-  // Enough for a delay of 0.6 s, a lag of 1 s and poses 0.2 s old at 10 ms from command to command.
+  // Enough for a delay of 0.6 s, a lag of 1 s and poses 0.2 s old, with a command every 10 ms.
   static constexpr std::size_t kRemembered = 192;
 
   struct Command {

@@ -102,28 +102,40 @@ StopManoeuvre SafeStop::manoeuvre(const StopSituation& situation,
           .time = situation.time};
 }
 
-// Where the next command comes a period later, and where it comes as late as is promised. Between
-// the two the heading at which the robot brakes is between theirs.
+// Where the next commands come a period later, as late as is promised, and as early as they came.
+// Late and early ones may also begin at any time of the stop: what is between is in `later` and
+// `earlier`.
 StopVerdict SafeStop::prove(const StopSituation& situation,
                             const Twist2& command,
                             const StopSequence& stop) const noexcept {
-  const StopManoeuvre regular = manoeuvre(situation, command, stop);
+  const double longest = std::max({period_, longest_interval_, situation.longest_interval});
+  const double shortest =
+      situation.irregular ? std::min({period_, ramp_, situation.shortest_interval}) : period_;
+  StopManoeuvre regular = manoeuvre(situation, command, stop);
+  regular.later = longest - period_;
+  regular.earlier = period_ - shortest;
   const StopVerdict verdict =
       follow_stop(situation.pose, regular, situation.hold, situation.around).verdict;
-  const double longest = std::max(longest_interval_, situation.longest_interval);
   const bool moves = command.linear != 0.0 || command.angular != 0.0;
-  if (verdict != StopVerdict::Free || longest <= period_ || !moves) return verdict;
+  if (verdict != StopVerdict::Free || !moves) return verdict;
   // The other robots are published the stop of a regular cycle, and check against that.
   CollisionEnvironment alone = situation.around;
   alone.fleet = {};
-  StopManoeuvre other = regular;
-  other.hold = longest;
-  const StopVerdict late = follow_stop(situation.pose, other, situation.hold, alone).verdict;
+  if (longest > period_) {
+    StopManoeuvre late = regular;
+    late.hold = longest;
+    late.later = 0.0;
+    late.earlier = longest - shortest;
+    const StopVerdict touches = follow_stop(situation.pose, late, situation.hold, alone).verdict;
+    if (touches != StopVerdict::Free) return touches;
+  }
   constexpr double kEarly = 0.9;  // periods
-  if (late != StopVerdict::Free || ramp_ > kEarly * period_) return late;
-  // Where this cycle came early the next one may, too.
-  other.hold = std::max(ramp_, 0.5 * period_);
-  return follow_stop(situation.pose, other, situation.hold, alone).verdict;
+  if (shortest > kEarly * period_) return verdict;
+  StopManoeuvre early = regular;
+  early.ramp = early.hold = shortest;
+  early.later = longest - shortest;
+  early.earlier = 0.0;
+  return follow_stop(situation.pose, early, situation.hold, alone).verdict;
 }
 
 bool SafeStop::take(const StopSituation& situation, std::span<const Twist2> commands) noexcept {
@@ -152,14 +164,13 @@ bool SafeStop::take(const StopSituation& situation, std::span<const Twist2> comm
   return false;
 }
 
-// Of the command of this cycle: 0 is `first_`, 1 the first of `stop_`, and so on. A command is what
-// the base is to reach a period later; in the first period after `first_` it may be sooner.
+// Of the command of this cycle: 0 is `first_`, 1 the first of `stop_`, and so on. It is what the
+// base is to reach a period later, so one that is early brakes early; none adds to the lateness.
 double SafeStop::index() const noexcept {
   constexpr double kWhole = 1e-6;
-  const double since = in_cycle_ ? since_ : since_ + period_;
-  const double index = (since + std::min(since, period_) - period_) / period_;
+  const double index = (in_cycle_ ? since_ : since_ + period_) / period_;
   const double whole = std::round(index);
-  return std::max(0.0, std::abs(index - whole) < kWhole ? whole : index);
+  return std::abs(index - whole) < kWhole ? whole : index;
 }
 
 Twist2 SafeStop::command_at(double index) const noexcept {

@@ -7,28 +7,30 @@
 
 namespace fairway {
 
-/// Where a robot is and what it must not touch, in one cycle.
+/// The state of a robot in one cycle, and what it must not touch.
 struct StopSituation {
   Pose2 pose;
-  Twist2 current;  ///< to which a slow base without delay and lag has ramped now
+  Twist2 current;  ///< of a slow base without delay and lag, now
   CollisionEnvironment around;
-  double hold = 0.0;              ///< how long ahead moving obstacles are looked at [s]
-  double longest_interval = 0.0;  ///< until the next command, where more than usual [s]
-  bool irregular = false;         ///< the cycles come noticeably earlier and later than a period
+  double hold = 0.0;                        ///< look-ahead for moving obstacles [s]
+  double longest_interval = 0.0;            ///< until the next command, if longer than usual [s]
+  bool irregular = false;                   ///< whether cycles are noticeably early or late
+  double shortest_interval = 0.0;           ///< between the last cycles, where irregular [s]
   const BaseResponse* response = nullptr;   ///< of the base now; null where it is at `current`
-  const CommandHistory* history = nullptr;  ///< what is on its way through the delay
+  const CommandHistory* history = nullptr;  ///< commands that the delay still holds back
   double time = 0.0;                        ///< now, in the times of the history [s]
 };
 
-/// The stop that every command leaves open, and what is done where there is none.
+/// Keeps a verified stop behind every command, and executes it when no new command can be proven.
 ///
-/// A command is proven by braking at once, or by following the plan that it is from for a while and
-/// braking then: out of the path of an obstacle that approaches, where standstill does not help.
-/// What was proven last is kept, and executed when nothing new can be proven. A command is proven
-/// for every time until the next one from a period up to the longest interval.
+/// A command is proven by braking at once, or by following its plan for a while and braking then.
+/// The second lets a robot leave the path of an obstacle that approaches, where standstill does not
+/// help. The manoeuvre that was proven last is kept, and executed when no new one can be proven. A
+/// command is proven for every time until the next one from a period up to the longest interval.
 ///
-/// Where messages are late others only know that a robot brakes at once or a few cycles later: then
-/// a command is proven by braking at once only, unless there is something that moves on its own.
+/// Where messages are late, other robots only know that a robot brakes at once or a few cycles
+/// later. A command is then proven by braking at once only, unless there is a moving obstacle
+/// outside the fleet.
 class SafeStop {
  public:
   /// @param period            Time from one command to the next [s].
@@ -40,34 +42,36 @@ class SafeStop {
         longest_interval_(longest_interval),
         ramp_(period) {}
 
-  /// Forgets what was proven; falls back on braking from `actual`.
+  /// Forgets what was proven; the fallback is then to brake from `actual`.
   void reset(const Twist2& actual) noexcept;
 
   /// A cycle begins `elapsed` [s] after the last one. The base will ramp to its command within
   /// `ramp` [s]. Without this call the cycles are a period apart.
   void begin_cycle(double elapsed, double ramp) noexcept;
 
-  /// Takes `commands[0]` if it can be proven with what follows it. Then that is fallen back on.
+  /// Takes `commands[0]` if it can be proven with the commands after it. That manoeuvre is then the
+  /// fallback.
   [[nodiscard]] bool take(const StopSituation& situation,
                           std::span<const Twist2> commands) noexcept;
 
   /// Why the last commands given to `take` were not proven; Free if they were.
   [[nodiscard]] StopVerdict refusal() const noexcept { return refusal_; }
 
-  /// When the stop that is fallen back on touches a moving obstacle [s from now]; infinite for
-  /// never within `hold`. Static obstacles were checked when it was taken. The margin of the proof
-  /// does not count here.
+  /// Returns when the fallback touches a moving obstacle [s from now]; infinite if it does not
+  /// within `hold`. Static obstacles were checked when it was taken. The margin of the proof does
+  /// not count here.
   [[nodiscard]] double contact_time(const StopSituation& situation) const noexcept;
 
   /// Takes the manoeuvre that touches a moving obstacle last, if that is clearly later than `than`
-  /// [s]: `commands`, or the hardest turns and runs that the limits allow. Never one that touches
-  /// a static obstacle. The margin from moving obstacles is kept where a manoeuvre can keep it.
+  /// [s]. The candidates are `commands` and the hardest turns and runs that the limits allow,
+  /// except those that touch a static obstacle. The margin from moving obstacles is kept where a
+  /// manoeuvre can keep it.
   /// @return whether one was taken; its first command is then the next.
   [[nodiscard]] bool evade(const StopSituation& situation,
                            std::span<const Twist2> commands,
                            double than) noexcept;
 
-  /// The next command of what is fallen back on.
+  /// Returns the next command of the fallback.
   [[nodiscard]] Twist2 next() noexcept;
 
   [[nodiscard]] const StopSequence& sequence() const noexcept { return stop_; }

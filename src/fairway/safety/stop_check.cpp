@@ -53,6 +53,7 @@ class StopCheck {
   // One piece of the slow base's motion, grown by what the others of the family deviate from it.
   [[nodiscard]] StopVerdict follow(const StopPiece& piece) noexcept {
     piece_ = piece;
+    piece_.ahead += between_members();
     const StopVerdict verdict = check_piece(piece.mean, piece.duration);
     if (verdict != StopVerdict::Free) return verdict;
     pose_ = step(pose_, piece.mean, piece.duration, Integration::Midpoint);
@@ -61,6 +62,17 @@ class StopCheck {
   }
 
  private:
+  // By how much a body between two members of the family that are free may be ahead of what both
+  // sweep: two discs beside each other leave a notch, and two bodies turned against each other a
+  // wedge.
+  [[nodiscard]] double between_members() const noexcept {
+    const double radius = surroundings_.body.circumscribed_radius();
+    const bool disc = surroundings_.body.inscribed_radius() >= radius;
+    const double apart = std::min(piece_.aside_between, 2.0 * radius);
+    const double notch = radius > 0.0 ? apart * apart / (8.0 * radius) : 0.0;
+    return notch + (disc ? 0.0 : 0.5 * radius * piece_.turned_between);
+  }
+
   // First with the disc that covers the body; where that touches, with the body itself.
   [[nodiscard]] StopVerdict check_piece(const Twist2& mean, double h) const noexcept {
     const Footprint& body = surroundings_.body;

@@ -8,23 +8,23 @@
 
 namespace fairway {
 
-/// What a stop is checked against.
+/// The obstacles and margins against which a stop is checked.
 struct CollisionEnvironment {
   const BitGrid* obstacles = nullptr;  ///< the newest static obstacles
-  Footprint body;                      ///< the true one
-  /// Clearance kept from static obstacles beyond the body [m], or what the family of motions needs
-  /// where that is more.
+  Footprint body;                      ///< the robot's true outline
+  /// Clearance kept from static obstacles beyond the body [m]; where the family of motions needs
+  /// more, that counts instead.
   double static_margin = 0.0;
-  /// What a sweep of the body is grown by (see check_stop) may use up the margin while the robot
-  /// moves, but not where it stops: without that, one without more clearance could not even turn
-  /// to where it has some.
+  /// Whether the growth of a sweep (see check_stop) may use up the margin while the robot moves. It
+  /// may not where the robot stops. Without this, a robot with no more clearance could not even
+  /// turn to where it has more.
   bool margin_where_it_stands = false;
-  /// Disc about the robot's centre that keeps free of static obstacles too, so that a robot does
-  /// not go where it could not turn, though its body would fit [m]; 0: the body alone counts.
+  /// Radius of a disc about the robot's centre that is kept free of static obstacles too [m]; 0:
+  /// only the body counts. It keeps the robot from places where its body fits but cannot turn.
   double turning_radius = 0.0;
   MovingObstacles moving;      ///< assumed to keep their velocity until the robot has stopped
   double moving_age = 0.0;     ///< how long ago they were seen [s]
-  bool predict_motion = true;  ///< false: they are assumed to stand still
+  bool predict_motion = true;  ///< false: they are assumed to keep their position
   double moving_margin = 0.0;  ///< distance kept from them beyond both radii [m]
   Fleet fleet{};               ///< other robots; each is held to the stop that it published
   double time = 0.0;           ///< now, on the fleet's clock [s]
@@ -42,7 +42,8 @@ enum class StopVerdict : std::uint8_t {
   WrongWay,     ///< against the direction of a one-way zone
 };
 
-/// Whether another manoeuvre after the same command cannot help: everything but moving obstacles.
+/// Returns whether another manoeuvre after the same command cannot help: true for all but moving
+/// obstacles.
 [[nodiscard]] constexpr bool is_final(StopVerdict verdict) noexcept {
   return verdict != StopVerdict::Free && verdict != StopVerdict::HitsMoving;
 }
@@ -53,25 +54,28 @@ struct StopOutcome {
   double time = 0.0;  ///< from now until it touches, or until the check ends [s]
 };
 
-/// Whether every base of the family keeps free while it executes the manoeuvre, until it has
-/// stopped; and when it does not. Looks on until `hold` seconds from now while the robot stands.
+/// Checks whether every base of the family stays free during the manoeuvre, until it has stopped.
+/// If not, it says when the base touches. After the stop the check continues until `hold` seconds
+/// from now.
 ///
 /// First the disc that covers the robot is tested along the chords of short pieces, grown by their
-/// sagittas: static obstacles exactly, moving ones by the nearest approach of two straight motions.
-/// Where that disc touches and the body is no disc, the body itself is swept along pieces in which
-/// it turns by no more than 0.02 rad, a rectangle as the exact rectangle that it covers while it
-/// moves straight, grown by as much as its furthest corner moves in half of the turn (3 mm for a
-/// corner at 0.3 m). What the family of motions deviates from the slow base is added to each.
+/// sagittas. Static obstacles are tested exactly, moving ones by the nearest approach of two
+/// straight motions. Where that disc touches and the body is no disc, the body itself is swept
+/// along pieces in which it turns by no more than 0.02 rad. A rectangle is swept as the exact
+/// rectangle that it covers while it moves straight, grown by the motion of its furthest corner in
+/// half of the turn (3 mm for a corner at 0.3 m). Each piece is grown by the deviation of the
+/// family of motions from the slow base.
 ///
-/// The zones of the map hold for all of it: the body enters no keep-out and leaves no strip for the
-/// contour, the centre none for the centre, no base of the family is faster than a zone allows that
-/// the covering disc touches, and the centre never moves against a one-way zone.
+/// The zones of the map hold for the whole manoeuvre. The body enters no keep-out and leaves no
+/// strip for the contour; the centre leaves no strip for the centre. No base of the family is
+/// faster than a zone allows that the covering disc touches, and the centre never moves against a
+/// one-way zone.
 [[nodiscard]] StopOutcome follow_stop(const Pose2& pose,
                                       const StopManoeuvre& manoeuvre,
                                       double hold,
                                       const CollisionEnvironment& surroundings) noexcept;
 
-/// The same for a base that ramps exactly linearly from each command to the next, every `dt` [s].
+/// As above, for a base that ramps exactly linearly from each command to the next, every `dt` [s].
 [[nodiscard]] StopOutcome follow_stop(const Pose2& pose,
                                       const Twist2& current,
                                       const Twist2& command,
@@ -80,7 +84,7 @@ struct StopOutcome {
                                       double hold,
                                       const CollisionEnvironment& surroundings) noexcept;
 
-/// The verdict of follow_stop, without looking on after standstill.
+/// Returns the verdict of follow_stop without the look-ahead after standstill.
 [[nodiscard]] StopVerdict check_stop(const Pose2& pose,
                                      const Twist2& current,
                                      const Twist2& command,
@@ -88,7 +92,8 @@ struct StopOutcome {
                                      double dt,
                                      const CollisionEnvironment& surroundings) noexcept;
 
-/// Whether a message of the fleet came late, so that its robot may be committed otherwise by now.
+/// Returns whether a message of the fleet came late: its robot may have committed to another stop
+/// since.
 [[nodiscard]] bool is_late(Fleet fleet) noexcept;
 
 }  // namespace fairway

@@ -29,6 +29,7 @@ MotionFamily::MotionFamily(const StopManoeuvre& manoeuvre) noexcept : m_(manoeuv
   exact_ = m_.actuation == nullptr || m_.actuation->is_exact();
   response_ =
       m_.response != nullptr ? *m_.response : BaseResponse{.slow = m_.current, .quick = m_.current};
+  least_ = greatest_ = m_.command;
   from_ = m_.current;
   to_ = m_.command;
   end_ = m_.ramp;
@@ -58,6 +59,7 @@ bool MotionFamily::next(StopPiece& piece) noexcept {
   piece.duration = h_;
   piece.fastest = fastest_in_piece(before);
   if (m_.actuation != nullptr) deviate(quick, slow, h_, piece);
+  if (m_.later + m_.earlier > 0.0) spread(slow, h_, piece);
   ++piece_;
   return true;
 }
@@ -118,6 +120,28 @@ void MotionFamily::deviate(const Twist2& quick,
   piece.apart = std::abs(along_);
   piece.aside = aside_;
   piece.turned = turned;
+}
+
+// A base that follows `delay` later has gained, at each time, at most `delay` times what its speed
+// has changed by since. Lateness can begin at any time, and so it can be further along the path
+// than this one without being turned further.
+void MotionFamily::spread(const Twist2& slow, double h, StopPiece& piece) noexcept {
+  least_ = {.linear = std::min(least_.linear, slow.linear),
+            .angular = std::min(least_.angular, slow.angular)};
+  greatest_ = {.linear = std::max(greatest_.linear, slow.linear),
+               .angular = std::max(greatest_.angular, slow.angular)};
+  const double both = m_.later + m_.earlier;
+  const double slower =
+      slow.linear >= 0.0 ? greatest_.linear - slow.linear : slow.linear - least_.linear;
+  const double turn =
+      both * std::max(greatest_.angular - slow.angular, slow.angular - least_.angular);
+  // What is gained on a path that still turns is not all gained in the direction of its end.
+  aside_ += std::abs(slow.angular) * h * both * slower;
+  between_ += std::abs(slow.linear) * h * turn;
+  piece.ahead += m_.later * slower;
+  piece.aside = aside_;
+  piece.turned_between = turn;
+  piece.aside_between = between_;
 }
 
 // @return false where the motion ends.

@@ -49,6 +49,13 @@ class EpisodeControl {
   /// Takes over plans that threads have finished, for a run that is paused.
   virtual void take_plans() = 0;
 
+  /// Tells the observer the state of the world, for a run that is paused.
+  virtual void show_world() = 0;
+
+  /// Replaces the zones of all robots.
+  /// @pre validate(zones) holds, and no robot has a body of its own (RobotTask::model).
+  virtual void set_zones(const Zones& zones) = 0;
+
   /// Continues with other settings. @pre validate(settings) holds.
   virtual void set_settings(const Settings& settings) = 0;
 };

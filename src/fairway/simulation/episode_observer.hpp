@@ -48,7 +48,7 @@ struct WorldView {
   std::span<const Encounter> encounters;  ///< of each robot, up to now
 };
 
-/// Observes a run and receives all inputs and outputs of the navigators, so that a recording of
+/// Observes a run. It receives all inputs and outputs of the navigators, so that a recording of
 /// them can be run again. Calls come in the order of events.
 class EpisodeObserver {
  public:
@@ -69,6 +69,9 @@ class EpisodeObserver {
 
   /// The robots of the running world are these from now on; `on_navigators` follows.
   virtual void on_robots(double /*time*/, std::span<const RobotTask> /*robots*/) {}
+
+  /// These zones hold from now on, for every robot; `on_navigators` follows.
+  virtual void on_zones(double /*time*/, const Zones& /*zones*/) {}
 
   /// A robot receives a goal.
   virtual void on_goal(double /*time*/, std::size_t /*robot*/, const Goal& /*goal*/) {}

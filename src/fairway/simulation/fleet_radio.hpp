@@ -19,7 +19,7 @@ struct RadioModel {
 
 /// Carries the messages between robots, with the delay and losses of the model.
 ///
-/// With neither delay nor loss the robots are controlled in turn and each knows all earlier
+/// With neither delay nor loss the robots are controlled in turn. Each robot then knows all earlier
 /// messages, so no motion is unseen. Otherwise a robot knows the newest message that it has
 /// received, and the motion since then is unseen.
 class FleetRadio {
@@ -37,8 +37,8 @@ class FleetRadio {
   /// Drops the messages of a robot that was removed.
   void forget(std::size_t robot) { told_[robot].clear(); }
 
-  /// The motions that robot `robot` knows at `time` [s] of the robots in range; valid until the
-  /// next call of either function.
+  /// Returns the motions that robot `robot` knows at `time` [s], of the robots in range. The result
+  /// is valid until the next call of either function.
   [[nodiscard]] Fleet hear(std::size_t robot, const Eigen::Vector2d& position, double time);
 
  private:

@@ -24,7 +24,7 @@ struct LimitMark {
 
 /// The mark of the step that `navigator` returned last.
 ///
-/// A constraint knows its side or obstacle only by its number in its problem, and a cycle may have
+/// A constraint identifies its side or obstacle only by its number in its problem. A cycle may have
 /// kept either of two problems. So the side is searched among the rectangles from the current one
 /// on. The obstacle is the one whose prediction is nearest at that step.
 [[nodiscard]] LimitMark limit_mark(const Navigator& navigator, const NavigationStep& step) noexcept;

@@ -34,7 +34,7 @@ class Physics {
                        std::vector<std::uint8_t>& touched) = 0;
 };
 
-/// Makes the engine for a scenario; an empty function stands for the unicycle.
+/// Makes the engine for a scenario; an empty function selects the unicycle.
 using PhysicsMaker = std::function<std::unique_ptr<Physics>(const Scenario&)>;
 
 }  // namespace fairway

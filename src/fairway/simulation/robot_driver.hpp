@@ -56,8 +56,8 @@ class RobotDriver {
   /// @return whether it follows another plan now.
   virtual bool note_map_change(const World& world) = 0;
 
-  /// Replaces `drive` after arrival or a collision: publishes that the robot has stopped here, so
-  /// that no other robot waits for it.
+  /// Replaces `drive` after arrival or a collision. It publishes that the robot has stopped here,
+  /// so that no other robot waits for it.
   virtual void tell_standing(const World& world) = 0;
 
   /// The plan being followed.

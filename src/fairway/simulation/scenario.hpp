@@ -32,7 +32,7 @@ struct RobotTask {
   bool idle = false;  ///< has no goal until it receives one during the run; `goal` is not used
 };
 
-/// What moves the robots.
+/// Model that moves the robots.
 enum class Engine : std::uint8_t {
   Unicycle,  ///< exact unicycles with limited acceleration
   Mujoco,    ///< rigid bodies on wheels that slip; optional, see docs/physics.md
@@ -64,7 +64,7 @@ struct Scenario {
 /// their kinematics.
 [[nodiscard]] Expected<void> check_models(const Scenario& scenario);
 
-/// Sets the settings of the robots to what the first model is, as far as they can express it:
+/// Sets the settings of the robots from the first model, as far as they can express it. These are
 /// speeds, accelerations, and discs that cover the outline, which pages and pictures draw. All
 /// robots then see each other as moving obstacles, without messages.
 void describe_models(Scenario& scenario);

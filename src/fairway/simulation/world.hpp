@@ -108,6 +108,9 @@ class World {
   /// describe.
   void set_robots(const Settings& settings);
 
+  /// Replaces the zones that the robots are judged by.
+  void set_zones(const Zones& zones) { zones_ = zones; }
+
   [[nodiscard]] const Footprint& footprint() const noexcept { return footprint_; }
 
   /// All present bodies with their current motion.

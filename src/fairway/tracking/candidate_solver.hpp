@@ -20,7 +20,7 @@ struct Candidates {
 /// Solves the problem of a cycle from two initial guesses: the last plan, shifted, and a pursuit of
 /// the targets. Each step is constrained to the rectangle that contains the guess at that step.
 ///
-/// A usable solution comes before an unusable one; of two usable ones, the one with the lower cost,
+/// A usable solution comes before an unusable one. Of two usable ones, the one with the lower cost,
 /// penalty included, comes first.
 ///
 /// @param problem  With targets, limits and obstacles; its regions are set here.
@@ -36,8 +36,8 @@ void solve_candidates(ControlSolver& solver,
                       ControlProblem& problem,
                       Candidates& candidates) noexcept;
 
-/// Samples the commands of `solution` at time `first`, and one every `period` after it, as many as
-/// its horizon has [s].
+/// Samples the commands of `solution` at time `first` [s], and one every `period` [s] after it. The
+/// number of samples is that of its horizon.
 ///
 /// The base ramps linearly from each command to the next, so times between the steps sample these
 /// ramps. If all times are steps, the result is the solution's own commands.

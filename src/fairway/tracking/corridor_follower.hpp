@@ -11,8 +11,8 @@
 
 namespace fairway {
 
-/// A polyline with its arc lengths: the shortest path in the corridor from the robot to the goal,
-/// or over the part of it considered.
+/// A polyline with its arc lengths. It is the shortest path in the corridor from the robot to the
+/// goal, or over the part of it considered.
 struct ReferencePath {
   static constexpr int kMaxPoints = 20;
   std::array<Eigen::Vector2d, kMaxPoints> points;
@@ -26,8 +26,8 @@ struct ReferencePath {
   [[nodiscard]] Eigen::Vector2d at(double s) const noexcept;
 };
 
-/// Follows a corridor: finds the rectangle that contains the robot, and the shortest path from
-/// there through the overlaps ahead (the reference path).
+/// Follows a corridor: finds the rectangle that contains the robot, and the reference path from
+/// there. The reference path is the shortest path through the overlaps ahead.
 ///
 /// Every piece of the reference path lies in one rectangle: both of its ends do, and rectangles are
 /// convex.

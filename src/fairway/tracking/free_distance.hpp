@@ -11,17 +11,17 @@ namespace fairway {
 /// Returns the length along the reference path for which a disc of `radius` [m] is free, at most
 /// `limit` [m].
 ///
-/// The test advances in steps of 0.1 m, so the result may be too short by that much, and is never
-/// too long. If the disc is not free at the start, it is reduced to what fits there, because the
-/// robot already is there.
+/// The test advances in steps of 0.1 m, so the result may be too short by that much, never too
+/// long. If the disc is not free at the start, it is reduced to the size that is, because the robot
+/// already is there.
 [[nodiscard]] double free_length(const BitGrid& obstacles,
                                  const ReferencePath& path,
                                  double radius,
                                  double limit) noexcept;
 
-/// Returns the distance along the reference path within which the robot must be able to stop [m]:
-/// the length that is free for it. The result is infinite if the whole path is free, or free beyond
-/// what matters at the robot's greatest speed.
+/// Returns the distance along the reference path within which the robot must be able to stop [m].
+/// This is the length that is free for it. The result is infinite if the whole path is free, or
+/// free beyond what matters at the robot's greatest speed.
 /// @param horizon  Time that the controller plans ahead [s].
 [[nodiscard]] double distance_to_stop_in(const BitGrid& obstacles,
                                          const ReferencePath& path,
@@ -37,13 +37,13 @@ struct FollowingRobot {
   double horizon = 0.0;   ///< how far ahead the controller plans [s]
 };
 
-/// How far along the path a robot may drive as if it had to stop there, because of a moving
-/// obstacle in its path [m]; infinite without one.
+/// Returns the distance along the path at which the robot must be able to stop because of a moving
+/// obstacle [m]. The result is infinite without one.
 ///
-/// The obstacle is followed: braking begins in time to have its speed along the path at the
-/// distance to keep and the distance that is closed within the reaction time. Only for robots whose
-/// braking distance is more than half of what the horizon can hold; the controller brakes the
-/// others in time by itself.
+/// The robot follows the obstacle: it brakes in time to have the obstacle's speed along the path at
+/// the distance to keep. The distance that is closed within the reaction time is added. This is
+/// only for robots whose braking distance is more than half of what the horizon can hold; the
+/// controller brakes the others in time by itself.
 /// @param age  How long ago the obstacles were seen [s].
 [[nodiscard]] double distance_to_follow_in(MovingObstacles obstacles,
                                            double age,

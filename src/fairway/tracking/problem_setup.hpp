@@ -27,8 +27,8 @@ void set_predictions(const PredictionSettings& settings,
                      const Eigen::Vector2d& position,
                      ControlProblem& problem) noexcept;
 
-/// Returns the angular speed for the rest of a turn on the spot [rad/s]: fast at first, and able to
-/// stop at its end.
+/// Returns the angular speed for the rest of a turn on the spot [rad/s]. It is high at first and
+/// allows to stop at the end.
 [[nodiscard]] double turning_speed(double turn, const RobotSettings& robot, double period) noexcept;
 
 }  // namespace fairway

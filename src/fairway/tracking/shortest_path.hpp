@@ -11,8 +11,8 @@ namespace fairway {
 
 /// Returns the point of `patch` with the shortest path from `a` over it to `b`.
 ///
-/// Where the straight line from a to b crosses the patch, any point of the crossing is shortest;
-/// its middle is taken, so that the result changes smoothly. @pre patch.count > 0.
+/// Where the straight line from a to b crosses the patch, any point of the crossing is shortest.
+/// The middle is taken, so that the result changes smoothly. @pre patch.count > 0.
 [[nodiscard]] Eigen::Vector2d shortest_touch(const OverlapPatch& patch,
                                              const Eigen::Vector2d& a,
                                              const Eigen::Vector2d& b) noexcept;

@@ -60,8 +60,8 @@ struct SpeedLimits {
   }
 };
 
-// Arc length of the first corner ahead from which the path turns back within a short length; the
-// whole length without one.
+// Returns the arc length of the first corner ahead from which the path turns back within a short
+// length. It returns the whole length without one.
 double first_reversal(const ReferencePath& path) noexcept {
   constexpr double kBack = 2.0;    // [rad]
   constexpr double kWithin = 0.4;  // [m]
@@ -100,7 +100,7 @@ void set_timed_targets(const ReferencePath& path,
   const double first_turn = first_chord.norm() < kShortPiece
                                 ? 0.0
                                 : shortest_turn(start.heading, heading_of(first_chord));
-  // Up to this angle the robot can drive a curve; beyond it, it turns on the spot before the
+  // Up to this angle the robot can drive a curve. Beyond it, the robot turns on the spot before the
   // targets move.
   constexpr double kCurveTurn = 0.5 * std::numbers::pi;
   double waiting = std::max(0.0, std::abs(first_turn) - kCurveTurn) / robot.angular_max;

@@ -31,11 +31,11 @@ struct TargetStart {
 /// Sets one target per step, moving along the reference path as fast as limits and clearance allow;
 /// the default method.
 ///
-/// Speed: it increases from `start.speed` to linear_max within the acceleration limit, and
-/// decreases in time for the turns of the path and for the goal. At a turn by angle a, a circle
-/// that deviates from the corner by at most `corner_deviation` has the radius deviation / (1 /
-/// cos(a/2) - 1); the angular speed limit bounds the speed on it. If the robot's heading differs
-/// too much, the targets wait while it turns.
+/// The speed increases from `start.speed` to linear_max within the acceleration limit. It decreases
+/// in time for the turns of the path and for the goal. At a turn by angle a, a circle that deviates
+/// from the corner by at most `corner_deviation` has the radius deviation / (1 / cos(a/2) - 1); the
+/// angular speed limit bounds the speed on it. If the robot's heading differs too much, the targets
+/// wait while it turns.
 ///
 /// Heading: that of the chord from the target to the point `chord_length` further along, which does
 /// not jump at corners. At the goal it is the goal's heading, if given. Headings are not wrapped:

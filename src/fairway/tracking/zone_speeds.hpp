@@ -24,8 +24,9 @@ struct PathSpeedLimits {
   [[nodiscard]] double at(double s, double braking) const noexcept;
 };
 
-/// Finds the parts of a path on which a body in a disc of `body_radius` [m] touches a zone with a
-/// speed limit. Looks `reach` [m] ahead; of more parts than fit, the first are kept for each zone.
+/// Finds the parts of a path on which a robot touches a zone with a speed limit. The body lies in a
+/// disc of `body_radius` [m]. The search looks `reach` [m] ahead; of more parts than fit, the first
+/// are kept for each zone.
 void find_speed_limits(const ZoneMap& zones,
                        const ReferencePath& path,
                        double body_radius,

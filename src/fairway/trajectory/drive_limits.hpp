@@ -38,8 +38,8 @@ void constrain(Stage& stage, const StageVector& gradient, double bound);
 void constrain_between(
     Stage& stage, const StageVector& gradient, double now, double low, double high, double trust);
 
-/// All limits of the base in a stage from the inputs `now` to `next`: inputs, their slopes, wheels,
-/// time step; of steered bases angular speed and acceleration, linearised.
+/// Adds all limits of the base in a stage from the inputs `now` to `next`. These are inputs, their
+/// slopes, wheels and time step; for steered bases also angular speed and acceleration, linearised.
 void add_limits(Stage& stage,
                 const BaseModel& base,
                 const Inputs& now,

@@ -17,14 +17,14 @@ struct DriveSettings {
   double knot_step = 0.25;   ///< greatest time between knots of the first trajectory [s]
   int iterations = 40;       ///< of the optimisation, at most; 0: stops between all pieces
   TrajectoryCost cost{};     ///< what is minimised besides time
-  /// Further searches with dearer cusps; the drive of least cost is taken. Steered bases only.
+  /// Further searches with a higher cost of cusps; the drive of least cost is taken. Steered only.
   int alternatives = 0;
 };
 
 /// A drive from pose to pose, in time, proven free of contact.
 struct DrivePlan {
-  BodyPathResult path;              ///< what was found in space; its status tells why there is none
-  Trajectory trajectory;            ///< what is driven
+  BodyPathResult path;    ///< result of the path search; its status says why there is none
+  Trajectory trajectory;  ///< what is driven
   std::vector<TrajectoryRow> rows;  ///< the same in control periods; empty without a plan
   double clearance = 0.0;           ///< that every row keeps, with the motion to the next [m]
 };
@@ -35,7 +35,7 @@ struct DrivePlan {
                            double period,
                            double margin) noexcept;
 
-/// What a drive costs: its time and effort, and half of a tenth of a second per change of gear [s].
+/// Returns the cost of a drive: its time and effort, and 0.05 s per change of gear [s].
 [[nodiscard]] double drive_cost(const BaseModel& base,
                                 const std::vector<TrajectoryRow>& rows,
                                 double period,

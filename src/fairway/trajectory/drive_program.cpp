@@ -141,8 +141,8 @@ void evaluate(const DriveProblem& problem,
     const PlanarTwist mean = twist_of(problem.base, 0.5 * (now + next));
     const double way =
         step * problem.clearance->body().greatest_speed(mean.linear, mean.lateral, mean.angular);
-    // A corner that passes a corner is nearer between two samples than at both: by Pythagoras with
-    // this spacing it keeps half of the margin.
+    // A corner of the body that passes a corner of an obstacle is nearer between two samples than
+    // at both. By Pythagoras, with this spacing it keeps half of the margin.
     const double spacing = std::max(0.02, 1.7 * problem.margin);
     const int parts = std::clamp(static_cast<int>(std::ceil(way / spacing)), 1, 40);
     for (int i = 1; i <= parts; ++i) {

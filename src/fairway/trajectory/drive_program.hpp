@@ -38,8 +38,8 @@ struct DriveSample {
   std::array<BodyContact, BodyClearance::kMaxContacts> contacts;
 };
 
-/// A trajectory with a pose of its own at every knot, which the inputs need not lead to exactly: so
-/// a deviation early in a long drive does not change all that follows.
+/// A trajectory with a pose of its own at every knot, which the inputs need not reach exactly. A
+/// deviation early in a long drive therefore does not change everything after it.
 struct DriveIterate {
   Trajectory trajectory;
   std::vector<Pose2> knots;

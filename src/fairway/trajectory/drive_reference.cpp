@@ -49,8 +49,8 @@ BaseInput DriveReference::input_at(const DriveProgress& progress) const noexcept
           .turn = is_steered(base_) ? planned.turn : progress.rate * planned.turn};
 }
 
-// The twist of the robot is rate x twist(phase), so its acceleration along every axis is
-// rate' x twist + rate^2 x twist'. Both ends of what the base allows bound rate'.
+// The twist of the robot is rate x twist(phase). Its acceleration along every axis is therefore
+// rate' x twist + rate^2 x twist'. Both limits of the base bound rate'.
 DriveReference::RateBounds DriveReference::rate_bounds(
     const DriveProgress& progress) const noexcept {
   const double half = 0.5 * period_;

@@ -13,24 +13,25 @@ struct TrackingGains {
   double turning = 2.0;  ///< angular speed per heading error, where the base turns freely [1/s]
 };
 
-/// The input of a trajectory at some time, corrected by how far the robot at `pose` is from
-/// `reference`, the trajectory's pose at that time. Limits are not considered.
+/// Returns the input of a trajectory at some time, corrected for the deviation of the robot. The
+/// robot is at `pose`, the trajectory at `reference`. Limits are not considered.
 [[nodiscard]] BaseInput corrected_input(const BaseModel& base,
                                         const TrackingGains& gains,
                                         const Pose2& reference,
                                         const BaseInput& input,
                                         const Pose2& pose) noexcept;
 
-/// The input nearest to `wanted` that the base can have `period` [s] after `sent`: within speeds,
-/// wheel speeds, steering angle, accelerations and steering rate. @pre `sent` keeps the limits.
+/// Returns the input nearest to `wanted` that the base can have `period` [s] after `sent`. It keeps
+/// speeds, wheel speeds, steering angle, accelerations and steering rate. @pre `sent` keeps the
+/// limits.
 [[nodiscard]] BaseInput limited_input(const BaseModel& base,
                                       const BaseInput& sent,
                                       const BaseInput& wanted,
                                       double period) noexcept;
 
-/// The input that closes what is left of the way to `goal` at the end of a drive, slowly and as far
-/// as the base can from where it is: along its heading, on the spot, to the side. Rest where that
-/// is less than `tolerance` [m], [rad].
+/// Returns a slow input that closes the rest of the distance to `goal` at the end of a drive. The
+/// base moves as far as it can from its pose: along its heading, on the spot, to the side. The
+/// input is rest where the rest is less than `tolerance` [m], [rad].
 [[nodiscard]] BaseInput settling_input(const BaseModel& base,
                                        const Pose2& goal,
                                        const BaseInput& sent,

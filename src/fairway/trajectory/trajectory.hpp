@@ -7,7 +7,7 @@
 
 namespace fairway {
 
-/// What a base is driven with.
+/// The input of a base.
 struct BaseInput {
   double linear = 0.0;   ///< along the heading [m/s]
   double lateral = 0.0;  ///< to the left [m/s]; omnidirectional bases only
@@ -55,7 +55,7 @@ struct TrajectoryRow {
 
 /// A trajectory in control periods of `period` [s] from its begin on; the last row is at rest.
 ///
-/// Inputs are means over each period, so they change between rows by no more than their greatest
+/// Inputs are means over each period. So they change between rows by no more than their greatest
 /// slope times the period. Poses follow from the rows' own twists. The trajectory is stretched in
 /// time to end with a whole period.
 [[nodiscard]] std::vector<TrajectoryRow> sampled(const BaseModel& base,

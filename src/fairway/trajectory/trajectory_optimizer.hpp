@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-/// What is said of a trajectory when it is driven.
+/// The verdict on a trajectory after it was driven.
 struct DriveVerdict {
   bool accepted = false;  ///< it may be the result
   bool at_goal = false;   ///< it ends at the goal
@@ -17,9 +17,9 @@ struct DriveVerdict {
 
 /// Makes a trajectory faster, iteration by iteration: sequential convex programming.
 ///
-/// Every iteration linearises the motion and the obstacles near it about the trajectory before,
-/// solves for the fastest one within a trust region, and drives the result to see whether it is
-/// better. `judge` then decides exactly, on what is driven in control periods. Where that ends
+/// Every iteration linearises the motion and the obstacles near it about the trajectory before. It
+/// solves for the fastest trajectory within a trust region, and drives the result to see whether it
+/// is better. `judge` then decides exactly, on what is driven in control periods. Where that ends
 /// beside the goal, the optimisation aims as far to the other side; where it is rejected for other
 /// reasons, it keeps more clearance.
 /// @param margin  Clearance at the knots and between [m].

@@ -6,8 +6,8 @@
 
 namespace fairway {
 
-/// Drives along a sampled trajectory: in every control period the input of the row, corrected by
-/// how far the robot is from the row's pose, within the limits of the base.
+/// Drives along a sampled trajectory. In every control period it takes the input of the row,
+/// corrected for the distance to the row's pose, within the limits of the base.
 ///
 /// The limits are kept from the last command on, at most what is asked for. Does not allocate.
 class TrajectoryTracker {

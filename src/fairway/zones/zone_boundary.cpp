@@ -40,8 +40,8 @@ void ZoneBoundary::measure_runs() {
   }
 }
 
-// Cuts every edge of a polygon where others begin or end, and keeps the parts with the union on one
-// side only.
+// Cuts every edge of a polygon where other edges begin or end. It keeps the parts with the union on
+// one side only.
 void ZoneBoundary::add_pieces(std::size_t polygon) {
   std::vector<double> shares;
   for (std::size_t e = 0; e < polygons_[polygon].size(); ++e) {

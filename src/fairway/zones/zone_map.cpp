@@ -79,7 +79,7 @@ std::optional<std::size_t> ZoneMap::leaving(const ZoneBoundary& strips,
                                             double clearance) const noexcept {
   if (const auto zone = strips.piece_near(region, extent, clearance)) return zone;
   if (strips.contains(region.center())) return std::nullopt;
-  // Far outside of all strips: the first one stands for them.
+  // Far outside of all strips, the first one represents them.
   return strips.pieces().empty() ? 0 : strips.pieces().front().zone;
 }
 

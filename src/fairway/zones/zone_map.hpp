@@ -12,7 +12,7 @@
 
 namespace fairway {
 
-/// What a region that is tested against zones stands for.
+/// What a region represents that is tested against zones.
 enum class ZoneSubject : std::uint8_t {
   Disc,    ///< the region is for the centre of the robot's disc; the clearance includes its radius
   Body,    ///< the region is covered by the body
@@ -61,17 +61,17 @@ class ZoneMap {
     return !strips_[0].empty() && !strips_[1].empty();
   }
 
-  /// The zone because of which a region is forbidden, if it is; for a region outside of the
-  /// strips, a strip.
+  /// Returns the zone that forbids a region, if one does. For a region outside of the strips this
+  /// is a strip.
   /// @param body_radius  With Centre: of a disc that covers the body, for strips of both kinds [m].
   [[nodiscard]] std::optional<std::size_t> forbidding(const OrientedRectangle& region,
                                                       double clearance,
                                                       ZoneSubject subject,
                                                       double body_radius = 0.0) const noexcept;
 
-  /// How much clearance a point has as a Disc (see forbidding): the distance to what is forbidden
-  /// for the contour, or the radius more where the centre counts. At most `limit` [m]; 0 in a
-  /// forbidden place. As a Body, only what holds for the contour counts.
+  /// Returns the clearance of a point as a Disc (see forbidding), at most `limit` [m]. It is the
+  /// distance to what is forbidden for the contour, or the radius more where the centre counts. It
+  /// is 0 in a forbidden place. As a Body, only what holds for the contour counts.
   [[nodiscard]] double clearance_at(const Eigen::Vector2d& point,
                                     double limit,
                                     ZoneSubject subject = ZoneSubject::Disc) const noexcept;
@@ -101,8 +101,9 @@ class ZoneMap {
   [[nodiscard]] ZoneSpeed speed_in(const OrientedRectangle& region,
                                    double body_radius) const noexcept;
 
-  /// The boundaries of what is forbidden, for the search for large rectangles: a free rectangle for
-  /// the centre keeps `clearance` less `less` from each. Empty with strips of both kinds.
+  /// Returns the boundaries of what is forbidden, for the search for large rectangles. A free
+  /// rectangle for the centre keeps `clearance` less `less` from each. The result is empty with
+  /// strips of both kinds.
   struct Fence {
     const ZoneBoundary* boundary;
     double less;

@@ -85,8 +85,8 @@ class ZonePolygon {
 /// parallel.
 [[nodiscard]] std::optional<double> crossing(const Segment& line, const Segment& other) noexcept;
 
-/// Adds the shares of `line` at which it crosses `other` (0 at `line.a`, 1 at `line.b`); for
-/// collinear segments, the shares at which they begin and end to overlap.
+/// Adds the shares of `line` at which it crosses `other` (0 at `line.a`, 1 at `line.b`). For
+/// collinear segments these are the shares at which they begin and end to overlap.
 void add_crossings(const Segment& line, const Segment& other, std::vector<double>& shares);
 
 }  // namespace fairway

@@ -208,7 +208,25 @@ TEST(Pilot, GivesUpAnUnreachableGoalWithAReason) {
   EXPECT_EQ(answer.end, GoalEnd::GivenUp);
   EXPECT_NE(answer.reason.find("the robot does not fit at the goal"), std::string::npos)
       << answer.reason;
+  EXPECT_EQ(answer.path, PathStatus::GoalBlocked);
   EXPECT_NEAR(rig.world.time(), rig.pilot.options().patience, 0.5);
+}
+
+TEST(Pilot, FollowsAPathInsteadOfTheShortestOne) {
+  Rig rig(kMapOnly);
+  rig.pilot.follow({.waypoints = {{1.5, 1.5}, {1.5, 5.0}, {4.0, 5.0}}}, 0.5, 0.2);
+  double furthest_from_diagonal = 0.0;
+  PilotStep last;
+  while (rig.world.time() < 40.0 && last.end == GoalEnd::None) {
+    last = rig.step();
+    const Eigen::Vector2d at = rig.world.robots()[0].pose.position;
+    furthest_from_diagonal = std::max(furthest_from_diagonal, at.y() - at.x());
+  }
+  EXPECT_EQ(last.end, GoalEnd::Reached);
+  EXPECT_GT(furthest_from_diagonal, 2.5) << "the corner of the path is 3.5 m from the diagonal";
+  EXPECT_NEAR(rig.world.robots()[0].pose.heading, 0.5, 0.15);
+  rig.pilot.set_goal({.position = {2.0, 4.0}, .heading = {}});
+  EXPECT_EQ(rig.drive(30.0).end, GoalEnd::Reached) << "a goal replaces the path";
 }
 
 TEST(Pilot, AcceptsANewGoalDuringADrive) {

@@ -5,172 +5,13 @@ Each robot has a network namespace with its base and its navigation node; a brid
 namespace connects them. The test is skipped where namespaces cannot be made (no root).
 """
 
-import csv
-import itertools
 import math
-import os
-import pathlib
 import signal
-import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-SKIPPED = 77
-BIN, SCENARIOS = (pathlib.Path(argument) for argument in sys.argv[1:3])
-RADIUS = 0.25        # [m], of every robot: the default setting
-PREFIX = f"fw{os.getpid() % 10000}"
-
-
-def run(*command, check=True):
-    return subprocess.run(command, check=check, capture_output=True, text=True)
-
-
-def why_no_networks():
-    """Why network namespaces and bridges cannot be made; empty if they can."""
-    space = f"{PREFIX}-probe"
-    try:
-        run("ip", "netns", "add", space)
-        try:
-            run("ip", "-n", space, "link", "add", "bridge", "type", "bridge")
-        finally:
-            run("ip", "netns", "del", space)
-    except OSError as error:
-        return str(error)
-    except subprocess.CalledProcessError as error:
-        return error.stderr.strip()
-    return ""
-
-
-class Network:
-    """A bridge, and a namespace per robot that is connected to it."""
-
-    def __init__(self, names):
-        self.spaces = [f"{PREFIX}-switch"] + [f"{PREFIX}-{name}" for name in names]
-        self.make(names)
-
-    def make(self, names):
-        for space in self.spaces:
-            run("ip", "netns", "add", space)
-        switch = self.spaces[0]
-        run("ip", "-n", switch, "link", "add", "bridge", "type", "bridge", "forward_delay", "0",
-            "mcast_snooping", "0")
-        run("ip", "-n", switch, "link", "set", "bridge", "up")
-        for number, name in enumerate(names, 1):
-            space = f"{PREFIX}-{name}"
-            run("ip", "-n", switch, "link", "add", name, "type", "veth", "peer", "name", "eth0",
-                "netns", space)
-            run("ip", "-n", switch, "link", "set", name, "master", "bridge", "up")
-            run("ip", "-n", space, "addr", "add", f"10.77.0.{number}/24", "dev", "eth0")
-            run("ip", "-n", space, "link", "set", "eth0", "up")
-            run("ip", "-n", space, "link", "set", "lo", "up")
-
-    def cut(self, name):
-        run("ip", "-n", self.spaces[0], "link", "set", name, "nomaster")
-
-    def join(self, name):
-        run("ip", "-n", self.spaces[0], "link", "set", name, "master", "bridge")
-
-    def close(self):
-        for space in self.spaces:
-            run("ip", "netns", "del", space, check=False)
-
-
-class DdsTest(unittest.TestCase):
-    """Robots by name in self.names, their goals in self.goals."""
-
-    def prepare(self, names):
-        self.names = names
-        self.folder = tempfile.TemporaryDirectory(prefix="fairway-dds-")
-        self.network = Network(names)
-        self.processes = []
-
-    def tearDown(self):
-        for process in self.processes:
-            if process.poll() is None:
-                process.send_signal(signal.SIGINT)
-        for process in self.processes:
-            try:
-                process.wait(10)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.wait()
-            process.log.seek(0)
-            text = process.log.read()
-            if text:
-                print(f"--- {process.args}\n{text[-2000:]}")
-            process.log.close()
-        self.network.close()
-        self.folder.cleanup()
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
-    def write_map(self):
-        width, height = 200, 200  # 10 m x 10 m, open
-        with open(self.path("hall.pgm"), "wb") as image:
-            image.write(f"P5\n{width} {height}\n255\n".encode() + b"\xfe" * (width * height))
-        with open(self.path("hall.yaml"), "w", encoding="utf-8") as header:
-            header.write("image: hall.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
-                         "occupied_thresh: 0.65\nfree_thresh: 0.25\n")
-
-    def start(self, robot, program, *arguments):
-        log = open(self.path(f"log{len(self.processes)}"), "w+", encoding="utf-8")
-        process = subprocess.Popen(
-            ["ip", "netns", "exec", f"{PREFIX}-{robot}", BIN / program,
-             *[str(argument) for argument in arguments]],
-            stdout=log, stderr=subprocess.STDOUT)
-        process.log = log
-        self.processes.append(process)
-        return process
-
-    def send_goal(self, name, goal):
-        x, y = goal
-        self.start(name, "fairway_dds_goal", "--namespace", name, f"--goal={x},{y}")
-
-    def track(self, name):
-        """The true track [(time, x, y)] from the robot's simulator."""
-        rows = []
-        if not os.path.exists(self.path(f"{name}.csv")):
-            return rows
-        with open(self.path(f"{name}.csv"), encoding="utf-8") as file:
-            for row in csv.reader(file):
-                try:
-                    time_, x, y, _ = (float(value) for value in row)
-                except ValueError:  # the header, or an incomplete line
-                    continue
-                rows.append((time_, x, y))
-        return rows
-
-    def distance(self, name, goal):
-        _, x, y = self.track(name)[-1]
-        return math.hypot(x - goal[0], y - goal[1])
-
-    def wait_for(self, condition, seconds, what):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if condition():
-                return
-            time.sleep(0.1)
-        self.fail(f"waited {seconds} s for {what}")
-
-    def least_room(self):
-        """The least distance between any two bodies over all tracks [m]; negative: contact."""
-        tracks = [self.track(name) for name in self.names]
-        least = math.inf
-        for one, other in itertools.combinations(tracks, 2):
-            j = 0
-            for time_, x, y in one:
-                while j + 1 < len(other) and other[j + 1][0] <= time_:
-                    j += 1
-                least = min(least, math.hypot(x - other[j][1], y - other[j][2]))
-        return least - 2.0 * RADIUS
-
-    def speed(self, name):
-        rows = self.track(name)[-10:]
-        (t0, x0, y0), (t1, x1, y1) = rows[0], rows[-1]
-        return math.hypot(x1 - x0, y1 - y0) / max(t1 - t0, 1e-9)
+from dds_system import SCENARIOS, SKIPPED, DdsTest, why_no_networks
 
 
 class FleetTest(DdsTest):
@@ -255,6 +96,64 @@ class DriveTest(DdsTest):
         self.assertEqual(node.wait(10), 0)
         self.wait_for(lambda: self.speed("solo") < 0.01, 5, "the robot to stop")
 
+    def act(self, *options):
+        return self.start("solo", "fairway_dds_goal", *options)
+
+    def result(self, process):
+        """Exit code and output of a program that sends a goal of an action."""
+        code = process.wait(60)
+        process.log.seek(0)
+        text = process.log.read()
+        process.log.truncate(0)
+        return code, text
+
+    def test_a_goal_of_the_action_is_reached_cancelled_and_refused(self):
+        self.start("solo", "fairway_dds_node")
+        goal = f"--goal={self.GOAL[0]},{self.GOAL[1]}"
+        client = self.act("--action", goal)
+        self.wait_for(lambda: self.track("solo") and self.speed("solo") > 0.3, 20,
+                      "the robot to drive")
+        client.send_signal(signal.SIGINT)
+        code, text = self.result(client)
+        self.assertEqual(code, 1)
+        self.assertIn("goal accepted", text)
+        self.assertIn("status 5", text)  # cancelled
+        self.assertLess(self.speed("solo"), 0.05)
+        code, text = self.result(self.act("--action", "--goal=900,0"))
+        self.assertEqual(code, 1)
+        self.assertIn("status 6, error code 204", text)
+        first = self.act("--action", goal)
+        self.wait_for(lambda: self.speed("solo") > 0.1, 20, "the robot to drive")
+        code, text = self.result(self.act("--action", goal))
+        self.assertEqual(code, 0, text)
+        self.assertIn("m left", text)
+        self.assertIn("status 4, error code 0", text)
+        self.assertLess(self.distance("solo", self.GOAL), 0.15)
+        code, text = self.result(first)
+        self.assertEqual(code, 1)
+        self.assertIn("status 6, error code 0: replaced by a new goal", text)
+
+    def test_the_action_follow_path_drives_out_and_back(self):
+        self.start("solo", "fairway_dds_node")
+        points = [(-5.0, -3.0), (-5.0, -1.0), (-5.0, -3.0)]
+        path = ",".join(f"{x},{y}" for x, y in points)
+        code, text = self.result(self.act(f"--path={path}"))
+        self.assertEqual(code, 0, text)
+        furthest = max(y for _, _, y in self.track("solo"))
+        self.assertGreater(furthest, -1.3)
+        self.assertLess(self.distance("solo", points[-1]), 0.2)
+
+    def test_a_goal_is_reached_with_simulated_time_and_stamped_commands(self):
+        self.processes[0].send_signal(signal.SIGINT)
+        self.processes[0].wait(10)
+        options = ("--sim-time", "--stamped")
+        self.start("solo", "fairway_dds_simulator", SCENARIOS / "maps" / "doorways.yaml",
+                   "--start=-5,-3,1.57", "--track", self.path("simulated.csv"), *options)
+        self.drive(*options)
+        self.wait_for(lambda: self.track("simulated")
+                      and self.distance("simulated", self.GOAL) < 0.15, 40, "the robot to arrive")
+        self.assertLess(self.track("simulated")[-1][0], 1100.0)  # [s], on the simulated clock
+
     def test_bad_options_are_named(self):
         for options, message in (
                 (["--set", "mpc.step_length=x"], "fairway: mpc.step_length: expected a number from"),
@@ -292,4 +191,4 @@ if __name__ == "__main__":
     if REASON := why_no_networks():
         print(f"skipped: no network namespaces here: {REASON}")
         sys.exit(SKIPPED)
-    unittest.main(argv=sys.argv[:1], verbosity=2, warnings="ignore")
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2, warnings="ignore")

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/navigation/settings.hpp"
+
 namespace fairway::nav2 {
 namespace {
 
@@ -30,10 +32,37 @@ TEST(CostmapFootprint, OfARadiusIsADisc) {
 
 TEST(CostmapFootprint, IsCoveredByARectangleAroundTheOrigin) {
   RobotSettings robot;
-  EXPECT_TRUE(set_body(Points{{0.5, 0.2}, {-0.3, 0.2}, {-0.3, -0.25}, {0.5, -0.25}}, robot));
+  EXPECT_TRUE(set_body(Points{{0.5, 0.22}, {-0.46, 0.22}, {-0.46, -0.25}, {0.5, -0.25}}, robot));
   EXPECT_EQ(robot.length, 1.0);
   EXPECT_EQ(robot.width, 0.5);
   EXPECT_NEAR(robot.radius, std::hypot(0.5, 0.25), 1e-12);
+}
+
+TEST(CostmapFootprint, WithItsOriginAtTheRearAxleIsCoveredByDiscs) {
+  RobotSettings robot;
+  ASSERT_TRUE(set_body(Points{{1.1, 0.4}, {-0.2, 0.4}, {-0.2, -0.4}, {1.1, -0.4}}, robot));
+  ASSERT_GT(robot.discs.count, 0);
+  EXPECT_EQ(robot.length, 0.0);
+  const auto covered = [&](double x, double y) {
+    for (int i = 0; i < robot.discs.count; ++i) {
+      const Footprint::Disc& disc = robot.discs.discs[static_cast<std::size_t>(i)];
+      if ((disc.center - Eigen::Vector2d(x, y)).norm() <= disc.radius + 1e-9) return true;
+    }
+    return false;
+  };
+  for (int i = 0; i <= 20; ++i) {
+    for (int j = 0; j <= 20; ++j) {
+      const double x = -0.2 + 1.3 * i / 20;
+      const double y = -0.4 + 0.8 * j / 20;
+      EXPECT_TRUE(covered(x, y)) << x << ", " << y;
+      EXPECT_LE(std::hypot(x, y), robot.radius);
+    }
+  }
+  EXPECT_FALSE(covered(-0.35, 0.0)) << "a rectangle around the origin would reach to -1.1 m";
+  EXPECT_FALSE(covered(1.25, 0.0));
+  Settings settings;
+  settings.robot = robot;
+  EXPECT_TRUE(validate(settings)) << "it can be driven";
 }
 
 TEST(CostmapFootprint, WithoutABodyChangesNothing) {

@@ -146,8 +146,8 @@ struct Rig {
     return last;
   }
 
-  /// Share of the path's poses that the robot missed by more than `bound` [m], in the order of the
-  /// path: a pose counts as met only at the time of those before it or soon after.
+  /// Returns the share of the path's poses that the robot missed by more than `bound` [m], in the
+  /// order of the path. A pose counts as met only at the time of those before it or soon after.
   [[nodiscard]] double missed(const Path& given, double bound) const {
     constexpr std::size_t kSoon = 60;  // cycles
     constexpr std::size_t kEach = 5;   // cycles more for each pose that was missed since

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "fairway/monitor/safety_monitor.hpp"
 
@@ -15,5 +18,15 @@ inline Polygon box(double back, double front, double half_width) {
 
 // A body from -0.3 to 0.3 m that is 0.4 m wide.
 inline MonitorSettings plain() { return {.footprint = {box(-0.3, 0.3, 0.2)}}; }
+
+// What the monitor says of a command, with these points seen just now.
+inline MonitorVerdict verdict_of(const MonitorSettings& settings,
+                                 const std::vector<Eigen::Vector2d>& points,
+                                 const Twist2& current,
+                                 const Twist2& command) {
+  SafetyMonitor monitor(settings);
+  EXPECT_TRUE(monitor.see(0.0, points));
+  return monitor.check(0.0, {}, current, command);
+}
 
 }  // namespace fairway::test

@@ -118,7 +118,7 @@ TEST_F(NavigatorTest, EveryCommandIsWithinTheLimits) {
   run.go({10.5, 6.5}, -1.0);
   Twist2 before;
   for (int k = 0; k < 300; ++k) {
-    if (k == 60) run.go({2.0, 1.0});  // another goal on the way
+    if (k == 60) run.go({2.0, 1.0});  // another goal during the drive
     const Twist2 now = run.cycle(true).command;
     ASSERT_TRUE(is_finite(now));
     EXPECT_LE(now.linear, 0.7 + 1e-9);

@@ -115,8 +115,8 @@ TEST(RecoveryBehaviour, ProgressEndsIt) {
   EXPECT_EQ(recovery.update(view(4.8, false, false, false)), RecoveryAction::None);
 }
 
-// In front of a goal that is taken the controller turns one way and the recovery the other: after a
-// few rounds the robot faces its path and stays.
+// In front of an occupied goal the controller turns one way and the recovery the other. After a few
+// rounds the robot faces its path and stays.
 TEST(RecoveryBehaviour, StaysOnceAllRoundsHaveFailed) {
   for (const bool can_reverse : {false, true}) {
     RecoveryBehaviour recovery;

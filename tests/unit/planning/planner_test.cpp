@@ -154,8 +154,8 @@ TEST(Plan, IsValidOnlyWhereItCanBeFollowed) {
   })) << "not usable, and says so";
 }
 
-// A gap that is wider than the robot by 5 mm per side, whatever its place on the grid and the turn
-// of the map: an even number of cells has its middle between the centres of two of them.
+// A gap that is wider than the robot by 5 mm per side, for every place on the grid and every turn
+// of the map. An even number of cells has its middle between the centres of two of them.
 TEST(Planner, FindsEveryGapThatIsFiveMillimetresWiderPerSide) {
   constexpr double kSpare = 0.005;  // [m]
   Planner planner;

@@ -130,8 +130,8 @@ TEST(CollisionEnvironment, ADiscThatIsLessFreeThanTheToleranceMayLoseNoMore) {
   EXPECT_TRUE(is_free(wall, body, nearer, 0.0));
 }
 
-// Whatever the robot, the place and the plan: a robot that stays where it is violates nothing, so
-// that the check of a stop cannot forbid to stay.
+// A robot that stays where it is violates nothing, for every robot, place and plan. So the check of
+// a stop cannot forbid to stay.
 TEST(CollisionEnvironment, StayingIsAlwaysPermitted) {
   test::Random random(1);
   int touching = 0;

@@ -95,9 +95,9 @@ TEST_F(BesideAPasser, EvadesAContactWithinTheMargin) {
   EXPECT_TRUE(stop_.evade(now, {}, stop_.contact_time(now)));
 }
 
-// Found by safe_stop_soak: an evasion that would touch a moving obstacle was accepted without a
-// test for static obstacles beyond the contact. A moving obstacle may move otherwise; a static one
-// does not.
+// Found by safe_stop_soak: an evasion was accepted without a test for static obstacles beyond its
+// contact. The evasion touched a moving obstacle, which may move otherwise than predicted; a static
+// one does not.
 TEST(SafeStop, NeverEvadesIntoAStaticObstacle) {
   test::Random random(5);
   int evaded = 0;

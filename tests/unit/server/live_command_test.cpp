@@ -42,6 +42,13 @@ TEST(LiveCommand, ReadsEachKind) {
   EXPECT_FALSE(parsed<WalkCommand>(R"({"do":"walk","x":1,"y":1})").body);
   EXPECT_EQ(parsed<WalkCommand>(R"({"do":"walk","body":4,"x":1,"y":1})").body, 4U);
   EXPECT_EQ(parsed<RemoveBodyCommand>(R"({"do":"remove_body","body":1})").body, 1U);
+  const auto zone = parsed<ZoneCommand>(
+      R"({"do":"zone","index":2,"zone":{"kind":"one_way","polygon":[{"x":0,"y":0},{"x":1,"y":0},{"x":1,"y":2}],"direction":7}})");
+  EXPECT_EQ(zone.index, 2U);
+  EXPECT_EQ(zone.zone.kind, ZoneKind::OneWay);
+  EXPECT_EQ(zone.zone.polygon.back(), Eigen::Vector2d(1, 2));
+  EXPECT_NEAR(zone.zone.direction, 7.0 - 2.0 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(parsed<RemoveZoneCommand>(R"({"do":"remove_zone","index":1})").index, 1U);
   EXPECT_EQ(parsed<SettingCommand>(R"({"do":"set","assignment":"a.b=1"})").assignments,
             std::vector<std::string>{"a.b=1"});
   EXPECT_EQ(
@@ -54,6 +61,9 @@ TEST(LiveCommand, RefusesWhatIsOutOfRange) {
   for (const char* text :
        {R"({"do":"speed","factor":0})", R"({"do":"speed","factor":1e9})",
         R"({"do":"goal","robot":0,"x":1e7,"y":0})", R"({"do":"goal","robot":-1,"x":0,"y":0})",
+        R"({"do":"zone","zone":{"kind":"wet","polygon":[]}})",
+        R"({"do":"zone","zone":{"kind":"keep_out","polygon":3}})",
+        R"({"do":"zone","zone":{"kind":"keep_out","polygon":[{"x":1e9,"y":0}]}})",
         R"({"do":"goal","robot":0.5,"x":0,"y":0})", R"({"do":"map","index":1000000})",
         R"({"do":"paint","from":{"x":0,"y":0},"to":{"x":0,"y":0},"radius":50,"blocked":true})"})
     EXPECT_FALSE(parse_command(text)) << text;

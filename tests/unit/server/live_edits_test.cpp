@@ -47,6 +47,26 @@ class LiveEdits : public ::testing::Test {
   LiveWorld world_;
 };
 
+Zone slow_zone(double speed) {
+  return {.kind = ZoneKind::SpeedLimit, .polygon = {{4, 4}, {7, 4}, {7, 6}}, .speed = speed};
+}
+
+TEST_F(LiveEdits, RefusesZonesThatAreNone) {
+  Zone crossed = slow_zone(0.5);
+  crossed.polygon = {{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+  ask(ZoneCommand{.index = {}, .zone = crossed}, 4);
+  ask(ZoneCommand{.index = {}, .zone = slow_zone(-1.0)}, 4);
+  ask(ZoneCommand{.index = 0, .zone = slow_zone(0.5)}, 4);
+  ask(RemoveZoneCommand{.index = 0}, 4);
+  ASSERT_EQ(refusals_.size(), 4U);
+  EXPECT_EQ(refusals_[0].text.find("Zone: polygon: expected "), 0U) << refusals_[0].text;
+  EXPECT_EQ(refusals_[0].at, Eigen::Vector2d(0, 0));
+  EXPECT_EQ(refusals_[1].text.find("Zone: speed: expected "), 0U) << refusals_[1].text;
+  EXPECT_EQ(refusals_[2].text, "There is no such zone.");
+  EXPECT_EQ(refusals_[3].text, "There is no such zone.");
+  EXPECT_FALSE(state_.edited);
+}
+
 TEST_F(LiveEdits, RefusesPlacesOutsideTheMapAndOnObstacles) {
   const Pose2 corner{.position = {0.05, 0.05}, .heading = 0.0};
   ask(GoalCommand{.robot = 0, .goal = {.position = {-1.0, 2.0}, .heading = {}}}, 7);
@@ -84,6 +104,9 @@ TEST_F(LiveEdits, UndoesAndRedoesEachKindOfEdit) {
       RemoveBodyCommand{.body = 0},
       AddRobotCommand{.pose = {.position = {3.0, 12.0}, .heading = 0.0}},
       RemoveRobotCommand{.robot = 1},
+      ZoneCommand{.index = {}, .zone = slow_zone(0.5)},
+      ZoneCommand{.index = 0, .zone = slow_zone(0.3)},
+      RemoveZoneCommand{.index = 0},
       SettingCommand{.assignments = {"robot.linear_max=0.4"}}};
   std::vector<std::string> worlds = {saved()};
   for (const ClientCommand& command : commands) {

@@ -6,13 +6,12 @@
 #include <thread>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
+#include <gtest/gtest.h>
 
 namespace fairway::app {
 namespace {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-// A problem with change limits, and a previous command that may be outside its range: the limits of
+// A problem with change limits, and a previous command that may be outside its range. The limits of
 // a robot may have been lowered while it drives.
 ControlProblem random_problem(test::Random& random) {
   ControlProblem problem = test::random_control_problem(random, {.max_horizon = kMaxHorizon});

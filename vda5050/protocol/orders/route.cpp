@@ -60,6 +60,17 @@ double length_of(const Line& line) {
   return length;
 }
 
+Line with_short_chords(const Line& line) {
+  Line points{line.front()};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector2d chord = line[i] - line[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(chord.norm() / kChord)));
+    for (int k = 1; k <= pieces; ++k)
+      points.emplace_back(line[i - 1] + static_cast<double>(k) / pieces * chord);
+  }
+  return points;
+}
+
 std::optional<Eigen::Vector2d> first_direction(const Line& line) {
   constexpr double kLeast = 1e-6;  // [m]
   for (std::size_t i = 1; i < line.size(); ++i) {

@@ -54,6 +54,10 @@ struct LinePoint {
 
 [[nodiscard]] double length_of(const std::vector<Eigen::Vector2d>& line);
 
+/// The same line with more points, so that no chord is longer than 0.25 m.
+[[nodiscard]] std::vector<Eigen::Vector2d> with_short_chords(
+    const std::vector<Eigen::Vector2d>& line);
+
 /// Direction of travel at the beginning and at the end of a line; none for a line without length.
 [[nodiscard]] std::optional<Eigen::Vector2d> first_direction(
     const std::vector<Eigen::Vector2d>& line);

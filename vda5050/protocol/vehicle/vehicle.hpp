@@ -34,6 +34,7 @@ enum class ConnectionState : std::uint8_t { Online, Offline, Broken };
 struct DriveReport {
   std::uint64_t route = 0;  ///< revision of the route
   bool arrived = false;     ///< stopped at its end
+  bool at_node = false;     ///< stopped at the end of its present leg, before the route's end
   /// Index of the leg that is closed by an obstacle, while the vehicle waits for it.
   std::optional<std::size_t> closed_leg{};
   bool gave_up = false;  ///< waited for too long

@@ -96,6 +96,7 @@ void Vehicle::enter_edge() {
 
 void Vehicle::pass_nodes(const DriveReport& report, const Eigen::Vector2d& before) {
   if (cancelling_) return;
+  bool stopped = report.at_node && report.route == route_revision_;
   while (!order_.nodes.empty() && order_.nodes.front().released && !order_.legs.empty()) {
     if (legs_passed_ >= route_.legs.size()) return rebuild_route();
     const bool stops_there = legs_passed_ + 1 == route_.legs.size();
@@ -105,7 +106,9 @@ void Vehicle::pass_nodes(const DriveReport& report, const Eigen::Vector2d& befor
       if (!arrived || !is_at(order_.nodes.front().place, motion_.pose, kArrivalSlack)) return;
     } else {
       const RouteLeg next = leg_in_force(1);
-      if (!passing_.passes(leg, &next, before, motion_.pose.position, body_)) return;
+      const bool there = stopped && is_at(order_.nodes.front().place, motion_.pose, kArrivalSlack);
+      if (!there && !passing_.passes(leg, &next, before, motion_.pose.position, body_)) return;
+      stopped = false;
     }
     pass_node();
     if (stops_there) rebuild_route();

@@ -2,6 +2,7 @@
 import type { Footprint } from './footprint';
 import type { Frame, Goal, Plan, Scan } from './frame';
 import { type Grid, folded } from './grid';
+import type { Zone } from './zones';
 
 export interface Setting {
   group: string;
@@ -34,15 +35,6 @@ export interface RobotTask {
   outline?: [number, number][][];
 }
 
-/** A region of the floor with a rule. */
-export interface Zone {
-  kind: 'keep_out' | 'speed_limit' | 'penalty' | 'preferred' | 'strip' | 'one_way';
-  name: string;
-  polygon: [number, number][];
-  speed: number;
-  direction: number;
-}
-
 /** The constant data from the beginning of a run. */
 export interface Begin {
   version: number;
@@ -70,12 +62,24 @@ export class Run {
   /** By slot, in order of time: 0 is the true map, the others are the robots' maps. */
   grids: Grid[][] = [[]];
   settings: Setting[];
+  private zones: { time: number; zones: Zone[] }[];
 
   constructor(public begin: Begin) {
     this.plans = begin.robots.map(() => []);
     this.goals = begin.robots.map(() => null);
     this.scans = begin.robots.map(() => null);
     this.settings = begin.settings;
+    this.zones = [{ time: -Infinity, zones: begin.zones ?? [] }];
+  }
+
+  /** Other zones hold from `time` on. */
+  setZones(time: number, zones: Zone[]): void {
+    this.zones.push({ time, zones });
+  }
+
+  /** The zones that hold at a time. */
+  zonesAt(time: number): Zone[] {
+    return this.zones.findLast((set) => set.time <= time + 1e-9)!.zones;
   }
 
   /** The robots of the running world, of which there are more from now on. */

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 import { beliefFrame } from './belief';
 import { Fields } from './bytes';
-import type { Body, Contact, Cycle, Goal, Mark, Obstruction, Plan, Scan } from './frame';
+import type { Body, Contact, Cycle, Goal, Mark, Obstruction, Plan, RobotFrame, Scan } from './frame';
 import type { Point } from './geometry';
 import type { GridFrame } from './grid';
 import { type Begin, type RobotTask, Run, type Setting } from './run';
+import type { Zone } from './zones';
 
 // The kinds of records, numbered as in C++'s RunStream.
-const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6, Scan = 7, Goal = 8, Robots = 9 }
+const enum Kind { Begin = 1, Cells = 2, Plan = 3, Cycle = 4, World = 5, Tuning = 6, Scan = 7, Goal = 8, Robots = 9, Zones = 10 }
 
 const point = (fields: Fields): Point => ({ x: fields.millis(), y: fields.millis() });
 
@@ -178,6 +179,9 @@ export class StreamReader {
       if (run.lidar) run.goals = run.goals.map(() => null);
     } else if (kind === Kind.Robots) {
       run.setRobots((JSON.parse(new TextDecoder().decode(content)) as { robots: RobotTask[] }).robots);
+    } else if (kind === Kind.Zones) {
+      const { time, zones } = JSON.parse(new TextDecoder().decode(content)) as { time: number; zones: Zone[] };
+      run.setZones(time, zones);
     }
   }
 
@@ -221,8 +225,9 @@ export class StreamReader {
   private world(run: Run, fields: Fields): void {
     const time = fields.millis();
     const list = bodies(fields);
-    const before = run.frames.at(-1)?.robots;
-    const robots = [];
+    const last = run.frames.at(-1);
+    const before = last?.robots;
+    const robots: RobotFrame[] = [];
     for (let n = fields.count(), i = 0; i < n; ++i) {
       const { x, y } = point(fields);
       const heading = fields.angle();
@@ -235,6 +240,9 @@ export class StreamReader {
         slots: before?.[i]?.slots ?? { known: 0, occupied: 0 },
       });
     }
+    // A world that is paused between two cycles: the last ones still hold.
+    if (fields.count() !== 0) robots.forEach((robot, i) => { robot.cycle = before?.[i]?.cycle ?? null; });
+    if (last?.time === time) run.frames.pop();
     run.frames.push({ time, bodies: list, robots });
   }
 

@@ -42,7 +42,7 @@ export class Scene {
     context.fillRect(0, 0, camera.width, camera.height);
     const grid = gridAt(run, 0, moment.time);
     if (grid) this.map.draw(context, camera, grid, moment.time, theme);
-    if (layers.zones) drawZones(pen, run);
+    if (layers.zones) drawZones(pen, run.zonesAt(moment.time));
     if (layers.seen) this.seen.draw(pen, run, moment, chosen);
     if (chosen && layers.corridor) asBelieved(chosen, () => drawCorridor(pen, chosen));
     // A corridor of a robot with a lidar may cross walls that it has not seen yet.

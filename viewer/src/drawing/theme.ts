@@ -28,8 +28,8 @@ export interface Theme {
   noteInk: string;
 }
 
-// Blue is the corridor, orange are people, magenta is the prediction, gold is the active constraint;
-// red is for faults only. Robots have colours between these.
+// Blue is the corridor, orange are people, magenta is the prediction, gold is the active
+// constraint. Red is for faults only. Robots have colours between these.
 const light: Theme = {
   dark: false,
   outside: '#e9ecef', free: '#ffffff', occupied: '#39424c', unknown: '#d3d8dd',

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { Point } from '../data/geometry';
-import type { Run, Zone } from '../data/run';
+import { type Zone, corners as cornersOf } from '../data/zones';
 import type { Pen } from './pen';
 
 const looks: Record<Zone['kind'], { text: (zone: Zone) => string; dash: number[]; strength: number }> = {
@@ -13,11 +12,11 @@ const looks: Record<Zone['kind'], { text: (zone: Zone) => string; dash: number[]
 };
 
 /** Draws the zones of the floor: outline, rule, and the direction of a one-way zone. */
-export function drawZones(pen: Pen, run: Run): void {
+export function drawZones(pen: Pen, zones: Zone[]): void {
   const { context, theme } = pen;
-  for (const zone of run.begin.zones ?? []) {
+  for (const zone of zones) {
     const look = looks[zone.kind];
-    const corners: Point[] = zone.polygon.map(([x, y]) => ({ x, y }));
+    const corners = cornersOf(zone);
     const color = zone.kind === 'keep_out' ? theme.fault : theme.tracked;
     pen.trace(corners, true);
     pen.fill(color, look.strength);

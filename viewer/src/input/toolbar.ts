@@ -3,6 +3,8 @@ import { element, icon, make } from '../page/dom';
 import type { Viewer } from '../view/viewer';
 import { BrushTool, PersonTool } from './edit_tools';
 import { MeasureTool, PlaceTool, type Send, type Tool } from './tools';
+import { ZoneOptions } from './zone_options';
+import { ZoneTool } from './zone_tool';
 
 interface Entry {
   id: string;
@@ -24,6 +26,7 @@ const icons = {
   wall: 'M2 12L11 3l2 2-9 9H2z',
   erase: 'M6 2l8 6-4 5H5L2 10z',
   person: 'M8 1a2.5 2.5 0 110 5 2.5 2.5 0 010-5zM4 8h8v3h-1.5v4h-5v-4H4z',
+  zone: 'M2 3l7-2 5 5-3 8-8-2zM4 5l1 6 5 1 2-5-3-3z',
   robot: 'M3 5h7v7H3zM11 2h1.5v2.5H15V6h-2.5v2.5H11V6H8.5V4.5H11z',
 };
 
@@ -34,6 +37,7 @@ export class Toolbar {
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly brushes: BrushTool[] = [];
   private readonly size: HTMLElement;
+  private zones: ZoneOptions | null = null;
   private enabled = true;
 
   constructor(private readonly viewer: Viewer, send: Send | null) {
@@ -80,6 +84,8 @@ export class Toolbar {
     const wall = new BrushTool(viewer, 'Drag to draw obstacles', true, send);
     const erase = new BrushTool(viewer, 'Drag to erase obstacles and people', false, send);
     this.brushes.push(wall, erase);
+    const zone = new ZoneTool(viewer, send);
+    this.zones = new ZoneOptions(zone);
     const withHeading = (turn: number | null) => (turn === null ? {} : { heading: turn });
     const pose = (turn: number | null): number => turn ?? viewer.moment?.poses[robot()]?.heading ?? 0;
     return [
@@ -90,6 +96,7 @@ export class Toolbar {
       tool('wall', 'Draw obstacle', 'o', wall),
       tool('erase', 'Erase', 'e', erase),
       tool('person', 'Person', 'p', new PersonTool(viewer, 'Click to add a person, drag to move one', send)),
+      tool('zone', 'Zone', 'z', zone),
       tool('robot', 'Add robot', 'n', new PlaceTool(viewer, 'Click to add a robot; drag to set its heading',
         (at, turn) => send({ do: 'add_robot', x: at.x, y: at.y, heading: turn ?? 0 }))),
     ];
@@ -97,15 +104,17 @@ export class Toolbar {
 
   private build(): void {
     const root = element('tools');
+    const row = make('div', { class: 'group' });
     for (const entry of this.entries) {
       const button = make('button', {
         type: 'button', id: `tool-${entry.id}`, 'aria-label': entry.title, title: `${entry.title}: ${entry.hint} (${entry.key.toUpperCase()})`,
       }, icon(entry.icon), make('span', {}, entry.title));
       button.addEventListener('click', () => this.choose(entry));
       this.buttons.set(entry.id, button);
-      root.append(button);
+      row.append(button);
     }
-    root.append(this.size);
+    root.append(row, this.size);
+    if (this.zones) root.append(this.zones.root);
   }
 
   private brushSize(): HTMLElement {
@@ -126,6 +135,7 @@ export class Toolbar {
     this.viewer.map.classList.toggle('tool', entry.tool !== null);
     for (const [id, button] of this.buttons) button.setAttribute('aria-pressed', `${id === entry.id}`);
     this.size.hidden = !(entry.tool instanceof BrushTool);
+    if (this.zones) this.zones.root.hidden = !(entry.tool instanceof ZoneTool);
     this.viewer.say(entry.hint);
     this.viewer.invalidate();
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { Run } from '../data/run';
+import type { Zone } from '../data/zones';
 import { layerNames, type Layer } from '../drawing/layers';
 import { toneColor } from '../drawing/theme';
 import type { Tone } from '../data/words';
@@ -16,6 +18,7 @@ const statusLegend: [Tone, string][] = [
 export class Legend {
   private readonly map = make('div', { class: 'legend' });
   private readonly status = make('div', { class: 'legend' });
+  private zones: Zone[] | null = null; // as last seen
 
   constructor(private readonly viewer: Viewer) {
     const root = element('layers');
@@ -42,6 +45,13 @@ export class Legend {
       this.viewer.layers[box.dataset.layer as Layer] = box.checked;
     }
     this.viewer.invalidate();
+  }
+
+  /** The first zone of a run brings the layer of the zones. */
+  follow(run: Run): void {
+    const zones = run.zonesAt(Infinity);
+    if (zones !== this.zones) this.update();
+    this.zones = zones;
   }
 
   private plots(): HTMLElement {
@@ -92,7 +102,7 @@ export class Legend {
       mark.style.background = toneColor(tone, theme);
       return make('span', {}, mark, text);
     }));
-    const zones = viewer.run?.begin.zones?.length ?? 0;
+    const zones = viewer.run?.zonesAt(Infinity).length ?? 0;
     element('layers').querySelector('[data-layer="zones"]')!.closest('label')!.hidden = zones === 0;
     // Only a robot with a lidar has these layers.
     element('layers').querySelector('[data-layer="scan"]')!.closest('label')!.hidden = !lidar;

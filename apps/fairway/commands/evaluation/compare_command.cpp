@@ -6,6 +6,7 @@
 
 #include "cli/json_file.hpp"
 #include "cli/number_option.hpp"
+#include "cli/provenance.hpp"
 #include "commands/commands.hpp"
 #include "results/json_comparison.hpp"
 
@@ -28,10 +29,11 @@ struct CompareCommand {
     const Expected<Json> second = read_json_object(b);
     if (!second) return tl::unexpected(second.error());
     const JsonComparison comparison = compare_json(*first, *second, tolerance.value_or(0.0));
-    if (const auto done =
-            write_output(json, json.empty() ? "" : json_text(comparison_json(comparison)));
-        !done) {
-      return tl::unexpected(done.error());
+    if (!json.empty()) {
+      Json result = comparison_json(comparison);
+      add_provenance(result, {.schema = "compare.v1", .files = {a, b}});
+      if (const auto done = write_output(json, json_text(result)); !done)
+        return tl::unexpected(done.error());
     }
     if (json != "-") {
       constexpr std::size_t kLines = 50;

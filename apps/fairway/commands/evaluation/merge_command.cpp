@@ -24,8 +24,10 @@ struct MergeCommand {
       if (!result) return tl::unexpected(result.error());
       shards.push_back({file, std::move(*result)});
     }
-    const Expected<Json> merged = merge_results(shards);
+    Expected<Json> merged = merge_results(shards);
     if (!merged) return tl::unexpected(merged.error());
+    const auto from = merged->find("provenance");
+    if (from != merged->end() && from->is_object()) (*from)["command"] = given_command_line();
     if (const auto done = write_output(json, json_text(*merged)); !done)
       return tl::unexpected(done.error());
     return kDone;

@@ -11,7 +11,8 @@ namespace fairway::app {
 
 namespace {
 
-// What begins with a dash needs a backslash in troff, and a dot or quote at the start of a line.
+// Escapes text for troff: a dash needs a backslash, and so does a dot or quote at the start of a
+// line.
 std::string troff(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -7,8 +7,9 @@
 
 namespace fairway::app {
 
-/// A script for bash that completes commands, options and the values of options that have a fixed
-/// list; file names elsewhere. Read it with `source`, or put it into bash-completion's folder.
+/// Returns a script for bash that completes commands, options and their values. Options without a
+/// fixed list of values complete file names. Read it with `source`, or put it into
+/// bash-completion's folder.
 [[nodiscard]] std::string bash_completion(const std::vector<CommandHelp>& commands);
 
 /// The same for zsh, to be put as `_fairway` into a folder of `fpath`.

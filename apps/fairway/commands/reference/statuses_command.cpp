@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "cli/provenance.hpp"
 #include "commands/commands.hpp"
 #include "fairway/navigation/status_guide.hpp"
 #include "fairway/navigation/status_label.hpp"
@@ -66,7 +67,9 @@ std::string as_json() {
   };
   for_each_status(add_to(statuses));
   for_each_limit(add_to(limits));
-  return json_text({{"statuses", std::move(statuses)}, {"limiting_factors", std::move(limits)}});
+  Json result{{"statuses", std::move(statuses)}, {"limiting_factors", std::move(limits)}};
+  add_provenance(result, {.schema = "statuses.v1", .files = {}});
+  return json_text(result);
 }
 
 struct StatusesCommand {

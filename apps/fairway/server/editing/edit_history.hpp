@@ -13,7 +13,7 @@
 
 namespace fairway::app {
 
-/// A change by a user that can be undone and made again.
+/// A change by a user that can be undone and redone.
 struct Edit {
   using Action = std::function<void(EpisodeControl&)>;
 
@@ -26,22 +26,22 @@ struct Edit {
 /// The edits of a live world, oldest first.
 class EditHistory {
  public:
-  /// Older edits are forgotten.
+  /// Number of edits that are kept; older ones are dropped.
   static constexpr std::size_t kMost = 200;
 
-  /// Adds an edit that has just been made. Edits that were undone are forgotten, and consecutive
+  /// Adds an edit that has just been made. Edits that were undone are dropped, and consecutive
   /// parts of one stroke are undone together.
   void add(Edit edit);
 
   /// Undoes the last edit. @return whether there was one.
   bool undo(EpisodeControl& control);
 
-  /// Makes the edit again that was undone last. @return whether there was one.
+  /// Redoes the edit that was undone last. @return whether there was one.
   bool redo(EpisodeControl& control);
 
   void clear();
 
-  /// What `undo` and `redo` would change; empty where they would do nothing.
+  /// Names of the edits that `undo` and `redo` would change; empty if there is none.
   [[nodiscard]] std::string undo_label() const;
   [[nodiscard]] std::string redo_label() const;
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kClearanceReach = 1.0;  // [m]
 
-// Why a body at `pose` touches a robot or another body; empty if it does not.
+// Explains why a body at `pose` touches a robot or another body; empty if it does not.
 std::string contact_reason(const World& world,
                            const Footprint& body,
                            const Pose2& pose,

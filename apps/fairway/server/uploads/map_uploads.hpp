@@ -14,14 +14,15 @@
 
 namespace fairway::app {
 
-/// Decodes uploaded maps one after another in a thread of its own, so that the network's thread
-/// serves other clients meanwhile. Few may wait, which bounds the memory.
+/// Decodes uploaded maps one after another in its own thread. The network's thread meanwhile serves
+/// other clients. Few uploads may wait, which bounds the memory.
 class MapUploads {
  public:
-  /// Takes over a decoded map with a robot on it, from the thread; false where it cannot.
+  /// Receives a decoded map with a robot on it, in the decoding thread; returns false if it cannot
+  /// be used.
   using Use = std::function<bool(Scenario scenario)>;
 
-  /// How an upload ended, from the thread.
+  /// Receives how an upload ended, in the decoding thread.
   enum class Outcome : std::uint8_t { Used, Refused, Busy };
   using Done = std::function<void(Outcome outcome, std::string reason)>;
 
@@ -30,7 +31,7 @@ class MapUploads {
   MapUploads(const MapUploads&) = delete;
   MapUploads& operator=(const MapUploads&) = delete;
 
-  /// Queues an upload; false, and nothing happens, where as many as may be are waiting.
+  /// Queues an upload. Returns false, and does nothing, if too many are waiting.
   /// @param json  As read_uploaded_map reads it.
   [[nodiscard]] bool add(std::string json, Done done);
 

@@ -23,8 +23,8 @@ using Json = nlohmann::json;
 constexpr std::uint64_t kMostMapCells = 16U << 20U;
 constexpr std::size_t kLongestName = 80;
 
-// The number of pixels that a PNG promises, before memory for them is asked for. 0 for others: a
-// PGM has at least a byte per pixel, so the size of the upload bounds it.
+// Returns the number of pixels that a PNG declares, to be checked before memory is allocated. It is
+// 0 for others: a PGM has at least a byte per pixel, so the size of the upload bounds it.
 std::uint64_t promised_pixels(std::string_view bytes) {
   if (!bytes.starts_with("\x89PNG") || bytes.size() < 24) return 0;
   const auto big_endian = [&](std::size_t at) {

@@ -15,9 +15,10 @@ struct UploadedMap {
   OccupancyGrid map;
 };
 
-/// Reads {name, image: base64 of a PGM or PNG, yaml: the text of its map_server file} or, without
-/// yaml, {name, image, resolution [m]}. Both files are read as `fairway::io` reads maps; the image
-/// that the YAML names is not looked for. Maps beyond 16 million cells are refused.
+/// Reads an uploaded map from JSON. The object has `name`, `image` (a PGM or PNG as base64) and
+/// either `yaml` (the text of its map_server file) or `resolution` [m]. Both files are read as
+/// `fairway::io` reads maps; the image that the YAML names is ignored. Maps beyond 16 million cells
+/// are refused.
 [[nodiscard]] Expected<UploadedMap> read_uploaded_map(std::string_view json);
 
 }  // namespace fairway::app

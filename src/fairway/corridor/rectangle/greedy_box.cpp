@@ -13,7 +13,7 @@ namespace fairway {
 
 namespace {
 
-// Turns are counted from the start: in round n = 1, 2, ... the j-th of the four sides has turn 4 n
+// Turns are counted from the start. In round n = 1, 2, ... the j-th of the four sides has turn 4 n
 // + j.
 constexpr float kNever = 4e6F;  // more turns than all sides make
 
@@ -25,8 +25,8 @@ Pack4f rounded_up(Pack4f turns) noexcept {
   return ((turns + kRoundUp) + kLastBitIs4) - kLastBitIs4;
 }
 
-// The points' coordinates along one axis, and the turn at which the side that moves towards each
-// point would pass it.
+// The points' coordinates along one axis. Each has the turn at which the side that moves towards it
+// would pass it.
 struct Axis {
   alignas(16) std::array<float, ObstaclePoints::kCapacity> at;  // NOLINT(*-member-init): filled as
                                                                 // far as needed

@@ -27,7 +27,7 @@ using Quadrants = std::array<float, 4>;
 Pack4f of_next(Pack4f a) noexcept { return Pack4f{a[1], a[2], a[3], a[0]}; }
 Pack4f of_opposite(Pack4f a) noexcept { return Pack4f{a[2], a[3], a[0], a[1]}; }
 
-// How far a corner of the box can reach: each step is a limit on `ahead` up to a value of `aside`.
+// How far a corner of the box can reach. Each step is a limit on `ahead` up to a value of `aside`.
 // From the ahead axis to the aside axis, `ahead` falls and `aside` rises; none is negative.
 struct Staircase {
   std::array<float, 2 * kCapacity + 1> ahead;  // NOLINT(*-member-init): filled as far as it is read
@@ -60,10 +60,10 @@ Range where_cut(const ObstaclePoints& points, float c, float s) noexcept {
   return cut;
 }
 
-// A corner must stay below the `ahead` of all points before its direction, and below the `aside` of
-// all points behind it. The running minimum of `ahead` from one side and of `aside` from the other
-// are therefore sufficient. A point straight beside the core has a negative `aside`; only `ahead`
-// can avoid it. No corner can avoid a point in the core.
+// A corner must stay below the `ahead` of all points before its direction. It must also stay below
+// the `aside` of all points behind it. The running minimum of `ahead` from one side and of `aside`
+// from the other are therefore sufficient. A point straight beside the core has a negative `aside`;
+// only `ahead` can avoid it. No corner can avoid a point in the core.
 class Staircases {
  public:
   Staircases(const ObstaclePoints& points,
@@ -165,8 +165,9 @@ struct Levels {
   alignas(16) std::array<float, kMost + 4> falling;  // NOLINT(*-member-init)
   std::size_t count = 0;
 
-  // Merges the staircase of a quadrant, whose heights are its `aside`, with that of the next one,
-  // whose heights are its `ahead`. The result is padded to whole lanes with levels of no area.
+  // Merges the staircase of a quadrant with that of the next one. The heights of the first are its
+  // `aside`, those of the second its `ahead`. The result is padded to whole lanes with levels of no
+  // area.
   void merge(const Staircase& rising_side, const Staircase& falling_side) noexcept {
     std::size_t i = rising_side.begin;
     std::size_t j = falling_side.end;

@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kRays = 48;
-// Rays are followed from tile to tile: 8 x 8 cells, for which a band of rows shows at once whether
-// any is blocked. A ray therefore detects obstacles up to a tile beside it: those that limit every
-// rectangle along it unless it is very narrow.
+// Rays are followed from tile to tile of 8 x 8 cells. A band of rows shows at once whether any cell
+// of a tile is blocked. A ray therefore detects obstacles up to a tile beside it: those that limit
+// every rectangle along it unless it is very narrow.
 constexpr int kTile = BitGrid::kBandRows;
 // A ray ends at an obstacle closer to it than this [cells], or at the third beside it.
 constexpr double kCloseToRay = 2.5;

@@ -9,8 +9,8 @@
 
 namespace fairway {
 
-/// Points that a free rectangle around an origin must not contain: the partial knowledge about
-/// obstacles that the search for a large rectangle starts from.
+/// Points that a free rectangle around an origin must not contain. The search for a large rectangle
+/// starts from this partial knowledge about obstacles.
 ///
 /// Each point lies in the configuration-space obstacle of a blocked cell (the cell grown by a
 /// disc). A rectangle that avoids these points may still meet an obstacle, but no free rectangle is
@@ -25,7 +25,7 @@ class ObstaclePoints {
 
   /// Clears the set, and then collects obstacles along rays from `origin` [grid coordinates].
   ///
-  /// A ray detects some obstacles up to a tile of 8 cells beside it, and ends at the first obstacle
+  /// A ray detects some obstacles up to a tile of 8 cells beside it. It ends at the first obstacle
   /// close to it. Obstacles between two rays may be missed; the set is a first guess. `radius` is
   /// the radius of the disc and `reach` the length of the rays [cells].
   /// @pre no blocked cell is at most `radius` from the origin.

@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-/// A frame in which a rectangle is an axis-parallel box: its origin is in grid coordinates and its
+/// A frame in which a rectangle is an axis-parallel box. Its origin is in grid coordinates and its
 /// x-axis is a unit vector. Lengths are in cells; an "offset" is relative to the origin, but not
 /// turned.
 struct TurnedFrame {
@@ -30,8 +30,8 @@ struct TurnedFrame {
   }
 };
 
-/// Clearance that searches add to that of is_free [cells]. Rounding on the way to world coordinates
-/// (below 1e-9 cells) then cannot turn a region found free into a blocked one.
+/// Clearance that searches add to that of is_free [cells]. Rounding in the transform to world
+/// coordinates (below 1e-9 cells) then cannot turn a region found free into a blocked one.
 inline constexpr double kSearchSkin = 1e-6;
 
 /// Returns the radius for tests in grid coordinates [cells] that makes a region free for

@@ -8,8 +8,8 @@
 
 namespace fairway {
 
-/// Adds points that a free rectangle must not contain because of the zones of a map: points of the
-/// zones' boundaries within `reach` of `origin`, moved towards it by the clearance.
+/// Adds points that a free rectangle must not contain because of the zones of a map. These are
+/// points of the zones' boundaries within `reach` of `origin`, moved towards it by the clearance.
 /// @param radius  As for find_blocked_cells [cells].
 void look_at_zones(const BitGrid& obstacles,
                    const Eigen::Vector2d& origin,

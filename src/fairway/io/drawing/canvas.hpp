@@ -36,7 +36,7 @@ struct Stroke {
   std::vector<double> dash{};  ///< on and off lengths [pt]; empty: solid
 };
 
-/// Where the reference point lies in a text, horizontally and vertically: 0 is left or top, 0.5 the
+/// Where the reference point lies in a text, horizontally and vertically. 0 is left or top, 0.5 the
 /// middle, 1 right or bottom.
 struct TextStyle {
   double size = 8.0;  ///< of the font [pt]

@@ -235,20 +235,25 @@ Box shown_region(const WorldDrawing& world) {
   return box;
 }
 
-Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format) {
-  const Box region = shown_region(world);
+PlotAxes world_axes(const WorldDrawing& world, const Box& region) {
   const double ratio = region.size().y() / region.size().x();
   const double plot_width = (kPageWidth - kLeft - kRight) * std::min(1.0, kTallest / ratio);
-  const double plot_height = plot_width * ratio;
   const double page_width = kLeft + plot_width + kRight;
-  const std::vector<LegendEntry> entries = world_legend(world, region);
   // A temporary canvas measures the legend's text.
-  const double legend_room =
-      legend_height(Canvas(PictureFormat::Svg, {page_width, 100.0}), entries, plot_width) + 4.0;
-  Canvas canvas(format, {page_width, kTop + legend_room + plot_height + kBottom});
-  const Box area{.min = {kLeft, kTop + legend_room},
-                 .max = {kLeft + plot_width, kTop + legend_room + plot_height}};
-  const PlotAxes axes(area, region);
+  const double legend = legend_height(Canvas(PictureFormat::Svg, {page_width, 100.0}),
+                                      world_legend(world, region), plot_width) +
+                        4.0;
+  const Box area{.min = {kLeft, kTop + legend},
+                 .max = {kLeft + plot_width, kTop + legend + plot_width * ratio}};
+  return {area, region};
+}
+
+Expected<std::string> draw_world(const WorldDrawing& world,
+                                 PictureFormat format,
+                                 const Box& region) {
+  const PlotAxes axes = world_axes(world, region);
+  const Box& area = axes.area();
+  Canvas canvas(format, {area.max.x() + kRight, area.max.y() + kBottom});
   canvas.begin_clip(area);
   if (world.map != nullptr) {
     canvas.box(area, kUnknownColor, nullptr);  // the area beyond the map is unknown
@@ -258,8 +263,12 @@ Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format
   draw_robots(canvas, axes, world);
   canvas.end_clip();
   axes.draw(canvas, "x [m]", "y [m]", false);
-  draw_legend(canvas, entries, {kLeft, kTop}, plot_width);
+  draw_legend(canvas, world_legend(world, region), {kLeft, kTop}, area.size().x());
   return canvas.finish();
+}
+
+Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format) {
+  return draw_world(world, format, shown_region(world));
 }
 
 }  // namespace fairway::io

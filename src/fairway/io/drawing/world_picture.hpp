@@ -8,6 +8,7 @@
 #include "fairway/corridor/corridor.hpp"
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/io/drawing/canvas.hpp"
+#include "fairway/io/drawing/plot_axes.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/path/path.hpp"
 #include "fairway/zones/zones.hpp"
@@ -44,7 +45,13 @@ struct WorldDrawing {
 /// The part of the world that is shown: all robots' motion, with a margin, within the map.
 [[nodiscard]] Box shown_region(const WorldDrawing& world);
 
-/// The bytes of the picture file.
+/// Where a picture of `region` shows the world, in points.
+[[nodiscard]] PlotAxes world_axes(const WorldDrawing& world, const Box& region);
+
+/// The bytes of the picture file. @param region  The part that is shown.
+[[nodiscard]] Expected<std::string> draw_world(const WorldDrawing& world,
+                                               PictureFormat format,
+                                               const Box& region);
 [[nodiscard]] Expected<std::string> draw_world(const WorldDrawing& world, PictureFormat format);
 
 }  // namespace fairway::io

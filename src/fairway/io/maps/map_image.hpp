@@ -30,7 +30,6 @@ inline constexpr std::int64_t kMaxMapCells = 100'000'000;
 ///
 /// Refuses an incomplete picture: a PGM with too few samples or a sample above its maximum, or a
 /// PNG with a missing or damaged chunk. `name` is the file in messages.
-/// its maximum; a PNG with a chunk missing or changed. `name` is the file in messages.
 [[nodiscard]] Expected<MapImage> decode_map_image(std::string_view bytes, const std::string& name);
 
 }  // namespace fairway::io

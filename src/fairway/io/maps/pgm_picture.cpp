@@ -18,8 +18,8 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }
 
-// Walks over the numbers of a PGM as netpbm does: a comment reads as the end of its line, even when
-// it begins directly behind a digit.
+// Iterates over the numbers of a PGM as netpbm does. A comment reads as the end of its line, even
+// when it begins directly behind a digit.
 class PgmText {
  public:
   explicit PgmText(std::string_view text) : text_(text) {}

@@ -17,8 +17,8 @@ struct CheckedPng {
   std::string_view bytes;  ///< exactly one picture, nothing after it
 };
 
-/// Checks header, size, checksums and completeness of a PNG without decoding it, since the decoder
-/// silently repairs what a map must not have. @pre `bytes` begin with kPngSignature.
+/// Checks header, size, checksums and completeness of a PNG without decoding it. The decoder
+/// silently repairs damage that a map must not have. @pre `bytes` begin with kPngSignature.
 [[nodiscard]] Expected<CheckedPng> check_png(std::string_view bytes, const std::string& name);
 
 }  // namespace fairway::io

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 
 namespace fairway::io {
 

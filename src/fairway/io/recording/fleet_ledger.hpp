@@ -17,7 +17,8 @@ namespace fairway::io {
 
 /// Numbers the published motions, so that each is written once for all its receivers.
 ///
-/// The fleet as JSON: [{told, unseen, motion}, ...], `motion` only with the first receiver.
+/// Returns the fleet as JSON: [{told, unseen, motion}, ...], with `motion` only for the first
+/// receiver.
 class FleetLedger {
  public:
   [[nodiscard]] nlohmann::json to_json(Fleet fleet);

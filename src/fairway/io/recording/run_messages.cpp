@@ -5,12 +5,12 @@
 #include <cctype>
 #include <cmath>
 
-#include "fairway/io/recording/exact_json.hpp"
-#include "fairway/io/recording/exact_zones.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_zones.hpp"
+#include "fairway/io/recording/exact/robots_json.hpp"
 #include "fairway/io/recording/fairway_schema.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/message_text.hpp"
-#include "fairway/io/recording/robots_json.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -105,6 +105,13 @@ void RunMessages::on_robots(double time, std::span<const RobotTask> robots) {
   add_robots(robots);
   plans_.resize(robots.size());
   scenario_json_["robots"] = robots_json(robots);
+  scenario_json_["time"] = exact::to_json(time);
+  write(scenario_, time, dumped(scenario_json_));
+}
+
+// Zones that change during a run: the scenario again, with those that hold now.
+void RunMessages::on_zones(double time, const Zones& zones) {
+  scenario_json_["zones"] = exact::to_json(zones);
   scenario_json_["time"] = exact::to_json(time);
   write(scenario_, time, dumped(scenario_json_));
 }

@@ -16,11 +16,11 @@ namespace fairway::io {
 
 /// Turns the events of a run into messages.
 ///
-/// For display: topics /map, /tf, /scene of the world, and /NAME/pose, /NAME/way and /NAME/scene
-/// per robot, in the well-known schemas foxglove.*. Exact to the bit: /fairway/... and /NAME/plan
-/// and /NAME/cycle in schemas fairway.*, with all inputs and outputs of the navigators. A robot
-/// with a lidar also has /NAME/scan and its seen map /NAME/map, for display, and /NAME/goal and
-/// /NAME/lidar. Its estimates are in its own frame "NAME_odom".
+/// Topics for display are /map, /tf, /scene of the world, and /NAME/pose, /NAME/way and /NAME/scene
+/// per robot. They have the well-known schemas foxglove.*. Exact to the bit are /fairway/... and
+/// /NAME/plan and /NAME/cycle in schemas fairway.*, with all inputs and outputs of the navigators.
+/// A robot with a lidar also has /NAME/scan and its seen map /NAME/map, for display, and /NAME/goal
+/// and /NAME/lidar. Its estimates are in its own frame "NAME_odom".
 class RunMessages final : public EpisodeObserver {
  public:
   /// @param sink  Must outlive this.
@@ -31,6 +31,7 @@ class RunMessages final : public EpisodeObserver {
                      const Settings& settings,
                      std::span<const NavigatorStart> starts) override;
   void on_robots(double time, std::span<const RobotTask> robots) override;
+  void on_zones(double time, const Zones& zones) override;
   void on_goal(double time, std::size_t robot, const Goal& goal) override;
   void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;

@@ -14,8 +14,8 @@ namespace {
 constexpr double kMapPeriod = 1.0;        // least time between two writes of a changing map [s]
 constexpr std::size_t kShownTracks = 12;  // moving obstacles estimated by a robot with a lidar
 
-// The true pose of a frame in which a robot estimates its pose as `believed` and is truly at
-// `truth`.
+// Returns the true pose of a frame in which a robot estimates its pose as `believed` while its true
+// pose is `truth`.
 Pose2 frame_pose(const Pose2& truth, const Pose2& believed) {
   const double turn = truth.heading - believed.heading;
   const Pose2 turned{.position = Eigen::Vector2d::Zero(), .heading = turn};

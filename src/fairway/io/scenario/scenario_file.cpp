@@ -78,8 +78,8 @@ std::optional<UnicycleLimits> read_actuation(YamlMapping& robot, const RobotSett
   return limits;
 }
 
-// The robots are controlled as what their bases are: settings that were left at their defaults take
-// the weakest base of the scenario.
+// The robots are controlled with the limits of their bases. Settings that were left at their
+// defaults take the values of the weakest base of the scenario.
 void assume_actuation(Scenario& scenario) {
   struct Quantity {
     double RobotSettings::*setting;

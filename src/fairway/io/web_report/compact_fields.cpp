@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 
 namespace fairway::io {
 

@@ -11,9 +11,9 @@
 
 namespace fairway::io {
 
-/// Appends numbers in few bytes: seven bits a byte, the last byte below 128; signed numbers as
-/// zigzag (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). Numbers that are not finite become 0, and
-/// large ones are clamped.
+/// Appends numbers in few bytes, with seven bits per byte and the last byte below 128. Signed
+/// numbers are stored as zigzag (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). Numbers that are not
+/// finite become 0, and large ones are clamped.
 class CompactFields {
  public:
   explicit CompactFields(std::string& bytes) : bytes_(&bytes) {}
@@ -43,8 +43,8 @@ class PointDeltas {
   std::int64_t y_;
 };
 
-/// Appends a time and the runs of cells that differ: the number of runs, then y, x, count and value
-/// of each.
+/// Appends a time and the runs of cells that differ. These are the number of runs, then y, x, count
+/// and value of each.
 /// @return the number of runs. @pre the same frame.
 std::size_t append_changes(CompactFields& out,
                            double time,

@@ -16,7 +16,7 @@ struct PlanExplanation {
   std::optional<PathObstruction> obstruction;
 };
 
-/// Explains plans that are not usable, and remembers the last explanation: while a robot has no
+/// Explains plans that are not usable, and remembers the last explanation. While a robot has no
 /// path, the same plan fails again and again.
 class PlanExplainer {
  public:

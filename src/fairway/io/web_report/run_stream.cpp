@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/web_report/plan_fields.hpp"
 #include "fairway/io/web_report/run_fields.hpp"
 #include "fairway/io/web_report/run_texts.hpp"
@@ -46,6 +46,7 @@ std::string RunStream::beginning(double time) const {
                   seen_map_fields(static_cast<std::uint64_t>(slot) + 1, time, told));
   });
   if (!robots_.empty()) append_record(bytes, Kind::Robots, robots_);
+  if (!zones_.empty()) append_record(bytes, Kind::Zones, zones_);
   if (!tuning_.empty()) append_record(bytes, Kind::Tuning, tuning_);
   for (const std::string& plan : plans_) {
     if (!plan.empty()) append_record(bytes, Kind::Plan, plan);
@@ -53,14 +54,15 @@ std::string RunStream::beginning(double time) const {
   for (const std::string& goal : goals_) {
     if (!goal.empty()) append_record(bytes, Kind::Goal, goal);
   }
-  return bytes.append(newest_);
+  return bytes.append(newest_world_).append(newest_cycles_);
 }
 
 void RunStream::on_start(const Scenario& scenario) {
   tracker_.clear();
   true_map_ = nullptr;
   tuning_.clear();
-  newest_.clear();
+  newest_world_.clear();
+  newest_cycles_.clear();
   plans_.assign(scenario.robots.size(), {});
   goals_.assign(scenario.robots.size(), {});
   scans_.assign(scenario.robots.size(), {});
@@ -72,6 +74,7 @@ void RunStream::on_start(const Scenario& scenario) {
   for (const RobotTask& task : scenario.robots)
     robots_at_.push_back(task.start.position);
   robots_.clear();
+  zones_.clear();
   begin_ = begin_text(scenario);
   add(Kind::Begin, begin_);
   add(Kind::Cells, true_map_fields(0.0));
@@ -93,6 +96,11 @@ void RunStream::on_robots(double time, std::span<const RobotTask> robots) {
   scans_.resize(robots.size());
   robots_ = robots_text(time, robots);
   add(Kind::Robots, robots_);
+}
+
+void RunStream::on_zones(double time, const Zones& zones) {
+  zones_ = zones_text(time, zones);
+  add(Kind::Zones, zones_);
 }
 
 void RunStream::on_navigators(double time,
@@ -148,7 +156,7 @@ void RunStream::tell_scan(std::size_t robot) {
   std::string& scan = scans_.at(robot);
   if (scan.empty()) return;
   add(Kind::Scan, scan);
-  append_record(newest_, Kind::Scan, scan);
+  append_record(newest_cycles_, Kind::Scan, scan);
   scan.clear();
 }
 
@@ -223,7 +231,7 @@ void RunStream::on_cycle(const NavigationCycle& cycle) {
   append_obstacles(out, believed);
   out.count(occupied);
   add(Kind::Cycle, fields);
-  append_record(newest_, Kind::Cycle, fields);
+  append_record(newest_cycles_, Kind::Cycle, fields);
 }
 
 void RunStream::tell_true_map(double time, const BitGrid& obstacles) {
@@ -244,6 +252,12 @@ void RunStream::tell_true_map(double time, const BitGrid& obstacles) {
     }
   }
   shown_ = obstacles;
+}
+
+void RunStream::tell_paused_world(EpisodeControl& control) {
+  paused_ = true;
+  control.show_world();
+  paused_ = false;
 }
 
 void RunStream::on_world(const WorldView& world) {
@@ -269,9 +283,11 @@ void RunStream::on_world(const WorldView& world) {
     out.angle(wrap_to_pi(world.robots[i].pose.heading));
     append_encounter(out, world.encounters[i]);
   }
+  out.count(paused_ ? 1 : 0);
   add(Kind::World, fields);
-  newest_.clear();
-  append_record(newest_, Kind::World, fields);
+  if (!paused_) newest_cycles_.clear();
+  newest_world_.clear();
+  append_record(newest_world_, Kind::World, fields);
 }
 
 }  // namespace fairway::io

@@ -7,11 +7,12 @@
 
 #include "fairway/io/recording/cell_tracker.hpp"
 #include "fairway/io/web_report/plan_fields.hpp"
+#include "fairway/simulation/episode_control.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
 namespace fairway::io {
 
-/// A compact run for the pages that show it: the replay page contains all of it, the live page
+/// A compact run for the pages that show it. The replay page contains all of it; the live page
 /// receives it piece by piece. viewer/src/stream.ts reads this format; change both together.
 ///
 /// A record has a kind, a length and fields. Numbers are variable-length integers: lengths in mm,
@@ -29,10 +30,12 @@ class RunStream final : public EpisodeObserver {
     Scan = 7,    ///< the lidar scan of a robot
     Goal = 8,    ///< a goal of a robot with a lidar; its plans may end at other places first
     Robots = 9,  ///< JSON: the robots from now on, when one is added to a running world
+    Zones = 10,  ///< JSON: the zones from now on, when they change in a running world
   };
 
   void on_start(const Scenario& scenario) override;
   void on_robots(double time, std::span<const RobotTask> robots) override;
+  void on_zones(double time, const Zones& zones) override;
   void on_navigators(double time,
                      const Settings& settings,
                      std::span<const NavigatorStart> starts) override;
@@ -45,11 +48,15 @@ class RunStream final : public EpisodeObserver {
   /// Writes changed cells of the true map at once, for a paused world.
   void tell_true_map(double time, const BitGrid& obstacles);
 
+  /// Writes the state of a world that is paused between two cycles. The last cycle of each robot
+  /// still holds.
+  void tell_paused_world(EpisodeControl& control);
+
   /// The records written since the last call.
   [[nodiscard]] std::string take();
 
-  /// Records from which a late viewer can start: the constant data, the maps, the current plans,
-  /// and the newest time step. @pre a run has started.
+  /// Returns records from which a late viewer can start. They hold the constant data, the maps, the
+  /// current plans, and the newest time step. @pre a run has started.
   [[nodiscard]] std::string beginning(double time) const;
 
  private:
@@ -67,7 +74,8 @@ class RunStream final : public EpisodeObserver {
   std::vector<CellState> states_;  // of its cells; unknown cells are drawn differently
   std::string begin_;              // as last written, like the next two
   std::string tuning_;
-  std::string robots_;  // empty while they are those of begin_
+  std::string robots_;  // empty while they are those of begin_, like the next one
+  std::string zones_;
   PlanExplainer explainer_;
   double radius_ = 0.0;                     // of the robots [m]
   std::vector<Eigen::Vector2d> robots_at_;  // true positions
@@ -75,7 +83,9 @@ class RunStream final : public EpisodeObserver {
   std::vector<std::string> goals_;          // by robot with a lidar
   std::vector<std::string> scans_;          // by robot: the newest, until it is written
   bool lidar_ = false;
-  std::string newest_;  // records of the newest time step
+  bool paused_ = false;        // the world is told between two cycles
+  std::string newest_world_;   // record of the newest time step
+  std::string newest_cycles_;  // records of its cycles and scans
 };
 
 }  // namespace fairway::io

@@ -102,7 +102,9 @@ Json zones_list(const Zones& zones) {
     list.push_back({{"kind", setting_names(zone.kind).at(static_cast<std::size_t>(zone.kind))},
                     {"name", title_of(zones, i)},
                     {"polygon", std::move(polygon)},
+                    {"reference", value_text(zone.reference)},
                     {"speed", zone.speed},
+                    {"weight", zone.weight},
                     {"direction", zone.direction}});
   }
   return list;
@@ -136,6 +138,10 @@ Json settings_list(const Settings& settings) {
 
 std::string robots_text(double time, std::span<const RobotTask> robots) {
   return dumped({{"time", time}, {"robots", robots_list(robots)}});
+}
+
+std::string zones_text(double time, const Zones& zones) {
+  return dumped({{"time", time}, {"zones", zones_list(zones)}});
 }
 
 std::string begin_text(const Scenario& scenario) {

@@ -10,8 +10,8 @@
 
 namespace fairway::io {
 
-/// The settings as a list of {group, name, unit, meaning, min, max, value, kind, choices}, from
-/// which the page makes tables and sliders. `kind` is number, integer, switch or choice; min and
+/// Returns the settings as a list of {group, name, unit, meaning, min, max, value, kind, choices}.
+/// The page makes tables and sliders from it. `kind` is number, integer, switch or choice; min and
 /// max are omitted where there is no limit.
 [[nodiscard]] nlohmann::json settings_list(const Settings& settings);
 
@@ -20,6 +20,9 @@ namespace fairway::io {
 
 /// JSON that announces the robots of a running world.
 [[nodiscard]] std::string robots_text(double time, std::span<const RobotTask> robots);
+
+/// JSON that announces the zones that hold from now on.
+[[nodiscard]] std::string zones_text(double time, const Zones& zones);
 
 /// JSON that announces changed settings.
 [[nodiscard]] std::string tuning_text(double time, const Settings& settings);

@@ -62,7 +62,7 @@ std::string assign(Settings& settings, std::string_view name, std::string_view t
   return error;
 }
 
-// Reads old names of settings before the groups are read; a file may hold both, and the new name
+// Reads old names of settings before the groups are read. A file may hold both names; the new one
 // takes precedence.
 void read_renamed(YamlMapping& root, Settings& settings) {
   for (const RenamedSetting& renamed : kRenamedSettings) {

@@ -19,7 +19,7 @@ namespace fairway::io {
 /// file omits (default: `base`). Checks types, ranges and the consistency of the groups; an unknown
 /// group or key is an error. `name` is the file in messages.
 ///
-/// Old names of settings are accepted until version 1.0; for each, a text "old (now new)" is added
+/// Old names of settings are accepted until version 1.0. For each, a text "old (now new)" is added
 /// to `warnings`, if given.
 [[nodiscard]] Expected<Settings> parse_settings(const std::string& text,
                                                 const std::string& name,

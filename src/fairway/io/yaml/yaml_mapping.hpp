@@ -41,8 +41,8 @@ class YamlMapping {
                      std::span<const char* const> names,
                      std::optional<std::size_t> fallback = std::nullopt);
 
-  /// A list of `least` to `most` finite numbers; empty after an error, or for a missing key if
-  /// `least` is 0.
+  /// Reads a list of `least` to `most` finite numbers. It is empty after an error, or for a missing
+  /// key if `least` is 0.
   std::vector<double> numbers(const char* key, std::size_t least, std::size_t most);
 
   /// A list of lists of `columns` finite numbers each; empty for a missing key or after an error.

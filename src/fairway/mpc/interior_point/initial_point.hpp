@@ -8,8 +8,8 @@ namespace fairway::interior_point {
 
 /// Computes initial commands strictly inside every bound.
 ///
-/// They are the guess with its last command repeated, or without a guess a drive to the targets,
-/// moved slightly towards the middle of the reachable intervals.
+/// The commands are the guess with its last command repeated, or without a guess a drive to the
+/// targets. They are moved slightly towards the middle of the reachable intervals.
 void load_guess(const SimdKernels& kernels,
                 const InitialGuess& guess,
                 const Workspace& w,

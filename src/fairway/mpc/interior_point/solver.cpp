@@ -83,97 +83,7 @@ void leave_saddle(const SimdKernels& kernels,
   kernels.evaluate(w, *w.now);
 }
 
-// Whether an obstacle or a violation shapes the solution. Otherwise it is the solution without
-// obstacles, and there is nothing to pass on another side.
-bool has_alternatives(const Workspace& w, const MpcSolution& solution) noexcept {
-  constexpr double kActiveMultiplier = 1e-3;  // least multiplier
-  const ControlProblem& problem = *w.problem;
-  const double fastest =
-      std::max(std::abs(problem.command_min.angular), std::abs(problem.command_max.angular));
-  const double turn =
-      problem.horizon * problem.dt * (fastest + std::abs(problem.previous_command.angular));
-  if (w.num_soft_constraints == 0 || !(turn < 0.5 * kMostHeading)) return false;
-  if (solution.status != SolveStatus::Solved) return true;
-  for (std::size_t b = 0; b < w.num_blocks; ++b) {
-    const ConstraintRange& range = w.constraint_ranges[b];
-    for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
-      if (greatest_of(Lanes128(w.soft_constraints[i].dual)) > kActiveMultiplier) return true;
-    }
-  }
-  return false;
-}
-
-// Loads the commands of four other starts: past all obstacles on the left, on the right, and the
-// drives that begin slowly, behind what crosses, or otherwise than the first drive.
-void load_alternatives(const SimdKernels& kernels, Workspace& w, lockstep::Lockstep& s) noexcept {
-  std::size_t count = 0;
-  const auto keep = [&] {
-    for (std::size_t j = 0; j < 2; ++j)
-      std::copy_n(w.trial->commands[j].begin() + 1, w.horizon, s.commands[count][j].begin());
-    ++count;
-  };
-  for (const double turn : {w.problem->command_max.angular, w.problem->command_min.angular}) {
-    InitialGuess hard{.count = 1, .commands = {}};
-    hard.commands[0] = {.linear = w.problem->command_max.linear, .angular = turn};
-    load_guess(kernels, hard, w, *w.trial);
-    keep();
-  }
-  const Drive first = load_drive(kernels, DriveStart::Any, w, *w.trial);
-  for (const DriveStart begins :
-       {DriveStart::Slow, DriveStart::Straight, DriveStart::Left, DriveStart::Right}) {
-    if (begins == first.begins || count == lockstep::kStarts) continue;
-    static_cast<void>(load_drive(kernels, begins, w, *w.trial));
-    keep();
-  }
-}
-
-// Makes every soft constraint a watched one again.
-void watch_all(Workspace& w) noexcept {
-  for (std::size_t b = 0; b < w.num_blocks; ++b) {
-    ConstraintRange& range = w.constraint_ranges[b];
-    range.watched_corridor = range.corridor;
-    range.watched_barrier = range.barrier;
-    w.model.now[b] = {};
-  }
-}
-
-// Iterates four starts side by side as long as they may lead to something better than `w.now`.
-// Loads the commands of the best one.
-// @return Whether it may be better.
-bool improve(const SimdKernels& kernels,
-             const InteriorPointSettings& settings,
-             Workspace& w,
-             lockstep::Lockstep& s,
-             double& barrier) noexcept {
-  constexpr double kCoarse = 1e-2;              // tolerance that suffices to compare
-  constexpr int kMostIterations = 30;           // of a start that is compared
-  constexpr double kBarrierByViolation = 0.01;  // starts at the bounds violate much, and briefly
-  constexpr double kWorthwhile = 1e-4;          // relative gain
-  s.problem = &w;
-  s.limit = penalised_cost(w, *w.now);
-  std::copy_n(w.now->x.begin(), w.horizon + 1, s.best_x.begin());
-  std::copy_n(w.now->y.begin(), w.horizon + 1, s.best_y.begin());
-  load_alternatives(kernels, w, s);
-  InteriorPointSettings cold;
-  cold.max_iterations = std::min(kMostIterations, settings.max_iterations);
-  cold.barrier_by_violation = kBarrierByViolation;
-  cold.tolerance = std::max(kCoarse, settings.tolerance);
-  lockstep::FourSettings four;
-  four.fill(cold);
-  kernels.iterate_lockstep(s, four);
-  const lockstep::StartState* best = nullptr;
-  for (const lockstep::StartState& start : s.starts) {
-    if (start.given_up || !(start.merit < s.limit * (1.0 - kWorthwhile))) continue;
-    if (best == nullptr || start.merit < best->merit) best = &start;
-  }
-  if (best == nullptr) return false;
-  const auto index = static_cast<std::size_t>(best - s.starts.data());
-  for (std::size_t j = 0; j < 2; ++j)
-    std::copy_n(s.commands[index][j].begin(), w.horizon, w.now->commands[j].begin() + 1);
-  barrier = best->barrier;
-  watch_all(w);
-  return true;
-}
+}  // namespace
 
 bool is_better(const MpcSolution& a, const MpcSolution& b, double penalty_weight) noexcept {
   const bool a_solved = a.status == SolveStatus::Solved;
@@ -182,7 +92,6 @@ bool is_better(const MpcSolution& a, const MpcSolution& b, double penalty_weight
   return a.cost + penalty_weight * a.sum_violation < b.cost + penalty_weight * b.sum_violation;
 }
 
-}  // namespace
 }  // namespace interior_point
 
 InteriorPointSolver::InteriorPointSolver() noexcept
@@ -238,29 +147,12 @@ void InteriorPointSolver::finish(const ControlProblem& problem,
     solution_.status = SolveStatus::LeastViolation;
 }
 
-const MpcSolution& InteriorPointSolver::solve_from_four(
-    const ControlProblem& problem,
-    const InitialGuess& guess,
-    const InteriorPointSettings& settings) noexcept {
-  constexpr double kBarrierByViolation = 0.01;  // of the last iteration: it starts near its end
-  constexpr double kFirstSlack = 1e-4;          // per mu [m]
-  solve(problem, guess, settings);
-  interior_point::Workspace& w = workspace_;
-  if (solution_.status == SolveStatus::InvalidProblem ||
-      !interior_point::has_alternatives(w, solution_)) {
-    return solution_;
-  }
-  best_ = solution_;
-  InteriorPointSettings rest = settings;
-  if (!interior_point::improve(*kernels_, settings, w, lockstep_, rest.initial_barrier))
-    return best_;
-  rest.barrier_by_violation = kBarrierByViolation;
-  rest.first_slack = kFirstSlack * rest.initial_barrier;
-  solution_.status = interior_point::iterate(*kernels_, rest, w, solution_.iterations);
+void InteriorPointSolver::resume(const ControlProblem& problem,
+                                 const InitialGuess& guess,
+                                 const InteriorPointSettings& settings,
+                                 const InteriorPointSettings& rest) noexcept {
+  solution_.status = interior_point::iterate(*kernels_, rest, workspace_, solution_.iterations);
   finish(problem, guess, settings, validate(problem) == ProblemFault::Contradiction);
-  if (!interior_point::is_better(solution_, best_, problem.violation_weight)) return best_;
-  solution_.iterations += best_.iterations;
-  return solution_;
 }
 
 const MpcSolution& InteriorPointSolver::solve_best(const ControlProblem& problem,

@@ -11,6 +11,15 @@
 #include "fairway/mpc/solution.hpp"
 
 namespace fairway {
+namespace interior_point {
+
+/// Whether a result is better than another one: Solved before all others, then the least cost plus
+/// penalty.
+[[nodiscard]] bool is_better(const MpcSolution& a,
+                             const MpcSolution& b,
+                             double penalty_weight) noexcept;
+
+}  // namespace interior_point
 
 /// The real-time solver of Eq. (15): a structured interior-point method with soft constraints,
 /// derived in docs/solver.md.
@@ -36,13 +45,6 @@ class InteriorPointSolver {
                            const InitialGuess& guess = {},
                            const InteriorPointSettings& settings = {}) noexcept;
 
-  /// Solves as `solve`; then, if obstacles shape the result, iterates four other starts side by
-  /// side: to the left, to the right, behind and before what is in front. The result is never worse
-  /// than that of `solve`: Solved before all others, then the least cost plus penalty.
-  const MpcSolution& solve_from_four(const ControlProblem& problem,
-                                     const InitialGuess& guess = {},
-                                     const InteriorPointSettings& settings = {}) noexcept;
-
   /// Solves from each guess and keeps the best result: Solved before all others, then the least
   /// cost plus penalty. Ties go to the earlier guess. Without guesses it solves as `solve`.
   /// `iterations` is the sum over all guesses.
@@ -51,7 +53,15 @@ class InteriorPointSolver {
                                 const InteriorPointSettings& settings = {}) noexcept;
 
  private:
+  friend class FourStartSolver;
+
   bool load(const ControlProblem& problem, ProblemFault fault) noexcept;
+  // Continues from the commands in the workspace with the settings `rest`.
+  // @pre `solve` has loaded this problem.
+  void resume(const ControlProblem& problem,
+              const InitialGuess& guess,
+              const InteriorPointSettings& settings,
+              const InteriorPointSettings& rest) noexcept;
   void finish(const ControlProblem& problem,
               const InitialGuess& guess,
               const InteriorPointSettings& settings,
@@ -59,7 +69,6 @@ class InteriorPointSolver {
 
   const interior_point::SimdKernels* kernels_;  // the fastest that this processor supports
   interior_point::Workspace workspace_;
-  interior_point::lockstep::Lockstep lockstep_;
   MpcSolution solution_;
   MpcSolution best_;
 };

@@ -14,8 +14,8 @@ namespace fairway {
 
 /// A ControlProblem in the form that IPOPT requires (private to IpoptSolver and its tests).
 ///
-/// The variables are command 0, pose 1, command 1, ..., pose N, and one slack per soft constraint
-/// (none in IpoptConstraints::Hard). The constraints are the N steps of the model (3 equations
+/// The variables are command 0, pose 1, command 1, ..., pose N, and one slack per soft constraint.
+/// IpoptConstraints::Hard has no slacks. The constraints are the N steps of the model (3 equations
 /// each), the finite change bounds between commands, and the soft constraints (margin + slack >=
 /// 0). The command range and the first change are bounds on variables.
 class IpoptProblem final : public Ipopt::TNLP {

@@ -15,16 +15,18 @@ namespace fairway {
 
 struct PreparedMap;
 
-/// Drives a robot of any outline on any base to a goal on a map: long platforms, cars, tricycles,
-/// mecanum and swerve bases. The counterpart of MapNavigator for robots whose disc does not fit.
+/// Drives a robot of any outline on any base to a goal on a map. It is the counterpart of
+/// MapNavigator for robots whose disc does not fit: long platforms, cars, tricycles, mecanum and
+/// swerve bases.
 ///
 ///     fairway::BodyNavigator navigator(settings, robot, map);
 ///     navigator.set_goal({{9.0, 1.0}});
 ///     while (driving) send(navigator.update({.time = now(), .pose = pose()}));
 ///
-/// It plans a drive that is proven free for the true body, follows it, and proves before every
-/// command that the base can stop on its drive without contact. Moving obstacles make it slower; if
-/// one stays in its path, it plans another drive round that. New drives begin at standstill.
+/// The navigator plans a drive that is proven free for the true body, and follows it. Before every
+/// command it proves that the base can stop on its drive without contact. Moving obstacles make the
+/// robot slower; if one stays in its path, it plans another drive around that. New drives begin at
+/// standstill.
 ///
 /// Limits and outline come from the robot model; of Settings, the groups navigation, safety,
 /// prediction, planning and map apply. If `planning.background` is false the cycle that needs a

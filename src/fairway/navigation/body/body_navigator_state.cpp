@@ -67,8 +67,8 @@ void BodyNavigator::State::reset(const BaseInput& actual) noexcept {
   known_.reset();
 }
 
-// Whether a pose does not follow from the one before, by more than the setting and half of the
-// distance driven since. Poses that agree among themselves are trusted again at standstill.
+// Returns whether a pose jumps: it differs from the pose before by more than the setting and half
+// of the distance driven since. Poses that agree among themselves are trusted again at standstill.
 bool BodyNavigator::State::jumped(const Measurements& m) noexcept {
   const double time = m.pose_time.value_or(m.time);
   bool strange = false;
@@ -181,7 +181,7 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
 void BodyNavigator::State::take_plan() {
   std::optional<BodyPlan> made = planning.take();
   if (!made || !goal_ || asked_number_ != goal_number_) return;
-  // A robot that waits before an obstacle keeps its drive where there is none round that.
+  // A robot that waits before an obstacle keeps its drive if there is none around it.
   failures_ = made->drive.rows.empty() ? failures_ + 1 : 0;
   const bool keeps = made->drive.rows.empty() && has_drive_ && avoids_moving_;
   avoids_moving_ = false;

@@ -36,14 +36,15 @@ struct BodyPlan {
 /// Settings of drives for a body: the cells of the search grow with the body.
 [[nodiscard]] DriveSettings drive_settings_for(const BodyShape& body) noexcept;
 
-/// The headings for a goal that has none, the best one first: that in which a shortest path arrives
-/// there, then those around it. Only headings in which the body is free.
+/// Returns the headings for a goal that has none, the best one first. The best is that in which a
+/// shortest path arrives; those around it follow. Only headings in which the body is free are
+/// returned.
 [[nodiscard]] std::vector<double> goal_headings(const BodyClearance& clearance,
                                                 const BaseModel& base,
                                                 const Pose2& start,
                                                 const Eigen::Vector2d& goal);
 
-/// Plans a drive on a map, round the standing obstacles if it can.
+/// Plans a drive on a map, around obstacles at standstill if possible.
 [[nodiscard]] BodyPlan plan_body_drive(const PreparedMap& map,
                                        const RobotModel& robot,
                                        const BodyPlanRequest& request,

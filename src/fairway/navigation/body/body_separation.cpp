@@ -25,7 +25,7 @@ double body_separation(const BodyShape& body,
         (prediction.predict_motion ? predicted_position(obstacle, surroundings.age + share * time)
                                    : obstacle.position) -
         pose.position;
-    // The disc about the reference is a bound that is cheap to test.
+    // The disc about the reference is a bound that is quick to test.
     if (way.norm() - body.circumscribed_radius() - obstacle.radius - kept >= least) continue;
     const Eigen::Vector2d local(along.dot(way), along.x() * way.y() - along.y() * way.x());
     least = std::min(least, body.distance(local) - obstacle.radius - kept);

@@ -14,15 +14,16 @@ struct MovingSurroundings {
   PredictionSettings prediction;
 };
 
-/// Whether an obstacle stands still, so that a drive may lead round it: slower than 0.1 m/s.
+/// Returns whether an obstacle is at standstill, so that a drive may lead around it: slower than
+/// 0.1 m/s.
 [[nodiscard]] inline bool is_standing(const MovingObstacle& obstacle) noexcept {
   constexpr double kStandingSpeed = 0.1;  // [m/s]
   return obstacle.velocity.norm() < kStandingSpeed;
 }
 
-/// Least distance from the body at `pose` to the obstacles as they are predicted `time` [s] from
-/// now, less the distance kept from them then [m]; infinite without obstacles. That distance grows
-/// with time only for obstacles that move.
+/// Returns the least distance from the body at `pose` to the obstacles as predicted `time` [s] from
+/// now. The distance kept from them then is subtracted [m]; the result is infinite without
+/// obstacles. That distance grows with time only for obstacles that move.
 /// @param share  Of its velocity that each obstacle has from now on: 0 for one that stops, -1 for
 ///               one that turns back. Obstacles at standstill count with a share of 1 only.
 [[nodiscard]] double body_separation(const BodyShape& body,
@@ -31,8 +32,8 @@ struct MovingSurroundings {
                                      double time,
                                      double share = 1.0) noexcept;
 
-/// Whether a body at `pose` that is not faster than `speed` [m/s] cannot come near any obstacle
-/// within `horizon` [s]: a bound that costs little.
+/// Returns whether a body at `pose` cannot come near any obstacle within `horizon` [s]. The body is
+/// not faster than `speed` [m/s]; the bound is quick to compute.
 [[nodiscard]] bool is_apart(const BodyShape& body,
                             const Pose2& pose,
                             const MovingSurroundings& surroundings,

@@ -21,9 +21,9 @@ struct BodyStop {
   [[nodiscard]] bool at_rest() const noexcept { return next >= count; }
 };
 
-/// The stop along a drive: after `sent`, the rate falls to 0 as fast as the base allows, so a
-/// steered base keeps the curvature of its drive. The last input is rest; `count` is 0 where that
-/// takes more than kMostInputs periods.
+/// Makes the stop along a drive: after `sent`, the rate falls to 0 as fast as the base allows. A
+/// steered base therefore keeps the curvature of its drive. The last input is rest; `count` is 0
+/// where that takes more than kMostInputs periods.
 void make_stop(const BaseModel& base,
                const DriveReference& reference,
                const DriveProgress& progress,
@@ -39,9 +39,9 @@ struct StopSurroundings {
   bool may_turn = false;  ///< moving obstacles may also stop or turn back now
 };
 
-/// Whether the body keeps free while the base goes from `sent` over `input` through the stop, the
-/// inputs linear between control periods. Static obstacles are tested along the whole motion,
-/// moving ones at its periods and their middles.
+/// Returns whether the body stays free from `sent` over `input` through the stop. The inputs are
+/// linear between control periods. Static obstacles are tested along the whole motion, moving ones
+/// at its periods and their middles.
 [[nodiscard]] StopVerdict check_stop(const BaseModel& base,
                                      const Pose2& pose,
                                      const BaseInput& sent,

@@ -27,10 +27,10 @@ struct FollowerStep {
 
 /// Drives a robot of any base along a planned drive, as fast as it is planned or slower.
 ///
-/// In every cycle it selects the rate at which it goes through the drive so that moving obstacles
-/// are avoided, corrects for deviations, and proves the stop after its command with the true body.
-/// A command whose stop is not proven is not sent: the last proven stop is executed instead. Does
-/// not allocate.
+/// In every cycle the follower selects the rate at which it goes through the drive, so that moving
+/// obstacles are avoided. It corrects for deviations, and proves the stop after its command with
+/// the true body. A command whose stop is not proven is not sent: the last proven stop is executed
+/// instead. Does not allocate.
 class DriveFollower {
  public:
   DriveFollower(const BaseModel& base, double period, const SafetySettings& safety) noexcept

@@ -29,11 +29,11 @@ struct LostPathView {
   double blind_angle = 0.0;  ///< part of a full turn that the lidar does not see [rad]
 };
 
-/// Decides what a robot does that has no path in what it knows.
+/// Decides what a robot does that has no path in the known part of the world.
 ///
-/// It brakes, turns until its lidar has seen all around it, and then searches again with the
-/// obstacles that it has just seen. If there is no path either, it drives to the place where one
-/// would most probably open, and looks around there. After that it reports "blocked", and looks
+/// The robot brakes and turns until its lidar has seen all around it. It then searches again with
+/// the obstacles that it has just seen. If there is no path either, it drives to the place where
+/// one would most probably open, and looks around there. After that it reports "blocked", and looks
 /// around again every few seconds. As soon as a path is found, `reset` ends all this.
 class LostPathBehaviour {
  public:

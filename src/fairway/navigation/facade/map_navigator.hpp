@@ -25,9 +25,9 @@ struct PreparedMap;
 ///     navigator.set_goal({{9.0, 1.0}});
 ///     while (driving) send(navigator.update({.time = now(), .pose = pose()}).command);
 ///
-/// The navigator makes the plans: for a new goal; when the map changes so that the plan is blocked
-/// or a shorter path exists; when the robot has left its corridor or is stuck; and, while there is
-/// no plan, every `planning.retry_period`, so that it detects a door that opens again. If
+/// The navigator makes the plans. It plans for a new goal; when a change of the map blocks the plan
+/// or opens a shorter path; and when the robot has left its corridor or is stuck. While there is no
+/// plan, it plans every `planning.retry_period`, so that it detects a door that opens again. If
 /// `planning.background` is false, the cycle that needs a plan makes it and the result depends only
 /// on the inputs. If it is true, a thread makes it and no cycle waits.
 ///
@@ -96,8 +96,8 @@ class MapNavigator {
   void cancel();
 
   /// Replaces the zones; an empty list removes them. They hold from the next cycle on: it makes a
-  /// plan that obeys them, and every command is proven against them. A robot that stands where a
-  /// zone forbids it stays there (LimitingFactor::KeepOutZone or Strip) until it may drive again.
+  /// plan that obeys them, and every command is proven against them. A robot at a place that a zone
+  /// forbids stays there (LimitingFactor::KeepOutZone or Strip) until it may drive again.
   /// @throws std::invalid_argument unless validate(zones) holds, and for a navigator on a map of
   ///         the caller, who then sets the zones of the map (PreparedMap::set_zones).
   void set_zones(const Zones& zones);
@@ -121,8 +121,8 @@ class MapNavigator {
   /// checked. `status` and `limit` explain what limits the robot.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
 
-  /// Makes the plan that the robot needs now, as `update` would, without driving: for a paused
-  /// robot that displays its plan. With `planning.background` the plan is started or taken over.
+  /// Makes the plan that the robot needs now, without driving: for a paused robot that displays its
+  /// plan. With `planning.background` the plan is started or taken over.
   /// @return whether the robot follows another plan from now on.
   bool plan_now(const Measurements& measurements);
 

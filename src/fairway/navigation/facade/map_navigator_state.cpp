@@ -158,8 +158,8 @@ void MapNavigator::State::check_plan() {
   scans_changed_ = false;
 }
 
-// The policy: plan at once for a new goal or if the map blocks the plan; in all other cases at most
-// once per `retry_period`.
+// The policy is to plan at once for a new goal or if the map blocks the plan. In all other cases it
+// plans at most once per `retry_period`.
 bool MapNavigator::State::needs_plan(const Measurements& m, bool at_once) {
   const double time = m.time;
   if (!task.can_be_done() || planning->busy() || obstacles() == nullptr) return false;
@@ -211,7 +211,7 @@ void MapNavigator::State::take_plan() {
   may_be_better_ = false;
   if (only_better && !(plan->usable() && is_clearly_shorter(plan->path))) return;
   asked_ = false;
-  // While only scans block it, the old plan is better than none: scans may be wrong about a narrow
+  // While only scans block it, the old plan is better than none. Scans may be wrong about a narrow
   // place, and every command is checked before it is sent.
   if (!plan->usable() && has_old && !blocked_by_map_) return;
   follow(*std::move(plan));

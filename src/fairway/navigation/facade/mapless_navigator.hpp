@@ -19,7 +19,7 @@ class Perception;
 /// Drives one robot to a goal without a map, on what its lidar has measured so far. Its interface
 /// is that of MapNavigator.
 ///
-/// Paths may lead through unknown space, but the stop check treats it as blocked: the robot can
+/// Paths may lead through unknown space, but the stop check treats it as blocked. So the robot can
 /// always stop inside what it has measured. The corridor covers the beginning of the path, slightly
 /// more than a horizon can reach. A new plan is made when an obstacle appears in the corridor or on
 /// the path, when the end of the corridor comes near, when the navigator requests one, and after

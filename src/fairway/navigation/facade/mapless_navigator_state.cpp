@@ -181,7 +181,7 @@ void MaplessNavigator::State::take_plan() {
   if (made->request.narrow) {
     if (!found.usable() || found.path.length() >= kWorthNarrow * path_length_) return;
   } else {
-    // Before a long detour, search for a path through a narrower place in the next cycle; until
+    // Before a long detour, search for a path through a narrower place in the next cycle. Until
     // then the robot does not move far.
     search_narrow_ = found.usable() && found.path.length() > path_length_ + kDetour;
   }

@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-/// The time that stands for a missing measurement [s].
+/// The time that represents a missing measurement [s].
 inline constexpr double kNeverMeasured = -1e9;
 
 /// Makes the input of a cycle from its measurements, without a map.

@@ -46,8 +46,8 @@ class TriedOpenings {
 /// Searches for the place where a path to the goal would most probably open.
 ///
 /// The search may lead through places that are too narrow for the robot, and through obstacles, at
-/// a cost: a missing centimetre of clearance costs little, an occupied cell as much as a long
-/// detour. The cheapest path then leads through the gap beside a person in a door rather than
+/// a cost. A missing centimetre of clearance costs little, an occupied cell as much as a long
+/// detour. The path of least cost then leads through the gap beside a person in a door rather than
 /// through the wall. It searches every second cell; deterministic.
 class OpeningSearch {
  public:

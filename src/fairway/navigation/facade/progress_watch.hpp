@@ -6,8 +6,8 @@
 
 namespace fairway {
 
-/// Measures for how long a robot has made no progress towards its goal: neither come nearer than
-/// ever, nor turned nearer than ever to where it has to look.
+/// Measures for how long a robot has made no progress towards its goal. Progress is to come nearer
+/// than before, or to turn nearer than before to its next direction.
 class ProgressWatch {
  public:
   /// Starts for a new goal: the time counts from the next update on.

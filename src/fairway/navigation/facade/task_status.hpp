@@ -22,8 +22,8 @@ struct TaskView {
   double patience = 0.0;  ///< time without progress until the task is dropped [s]; 0: never
 };
 
-/// How far the robot still has to turn, without sign [rad]: to the heading of its goal once it is
-/// there, before that to the path. @pre a path is followed.
+/// Returns how far the robot still has to turn, unsigned [rad]. At the goal this is the turn to its
+/// heading, before that to the path. @pre a path is followed.
 [[nodiscard]] double turn_left(const Navigator& navigator, const Pose2& pose) noexcept;
 
 /// Holds a task, and converts the status of the plan being followed into the status of the task.

@@ -15,8 +15,8 @@ struct BodyPathSettings {
   double cell = 0.05;           ///< side of a cell of states [m]; halved when nothing is found
   int headings = 72;            ///< cells of heading in a full turn
   double greediness = 1.5;      ///< weight of the estimate of what is left; 1: the cheapest path
-  double reverse_factor = 1.0;  ///< by how much driving backwards is dearer than forwards
-  double cusp_factor = 1.0;     ///< by how much a cusp of a steered base is dearer than its time
+  double reverse_factor = 1.0;  ///< cost factor of driving backwards
+  double cusp_factor = 1.0;     ///< factor of a cusp's time as its cost
   int max_states = 200000;      ///< states expanded before the search gives up, per margin
   int total_states = 2000000;   ///< the same for all margins and cells together
   int shortcut_tries = 150;     ///< parts of the path for which a shortcut is tried
@@ -30,10 +30,10 @@ void visit_body_path(Settings& s, Visitor&& field) {
   field(s.greediness,
         SettingInfo{"greediness", "", "weight of the estimate of what is left", 1, 10});
   field(s.reverse_factor,
-        SettingInfo{"reverse_factor", "", "by how much driving backwards is dearer", 1, 100});
+        SettingInfo{"reverse_factor", "", "cost factor of driving backwards", 1, 100});
   field(s.cusp_factor,
-        SettingInfo{"cusp_factor", "",
-                    "by how much a cusp of a steered base is dearer than its time", 1, 100});
+        SettingInfo{"cusp_factor", "", "factor of a cusp's time as its cost, for steered bases", 1,
+                    100});
   field(s.max_states,
         SettingInfo{"max_states", "", "states expanded before the search gives up", 1, 1e8});
   field(s.total_states,
@@ -65,8 +65,8 @@ struct BodyPathResult {
 
 /// Searches a path for a body on a base, from pose to pose.
 ///
-/// Two hybrid A* searches take turns, one from each end, because the narrow end of a path is easier
-/// to leave than to find. Every motion is proven free by BodyClearance. Deterministic; no clock.
+/// Two hybrid A* searches take turns, one from each end. The narrow end of a path is easier to
+/// leave than to find. Every motion is proven free by BodyClearance. Deterministic; no clock.
 /// @pre the base is valid.
 [[nodiscard]] BodyPathResult plan_body_path(const BodyClearance& clearance,
                                             const BaseModel& base,

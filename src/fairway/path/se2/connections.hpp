@@ -13,7 +13,7 @@ struct Connection {
   double cost = 0.0;  ///< by MotionCost [s]
 };
 
-/// The analytic ways between two poses that a base can drive, cheapest first.
+/// Returns the analytic connections between two poses that a base can drive, least cost first.
 ///
 /// Steered bases: the Reeds-Shepp words of the turning radius and of wider ones. Unicycles: turn,
 /// drive, turn, forwards and backwards. Omnidirectional bases: one constant twist; line and turn in
@@ -28,8 +28,8 @@ void find_connections(const MotionCost& cost,
                                 const Pose2& from,
                                 const Pose2& to) noexcept;
 
-/// The curvature of the tightest arcs that a search drives: a little below the greatest, so that a
-/// controller can still correct [1/m]. Steered bases only.
+/// Returns the curvature of the tightest arcs that a search drives [1/m]. It is slightly below the
+/// greatest, so that a controller can still correct. Steered bases only.
 [[nodiscard]] double search_curvature(const BaseModel& base) noexcept;
 
 }  // namespace fairway

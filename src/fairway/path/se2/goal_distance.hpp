@@ -7,8 +7,8 @@
 
 namespace fairway {
 
-/// A lower bound of the length that the reference point of a body travels from anywhere to a point,
-/// round the obstacles.
+/// A lower bound of the distance that a body's reference point travels to a point, around the
+/// obstacles.
 ///
 /// A disc about the reference that lies inside the body must fit everywhere: the body may not.
 /// Computed once per target by Dijkstra's algorithm on cells of several cells of the map, which are

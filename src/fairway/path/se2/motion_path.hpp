@@ -7,7 +7,7 @@
 
 namespace fairway {
 
-/// A piece of a path in SE(2): constant body twist, hence an arc, a line, or a turn on the spot.
+/// A piece of a path in SE(2) with a constant body twist: an arc, a line, or a turn on the spot.
 struct MotionPiece {
   PlanarTwist twist;    ///< per unit of `amount`: a unit of length, or 1 rad where it only turns
   double amount = 0.0;  ///< [m], or [rad] where it only turns; not negative
@@ -37,13 +37,12 @@ void merge_pieces(MotionPath& path);
 
 /// What a search minimises: about the time that a base needs, from its limits.
 ///
-/// Pieces take the time at their greatest speed; changes between them take the time to brake, to
+/// Pieces take the time at their greatest speed. Changes between them take the time to brake, to
 /// turn the steered wheel and to accelerate again.
 class MotionCost {
  public:
-  /// @param reverse_factor  By how much driving backwards is dearer than forwards; at least 1.
-  /// @param cusp_factor     By how much a stop between forwards and backwards is dearer than its
-  ///                        time; at least 1.
+  /// @param reverse_factor  Cost factor of driving backwards; at least 1.
+  /// @param cusp_factor     Factor of the time of a cusp as its cost; at least 1.
   MotionCost(const BaseModel& base, double reverse_factor, double cusp_factor = 1.0);
 
   [[nodiscard]] double of(const MotionPiece& piece) const noexcept;

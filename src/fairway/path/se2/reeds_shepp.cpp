@@ -10,8 +10,9 @@
 #include "fairway/base/contract.hpp"
 #include "fairway/geometry/angle.hpp"
 
-// The eight base formulas of Reeds and Shepp, "Optimal paths for a car that goes both forwards and
-// backwards" (1990), section 8; the rest follows by time flip, reflection and reversal.
+// The eight base formulas of Reeds and Shepp (1990), section 8. The title is "Optimal paths for a
+// car that goes both forwards and backwards". The rest follows by time flip, reflection and
+// reversal.
 
 namespace fairway {
 
@@ -148,8 +149,8 @@ Found left_right_straight_left_right(const Goal& g) noexcept {
   return Lengths{t, u, v};
 }
 
-// How the lengths t, u, v of a formula make up a word: which of them, times which factor, or a
-// quarter turn backwards; and which way each piece turns.
+// How the lengths t, u, v of a formula make up a word. It says which of them are used, times which
+// factor, or a quarter turn backwards, and to which side each piece turns.
 struct Piece {
   char length;  // 't', 'u', 'v', 'U' for -u, 'q' for a quarter turn backwards
   int turn;

@@ -33,7 +33,7 @@ bool SearchTree::expand(int count) {
     const Entry now = queue_.top();
     queue_.pop();
     const Node& node = nodes_[now.node];
-    if (table_[node.key] != now.node) continue;  // a cheaper one took its cell
+    if (table_[node.key] != now.node) continue;  // one of less cost took its cell
     const double left = (now.estimate - node.cost) / task_.greediness;
     if (path_ && node.cost + left >= path_cost_) continue;
     ++expanded_;

@@ -22,13 +22,13 @@ struct SearchTask {
   double greediness = 1.5;  ///< weight of the estimate of what is left; 1: the cheapest path
 };
 
-/// A hybrid A* search from one end of a path towards the other, in steps, so that two of them can
-/// take turns. States are poses; of those that share a cell the cheapest is kept. Every so often
-/// the analytic ways to the other end are tried. Deterministic.
+/// A hybrid A* search from one end of a path towards the other. It works in steps, so that two
+/// searches can take turns. States are poses; of those that share a cell the one of least cost is
+/// kept. At intervals the analytic connections to the other end are tried. Deterministic.
 class SearchTree {
  public:
-  /// @param backwards  The tree grows from the goal to the start, against the way of driving.
-  /// @param remaining  Lower bounds of the way to `target`.
+  /// @param backwards  The tree grows from the goal to the start, against the direction of driving.
+  /// @param remaining  Lower bounds of the distance to `target`.
   SearchTree(const SearchTask& task,
              const Pose2& root,
              const Pose2& target,
@@ -40,7 +40,7 @@ class SearchTree {
 
   [[nodiscard]] int expanded() const noexcept { return expanded_; }
 
-  /// The best path so far, in the way of driving.
+  /// Returns the best path so far, in the direction of driving.
   [[nodiscard]] const std::optional<MotionPath>& path() const noexcept { return path_; }
   [[nodiscard]] double path_cost() const noexcept { return path_cost_; }
 
@@ -49,7 +49,7 @@ class SearchTree {
     Pose2 pose;
     double cost = 0.0;
     std::uint32_t parent = StateTable::kNone;
-    MotionPiece piece;  // from the parent, in the way of the tree
+    MotionPiece piece;  // from the parent, in the direction of the tree
     std::uint64_t key = 0;
   };
   struct Entry {

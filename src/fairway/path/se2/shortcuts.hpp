@@ -6,8 +6,8 @@
 
 namespace fairway {
 
-/// Replaces parts of a path by analytic ways that are free and cheaper, until no part of those
-/// tried can be replaced. Keeps both ends. Deterministic.
+/// Replaces parts of a path by analytic connections that are free and cost less. It ends when no
+/// part that was tried can be replaced. Keeps both ends. Deterministic.
 /// @param margin  Clearance of the path, and of what replaces parts of it [m].
 /// @param tries   How many parts are tried.
 void take_shortcuts(const BodyClearance& clearance,

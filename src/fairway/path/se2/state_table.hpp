@@ -7,8 +7,8 @@
 
 namespace fairway::internal {
 
-/// Which node a search holds for a cell of its state space: a hash table from keys to indices, open
-/// addressing, which grows by itself.
+/// A hash table from the cells of a search's state space to its nodes. It uses open addressing and
+/// grows by itself.
 class StateTable {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;

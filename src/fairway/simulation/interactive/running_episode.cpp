@@ -49,9 +49,9 @@ bool Episode::cycle() {
 }
 
 void Episode::make_drivers() {
-  if (!scenario_.zones.empty()) {
-    map_.set_zones(std::make_shared<const ZoneMap>(scenario_.zones, settings_.robot.radius));
-  }
+  map_.set_zones(scenario_.zones.empty()
+                     ? nullptr
+                     : std::make_shared<const ZoneMap>(scenario_.zones, settings_.robot.radius));
   if (hooks_.solver == nullptr) own_solver_ = std::make_unique<RealTimeSolver>(settings_.mpc);
   ControlSolver* solver = hooks_.solver == nullptr ? own_solver_.get() : hooks_.solver;
   if (hooks_.clock) solver = &timed_solver_.emplace(*solver, hooks_.clock);

@@ -14,8 +14,8 @@
 
 namespace fairway {
 
-/// A run of a scenario: the world, its robots with their drivers, and the changes that a caller
-/// may make between two cycles.
+/// A run of a scenario. It holds the world and its robots with their drivers, and makes the changes
+/// that a caller requests between two cycles.
 class Episode final : public EpisodeControl {
  public:
   Episode(const Scenario& scenario, const EpisodeHooks& hooks);
@@ -38,6 +38,8 @@ class Episode final : public EpisodeControl {
   void set_present(std::size_t robot, bool present) override;
   void set_halted(bool halted) override;
   void take_plans() override;
+  void show_world() override;
+  void set_zones(const Zones& zones) override;
   void set_settings(const Settings& settings) override;
 
  private:
@@ -54,10 +56,9 @@ class Episode final : public EpisodeControl {
   void command(std::size_t i, const NavigationStep& step);
   void record(std::size_t i, const DrivenCycle& cycle);
   void show_plan(std::size_t i);
-  void show_world();
   void finish();
 
-  const Scenario& scenario_;
+  Scenario scenario_;  // its zones may change
   EpisodeHooks hooks_;
   Settings settings_;
   std::vector<RobotTask> tasks_;

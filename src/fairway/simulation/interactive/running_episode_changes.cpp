@@ -82,6 +82,13 @@ void Episode::take_plans() {
   }
 }
 
+void Episode::set_zones(const Zones& zones) {
+  scenario_.zones = zones;
+  world_.set_zones(zones);
+  if (hooks_.observer != nullptr) hooks_.observer->on_zones(world_.time(), zones);
+  start_again();
+}
+
 void Episode::set_settings(const Settings& settings) {
   settings_ = settings;
   world_.set_robots(settings);

@@ -32,8 +32,9 @@ struct OrcaSettings {
   double step = 0.25;                ///< length of a step [s]
 };
 
-/// Returns the velocity that a person chooses for the next step: optimal reciprocal collision
-/// avoidance (van den Berg, Guy, Lin and Manocha 2011), as the library RVO2 computes it.
+/// Returns the velocity that a person chooses for the next step, by optimal reciprocal collision
+/// avoidance. The method is that of van den Berg, Guy, Lin and Manocha (2011), as the library RVO2
+/// computes it.
 ///
 /// Each neighbour forbids a half-plane of velocities. The result is the velocity nearest to the
 /// preferred one in the disc of `speed_max` and in all half-planes. If there is none, it is the

@@ -16,9 +16,9 @@ struct SocialForceSettings {
   double step = 0.1;        ///< length of a step [s]
 };
 
-/// Returns the velocity of a person after a step under social forces (Helbing and Molnar 1995, with
-/// circular bodies): a pull to the preferred velocity, and a push away from each neighbour that
-/// falls exponentially with the gap between the bodies and is weaker for those behind.
+/// Returns the velocity of a person after a step under social forces (Helbing and Molnar 1995,
+/// circular bodies). One force pulls to the preferred velocity. Each neighbour pushes away with a
+/// force that falls exponentially with the gap between the bodies and is weaker for those behind.
 [[nodiscard]] Eigen::Vector2d social_force_velocity(const OrcaAgent& agent,
                                                     std::span<const OrcaNeighbour> neighbours,
                                                     const SocialForceSettings& settings) noexcept;

@@ -10,8 +10,8 @@ namespace fairway {
 
 /// The blocked cells of a grid as a few disjoint blocks that cover them exactly.
 ///
-/// Greedy: from the lowest, leftmost cell that is not covered yet, first as far to the right, then
-/// as far up as everything is blocked and uncovered.
+/// The cover is greedy. From the lowest, leftmost cell that is not covered yet, a box grows first
+/// to the right, then upwards, while everything is blocked and uncovered.
 [[nodiscard]] std::vector<CellWindow> cover_with_boxes(const BitGrid& obstacles);
 
 }  // namespace fairway

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "fairway/geometry/angle.hpp"
-#include "fairway/simulation/physics/cell_boxes.hpp"
+#include "fairway/simulation/physics/mujoco_walls.hpp"
 
 namespace fairway {
 
@@ -15,29 +15,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kWallHeight = 0.6;  // [m]
-constexpr double kGap = 0.04;        // between chassis and floor [m]
-constexpr double kHeight = 0.25;     // of the chassis [m]
-constexpr double kLift = 0.0005;     // what rolls starts this much above the floor [m]
-
-std::string quaternion(double heading) {
-  std::ostringstream text;
-  text.precision(17);
-  text << std::cos(0.5 * heading) << " 0 0 " << std::sin(0.5 * heading);
-  return text.str();
-}
-
-void add_walls(std::ostream& xml, const BitGrid& obstacles) {
-  const GridFrame& frame = obstacles.frame();
-  for (const CellWindow& box : cover_with_boxes(obstacles)) {
-    const Vector2d cells(box.last.x - box.first.x + 1, box.last.y - box.first.y + 1);
-    const Vector2d center = frame.to_world(Vector2d(box.first.x, box.first.y) + 0.5 * cells);
-    const Vector2d half = 0.5 * frame.resolution * cells;
-    xml << "<geom type='box' pos='" << center.x() << ' ' << center.y() << ' ' << 0.5 * kWallHeight
-        << "' size='" << half.x() << ' ' << half.y() << ' ' << 0.5 * kWallHeight << "' quat='"
-        << quaternion(frame.origin.heading) << "' contype='2' conaffinity='2'/>\n";
-  }
-}
+constexpr double kGap = 0.04;     // between chassis and floor [m]
+constexpr double kHeight = 0.25;  // of the chassis [m]
+constexpr double kLift = 0.0005;  // what rolls starts this much above the floor [m]
 
 // The outline as prisms and cylinders. @return the meshes that the prisms use.
 std::string add_outline(std::ostream& xml, const BodyShape& body) {
@@ -213,7 +193,7 @@ std::string mujoco_base_model(const RobotModel& robot,
   std::ostringstream body;
   body.precision(17);
   body << "<body name='robot' pos='" << start.position.x() << ' ' << start.position.y() << ' '
-       << kLift << "' quat='" << quaternion(start.heading) << "'>\n<freejoint/>\n";
+       << kLift << "' quat='" << turn_about_vertical(start.heading) << "'>\n<freejoint/>\n";
   const std::string meshes = add_outline(body, robot.body);
   const Vector2d size = robot.body.high() - robot.body.low();
   body << "<geom type='box' mass='" << built.mass << "' contype='0' conaffinity='0' pos='"
@@ -233,7 +213,7 @@ std::string mujoco_base_model(const RobotModel& robot,
          "<asset>\n"
       << meshes << "</asset>\n<worldbody>\n"
       << "<geom name='floor' type='plane' size='0 0 1' contype='1' conaffinity='1'/>\n";
-  add_walls(xml, obstacles);
+  write_walls(xml, obstacles, "");
   xml << body.str() << "</worldbody>\n<actuator>\n";
   const double r = built.wheel_radius;
   const double inertia = 0.002 * built.mass * r;

@@ -26,9 +26,9 @@ struct MujocoBase {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the mass [m]
 };
 
-/// Wheels for the kind of a base: two driven wheels and casters (unicycle), a driven rear axle and
-/// two steered front wheels (car), a driven, steered wheel in front (tricycle), four mecanum wheels
-/// or swerve modules (omni).
+/// Makes the wheels for the kind of a base. A unicycle has two driven wheels and casters, a car a
+/// driven rear axle and two steered front wheels, a tricycle a driven, steered wheel in front, an
+/// omnidirectional base four mecanum wheels or swerve modules.
 [[nodiscard]] MujocoBase mujoco_base(const RobotModel& robot);
 
 /// What the wheels do for an input: angle of each wheel [rad], and its speed on the floor [m/s].
@@ -37,8 +37,8 @@ struct WheelTarget {
   double speed = 0.0;
 };
 
-/// The target of a wheel that is at `angle` now: a module turns by at most a quarter of a turn and
-/// drives backwards instead.
+/// Returns the target of a wheel that is at `angle` now. A module turns by at most a quarter of a
+/// turn and drives backwards instead.
 [[nodiscard]] WheelTarget wheel_target(const RobotModel& robot,
                                        const MujocoWheel& wheel,
                                        const PlanarTwist& twist,

@@ -14,8 +14,8 @@ namespace fairway {
 
 /// One robot on any base as rigid bodies on wheels, moved by MuJoCo among the cells of a map.
 ///
-/// The base's own controller ramps what it is sent within the limits of the base; motors, servos,
-/// wheels and floor then do what they can.
+/// The base's own controller ramps commands within the limits of the base. Motors, servos, wheels
+/// and floor determine the resulting motion.
 class MujocoBody {
  public:
   /// @throws std::runtime_error with MuJoCo's words when it does not accept the model.

@@ -28,9 +28,9 @@ struct CameraImage {
 
 /// Takes pictures of a scenario's MuJoCo world without a screen (OSMesa draws on the processor).
 ///
-/// It has a world of its own, in which it puts the robots where they are said to be: so it can show
-/// a run afterwards, from its trace. One per thread at a time, since OpenGL contexts are the
-/// thread's.
+/// The camera has a world of its own, in which it places the robots as requested. So it can show a
+/// run afterwards, from its trace. Use one per thread at a time, since OpenGL contexts belong to a
+/// thread.
 class MujocoCamera {
  public:
   static constexpr int kMostWidth = 1280;  ///< [px]

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "fairway/simulation/physics/cell_boxes.hpp"
+#include "fairway/simulation/physics/mujoco_walls.hpp"
 
 namespace fairway {
 
@@ -13,12 +13,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kWallHeight = 0.6;  // [m]
 constexpr double kGroundGap = 0.04;  // between chassis and floor [m]
 constexpr double kLift = 0.001;      // what rolls starts this much above the floor [m]
 
-// Half of how far a body of several discs reaches along one axis, seen from the robot's centre on
-// the side where it reaches less; of another body half its side.
+// Returns half of the extent of a body of several discs along one axis. It counts the side of the
+// robot's centre where the body reaches less; for another body it is half its side.
 double half_side(const RobotSettings& body, int axis) {
   if (body.discs.count == 0) {
     const double side = axis == 0 ? body.length : body.width;
@@ -38,28 +37,13 @@ double robot_width(const RobotSettings& body) { return 2.0 * half_side(body, 1);
 
 double robot_length(const RobotSettings& body) { return 2.0 * half_side(body, 0); }
 
-std::string quaternion(double heading) {
-  std::ostringstream text;
-  text.precision(17);
-  text << std::cos(0.5 * heading) << " 0 0 " << std::sin(0.5 * heading);
-  return text.str();
-}
-
 // Contact happens between what shares a bit: 1 is what rolls on the floor, 2 is what must not
 // touch.
 void add_world(std::ostream& xml, const Scenario& scenario) {
   const BitGrid obstacles(scenario.map, unknown_cells(scenario.settings.map));
-  const GridFrame& frame = obstacles.frame();
   xml << "<geom name='floor' type='plane' size='0 0 1' contype='1' conaffinity='1' "
          "material='floor'/>\n";
-  for (const CellWindow& box : cover_with_boxes(obstacles)) {
-    const Vector2d cells(box.last.x - box.first.x + 1, box.last.y - box.first.y + 1);
-    const Vector2d center = frame.to_world(Vector2d(box.first.x, box.first.y) + 0.5 * cells);
-    const Vector2d half = 0.5 * frame.resolution * cells;
-    xml << "<geom type='box' pos='" << center.x() << ' ' << center.y() << ' ' << 0.5 * kWallHeight
-        << "' size='" << half.x() << ' ' << half.y() << ' ' << 0.5 * kWallHeight << "' quat='"
-        << quaternion(frame.origin.heading) << "' contype='2' conaffinity='2' material='wall'/>\n";
-  }
+  write_walls(xml, obstacles, " material='wall'");
 }
 
 // All of a robot that must not touch anything, and its mass.
@@ -99,7 +83,7 @@ void add_robot(std::ostream& xml,
   const double caster_at = 0.4 * robot_length(body);
   const Vector2d& at = task.start.position;
   xml << "<body name='robot" << index << "' pos='" << at.x() << ' ' << at.y() << ' ' << kLift
-      << "' quat='" << quaternion(task.start.heading) << "'>\n<freejoint/>\n";
+      << "' quat='" << turn_about_vertical(task.start.heading) << "'>\n<freejoint/>\n";
   add_chassis(xml, body, robot);
   // Dark on top where it is in front: only to be seen.
   xml << "<geom type='box' mass='0' contype='0' conaffinity='0' material='wheel' pos='"

@@ -23,9 +23,10 @@ struct MujocoRobot {
 /// Distance between the wheels of a robot [m].
 [[nodiscard]] double wheel_base_of(const MujocoRobot& robot, const RobotSettings& body) noexcept;
 
-/// The scenario as a MuJoCo model (MJCF): floor, one box per block of cells, per robot a chassis
-/// with the true footprint on two driven wheels and two casters without friction, and one mocap
-/// cylinder per moving body. Names: robot0, left0, right0, chassis0, body0, ...
+/// Returns the scenario as a MuJoCo model (MJCF). It holds the floor, one box per block of cells,
+/// and one mocap cylinder per moving body. Each robot is a chassis with the true footprint on two
+/// driven wheels and two casters without friction. Names: robot0, left0, right0, chassis0, body0,
+/// ...
 [[nodiscard]] std::string mujoco_model(const Scenario& scenario, const MujocoRobot& robot);
 
 }  // namespace fairway

@@ -14,8 +14,8 @@ namespace fairway {
 
 /// The robots of a scenario as rigid bodies on driven wheels, moved by MuJoCo.
 ///
-/// The base's own controller follows a command with its delay, its lag and its acceleration limits,
-/// as the unicycle's does; motors, wheels and floor then do what they can.
+/// The base's own controller follows a command with its delay, lag and acceleration limits, as the
+/// unicycle's does. Motors, wheels and floor determine the resulting motion.
 class MujocoPhysics final : public Physics {
  public:
   /// @throws std::runtime_error with MuJoCo's words when it does not accept the model.

@@ -20,8 +20,8 @@ struct Quantiles {
 
 [[nodiscard]] Quantiles quantiles(std::span<const double> sample);
 
-/// Integral over time of the squared rates of change of both speeds, of one robot:
-/// sum of ((du/dt)^2 + (dr/dt)^2) dt over its commands [m^2/s^3 + rad^2/s^3]. Less is smoother.
+/// Integral over time of the squared rates of change of both speeds of one robot. It is the sum of
+/// ((du/dt)^2 + (dr/dt)^2) dt over its commands [m^2/s^3 + rad^2/s^3]. Less is smoother.
 [[nodiscard]] double smoothness(const Trace& trace, std::size_t robot);
 
 /// How often the current rectangle changed while one robot drove.

@@ -12,6 +12,8 @@ class ObserverList final : public EpisodeObserver {
  public:
   void add(EpisodeObserver& observer) { observers_.push_back(&observer); }
 
+  [[nodiscard]] bool empty() const noexcept { return observers_.empty(); }
+
   void on_start(const Scenario& scenario) override {
     for (EpisodeObserver* observer : observers_)
       observer->on_start(scenario);
@@ -25,6 +27,10 @@ class ObserverList final : public EpisodeObserver {
   void on_robots(double time, std::span<const RobotTask> robots) override {
     for (EpisodeObserver* observer : observers_)
       observer->on_robots(time, robots);
+  }
+  void on_zones(double time, const Zones& zones) override {
+    for (EpisodeObserver* observer : observers_)
+      observer->on_zones(time, zones);
   }
   void on_goal(double time, std::size_t robot, const Goal& goal) override {
     for (EpisodeObserver* observer : observers_)

@@ -32,6 +32,7 @@ class ReplayCheck final : public EpisodeObserver {
   void on_navigators(double time,
                      const Settings& settings,
                      std::span<const NavigatorStart> starts) override;
+  void on_zones(double /*time*/, const Zones& zones) override { zones_ = zones; }
   void on_goal(double time, std::size_t robot, const Goal& goal) override;
   void on_scan(const ObservedScan& scan) override;
   void on_plan(double time, std::size_t robot, const Plan& plan) override;

@@ -19,7 +19,7 @@ constexpr double kCornerRadius = 1.0;  // kept free around them [m]
 // SplitMix64 is small and gives the same numbers everywhere, unlike the standard distributions.
 class Draw {
  public:
-  // The state advances by a constant, and seeds that differ by a multiple of it would give shifted
+  // The state advances by a constant. Seeds that differ by a multiple of it would give shifted
   // copies of one stream. So the seed is mixed first.
   explicit Draw(std::uint64_t seed) noexcept : state_(mixed(seed)) {}
 

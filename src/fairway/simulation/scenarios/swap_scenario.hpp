@@ -5,8 +5,8 @@
 
 namespace fairway {
 
-/// The default radius of the circle for N robots [m]: 4 m, or 1.5 m of circumference per robot if
-/// that is larger.
+/// Returns the default radius of the circle for N robots [m]. It is 4 m, or 1.5 m of circumference
+/// per robot if that is larger.
 [[nodiscard]] double swap_radius(int robots) noexcept;
 
 /// Robots on a circle in open space that swap places with the opposite robot and keep their

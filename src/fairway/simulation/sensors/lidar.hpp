@@ -25,8 +25,9 @@ struct LidarModel {
   double dropout = 0.0;                           ///< share of beams that are lost []
 };
 
-/// Exact distance from `from` in direction `angle` to the first blocked cell, the grid's border or
-/// a disc, at most `max_range`. It is 0 from inside an obstacle.
+/// Returns the exact distance from `from` in direction `angle` to the first obstacle, at most
+/// `max_range`. Obstacles are blocked cells, the grid's border and discs. It is 0 from inside an
+/// obstacle.
 [[nodiscard]] double cast_ray(const BitGrid& obstacles,
                               MovingObstacles discs,
                               const Eigen::Vector2d& from,

@@ -35,8 +35,8 @@ struct SensingModel {
   OdometryModel odometry;
 };
 
-/// The errors of "--noise standard": range sigma 0.01 m, 1 % of beams lost, 50 ms of latency, up to
-/// 1 % of scale error and up to 0.2 degrees of heading drift per metre.
+/// The errors of "--noise standard". They are a range sigma of 0.01 m, 1 % of beams lost, 50 ms of
+/// latency, up to 1 % of scale error and up to 0.2 degrees of heading drift per metre.
 inline void use_standard_noise(SensingModel& model) noexcept {
   model.lidar.range_sigma = 0.01;
   model.lidar.dropout = 0.01;

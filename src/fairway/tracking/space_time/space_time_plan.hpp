@@ -23,12 +23,12 @@ struct SpaceTimePlan {
   double cost = 0.0;       ///< time and risk [s]
   std::array<State, kMaxStages + 1> states;
 
-  /// Returns the state `time` seconds after the start. After the end the robot stands.
+  /// Returns the state `time` seconds after the start. After the end the robot is stopped.
   [[nodiscard]] State at(double time) const noexcept;
 };
 
-/// Moves from `from` for `time` of a stage at whose end the state is `to`; the position of `to` is
-/// not read.
+/// Moves from `from` for `time` of a stage that ends in state `to`. The position of `to` is not
+/// read.
 [[nodiscard]] Eigen::Vector2d position_in_stage(const SpaceTimePlan::State& from,
                                                 const SpaceTimePlan::State& to,
                                                 double stage,

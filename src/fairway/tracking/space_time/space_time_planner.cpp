@@ -212,7 +212,7 @@ bool SpaceTimePlanner::continue_last(SpaceTimePlan& continued) noexcept {
 }
 
 bool SpaceTimePlanner::update(const SpaceTimeInput& input) noexcept {
-  constexpr double kBetter = 0.25;   // by which another motion must be cheaper [s]
+  constexpr double kBetter = 0.25;   // by which another motion must cost less [s]
   constexpr double kRenewal = 0.15;  // between two trees while the last plan keeps its cost [s]
   if (stages_ == 0 || input.path.count < 2) return false;
   prepare(input);

@@ -25,8 +25,9 @@ struct SpaceTimeInput {
   const EntranceMap* entrances = nullptr;  ///< where people appear, if that is known
 };
 
-/// Plans a motion of several seconds among moving obstacles, in front of the controller: whether
-/// the robot passes an obstacle on the left or right, in front or behind, or waits, and where.
+/// Plans a motion of several seconds among moving obstacles, in front of the controller. It decides
+/// whether and where the robot passes an obstacle on the left or right, in front or behind, or
+/// waits.
 ///
 /// The motions form a tree: in every stage of 0.5 s a motion continues with several speeds and
 /// turns. Of the motions that end in the same cell of place, heading and speed the cheapest is
@@ -34,8 +35,8 @@ struct SpaceTimeInput {
 /// and what being near the predicted obstacles costs (EncounterCost). The work of a plan is bounded
 /// by kWidth, the number of stages and that of the obstacles; nothing is allocated.
 ///
-/// The motion of the last plan is kept unless another one is cheaper by a margin, so that the robot
-/// does not waver between two sides of an obstacle.
+/// The motion of the last plan is kept unless another one costs less by a margin. The robot then
+/// does not alternate between two sides of an obstacle.
 class SpaceTimePlanner {
  public:
   SpaceTimePlanner(const RobotSettings& robot,

@@ -18,7 +18,7 @@ constexpr double kCell = 0.25;         // [m]
 constexpr double kAtGoal = 0.15;       // [m]
 constexpr double kReverse = 0.4;       // of driving backwards [s/s]
 constexpr double kTurnEffort = 0.03;   // [s per rad^2/s^2, and second]
-constexpr double kHopeless = 3.0;      // dearer than the best by this is not pursued [s]
+constexpr double kHopeless = 3.0;      // cost beyond the best at which a motion is dropped [s]
 constexpr double kSpeedChange = 0.05;  // of a change of speed [s per m/s]
 
 }  // namespace

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+
 #include <Magick++.h>
 #include <gtest/gtest.h>
 
+#include "fairway/io/drawing/animation.hpp"
 #include "fairway/io/drawing/map_raster.hpp"
 #include "fairway/io/drawing/plot_axes.hpp"
 #include "fairway/io/drawing/speed_picture.hpp"
@@ -39,6 +43,31 @@ TEST(Picture, HasTheBytesOfItsFormat) {
   EXPECT_TRUE(draw_world(world, PictureFormat::Svg).value().starts_with("<?xml"));
   EXPECT_TRUE(draw_world(world, PictureFormat::Png).value().starts_with("\x89PNG"));
   EXPECT_TRUE(draw_world(world, PictureFormat::Pdf).value().starts_with("%PDF"));
+}
+
+// Each moving part has one value per frame, and the last of them for the rest of the loop.
+TEST(Picture, AnAnimationHasAPlaceForEachFrame) {
+  const OccupancyGrid map({.width = 50, .height = 40, .resolution = 0.1, .origin = {}});
+  Animation animation{.world = one_robot(map), .region = {.min = {0, 0}, .max = {5, 4}}};
+  MovingDrawing robot{.color = palette::kBlue, .radius = 0.25, .heading = true};
+  MovingDrawing person{.color = palette::kPurple, .radius = 0.3};
+  for (int i = 0; i < 20; ++i) {
+    robot.poses.push_back(Pose2{.position = {1.0 + 0.1 * i, 2.0}, .heading = 3.1 + 0.01 * i});
+    person.poses.push_back(i < 5 ? std::nullopt : std::optional(Pose2{.position = {3.0, 3.0}}));
+  }
+  animation.moving = {robot, person};
+  const std::string text = draw_animation(animation).value();
+  const auto values_of = [&](const std::string& start) {
+    const std::size_t at = text.find("values='", text.find(start)) + 8;
+    const std::string values = text.substr(at, text.find('\'', at) - at);
+    return std::count(values.begin(), values.end(), ';') + 1;
+  };
+  EXPECT_EQ(values_of("type='translate'"), 20 + 10);
+  EXPECT_EQ(values_of("calcMode='discrete'"), 20 + 10);
+  // A heading beyond half a turn goes on, so that the robot does not spin back.
+  EXPECT_NE(text.find("-178;-178"), std::string::npos);
+  EXPECT_NE(text.find("-188"), std::string::npos);
+  EXPECT_TRUE(text.ends_with("</svg>\n</svg>\n")) << text.substr(text.size() - 40);
 }
 
 TEST(Picture, IsTheSameEveryTime) {

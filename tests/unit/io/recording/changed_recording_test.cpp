@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/recording/reading/recording_reader.hpp"
 #include "fairway/io/recording/recording.hpp"
 #include "fairway/io/web_report/run_stream.hpp"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/io/mcap/mcap_reader.hpp"
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/reading/recording_reader.hpp"
 #include "fairway/io/web_report/run_stream.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/io/recording/scenario_archive.hpp"
+#include "fairway/io/recording/exact/scenario_archive.hpp"
 
 #include <gtest/gtest.h>
 

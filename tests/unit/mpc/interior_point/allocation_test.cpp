@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/mpc/interior_point/solver.hpp"
+#include "fairway/mpc/interior_point/four_start_solver.hpp"
 #include "fairway/mpc/start_guesses.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/random_control_problem.hpp"
@@ -23,7 +23,7 @@ TEST(AllocationGuard, CountsMalloc) {
 
 TEST(InteriorPointSolver, NeverAllocates) {
   if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
-  const auto solver = std::make_unique<InteriorPointSolver>();
+  const auto solver = std::make_unique<FourStartSolver>();
   test::Random random(81);
   for (int trial = 0; trial < 50; ++trial) {
     const ControlProblem problem = test::random_control_problem(
@@ -31,8 +31,8 @@ TEST(InteriorPointSolver, NeverAllocates) {
     std::array<InitialGuess, 3> guesses;
     const test::AllocationGuard guard;
     spread_guesses(problem, {}, guesses);
-    static_cast<void>(solver->solve_best(problem, guesses));
-    static_cast<void>(solver->solve_from_four(problem));
+    static_cast<void>(solver->single().solve_best(problem, guesses));
+    static_cast<void>(solver->solve(problem));
     EXPECT_EQ(guard.count(), 0U);
   }
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/mpc/evaluation.hpp"
-#include "fairway/mpc/interior_point/solver.hpp"
+#include "fairway/mpc/interior_point/four_start_solver.hpp"
 #include "support/random_control_problem.hpp"
 
 namespace fairway {
@@ -23,15 +23,15 @@ double four_starts_merit(const ControlProblem& problem, const MpcSolution& solut
 }
 
 TEST(FourStarts, AreNeverWorseThanOneAndKeepItsGuarantees) {
-  const auto solver = std::make_unique<InteriorPointSolver>();
+  const auto solver = std::make_unique<FourStartSolver>();
   int better = 0;
   for (const RandomProblemOptions& options : {RandomProblemOptions{}, kAllFeatures}) {
     Random random(81);
     for (int trial = 0; trial < 250; ++trial) {
       SCOPED_TRACE(trial);
       const ControlProblem problem = test::random_control_problem(random, options);
-      const MpcSolution one = solver->solve(problem);
-      const MpcSolution four = solver->solve_from_four(problem);
+      const MpcSolution one = solver->single().solve(problem);
+      const MpcSolution four = solver->solve(problem);
       EXPECT_LE(bound_violation(problem, four.commands).max, 0.0);
       MpcSolution assessed = four;
       assess(problem, assessed);
@@ -50,13 +50,13 @@ TEST(FourStarts, AreNeverWorseThanOneAndKeepItsGuarantees) {
 TEST(FourStarts, GiveTheSameBitsForAllRegisters) {
   const interior_point::SimdKernels* wide = interior_point::kernels_256();
   if (wide == nullptr) GTEST_SKIP() << "this processor has no registers of 256 bits";
-  const auto solver = std::make_unique<InteriorPointSolver>(*wide);
-  const auto other = std::make_unique<InteriorPointSolver>(interior_point::kernels_128());
+  const auto solver = std::make_unique<FourStartSolver>(*wide);
+  const auto other = std::make_unique<FourStartSolver>(interior_point::kernels_128());
   Random random(82);
   for (int trial = 0; trial < 150; ++trial) {
     const ControlProblem problem = test::random_control_problem(random, kAllFeatures);
-    const MpcSolution& a = solver->solve_from_four(problem);
-    const MpcSolution& b = other->solve_from_four(problem);
+    const MpcSolution& a = solver->solve(problem);
+    const MpcSolution& b = other->solve(problem);
     ASSERT_EQ(a.iterations, b.iterations) << trial;
     ASSERT_EQ(a.cost, b.cost) << trial;
     const auto size = static_cast<std::size_t>(a.horizon) * sizeof(Twist2);
@@ -65,22 +65,22 @@ TEST(FourStarts, GiveTheSameBitsForAllRegisters) {
 }
 
 TEST(FourStarts, DoNotDependOnWhatWasSolvedBefore) {
-  const auto used = std::make_unique<InteriorPointSolver>();
+  const auto used = std::make_unique<FourStartSolver>();
   Random random(83);
   for (int trial = 0; trial < 60; ++trial) {
     const ControlProblem before = test::random_control_problem(random, kAllFeatures);
     const ControlProblem problem = test::random_control_problem(random, {});
-    static_cast<void>(used->solve_from_four(before));
-    const auto first = std::make_unique<InteriorPointSolver>();
-    EXPECT_EQ(first->solve_from_four(problem).cost, used->solve_from_four(problem).cost) << trial;
+    static_cast<void>(used->solve(before));
+    const auto first = std::make_unique<FourStartSolver>();
+    EXPECT_EQ(first->solve(problem).cost, used->solve(problem).cost) << trial;
   }
 }
 
 TEST(FourStarts, AnInvalidProblemStaysInvalid) {
-  const auto solver = std::make_unique<InteriorPointSolver>();
+  const auto solver = std::make_unique<FourStartSolver>();
   ControlProblem problem;
   problem.start.position.x() = std::nan("");
-  EXPECT_EQ(solver->solve_from_four(problem).status, SolveStatus::InvalidProblem);
+  EXPECT_EQ(solver->solve(problem).status, SolveStatus::InvalidProblem);
 }
 
 }  // namespace

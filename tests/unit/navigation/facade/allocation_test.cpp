@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cycles of both facades, with a fleet, tracks and scans, in which no plan is made or taken over.
+// Cycles of both facades in which no plan is made or taken over: with a fleet, people and scans.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -26,10 +26,19 @@ OccupancyGrid hall() {
   return map;
 }
 
-// Robots that come through the door, and an obstacle that crosses behind it.
+// Other users of the hall. Robots come through the door, and an obstacle crosses behind it; or
+// people cross the path in front of the door.
+enum class Others { Robots, People };
+
 class Traffic {
  public:
-  Traffic() : motions_(3) {
+  explicit Traffic(Others others) : motions_(others == Others::Robots ? 3 : 0) {
+    if (others == Others::People) {
+      obstacles_ = {{.position = {5.0, 4.5}, .velocity = {-0.2, -0.5}, .radius = 0.3},
+                    {.position = {4.0, 0.5}, .velocity = {0.1, 0.4}, .radius = 0.3}};
+    }
+    for (const MovingObstacle& obstacle : obstacles_)
+      starts_.push_back(obstacle.position);
     for (std::size_t i = 0; i < motions_.size(); ++i) {
       SharedMotion& motion = motions_[i];
       motion.robot = static_cast<std::uint32_t>(i + 1);
@@ -57,7 +66,8 @@ class Traffic {
       motion.stop.add(motion.position);
       motion.plan = motion.stop;
     }
-    obstacles_[0].position.y() = 1.0 + 0.2 * time;
+    for (std::size_t i = 0; i < obstacles_.size(); ++i)
+      obstacles_[i].position = starts_[i] + time * obstacles_[i].velocity;
   }
 
   [[nodiscard]] Fleet fleet() const { return fleet_; }
@@ -69,19 +79,23 @@ class Traffic {
   std::vector<FleetMember> fleet_;
   std::vector<MovingObstacle> obstacles_{
       {.position = {9.5, 1.0}, .velocity = {0.0, 0.2}, .radius = 0.3}};
+  std::vector<Eigen::Vector2d> starts_;  // of the obstacles
 };
 
 // What happened in the cycles of a run.
 struct Cycles {
   int without_plan = 0;      // cycles that neither made nor took over a plan
   bool met_a_robot = false;  // whether another robot was considered
+  Pose2 end;                 // of the robot
 };
 
 // Drives `navigator` for 15 s. `sense` is called in each cycle, and counted.
 template <typename Navigator>
-Cycles drive(Navigator& navigator, const std::function<void(double, const Pose2&)>& sense) {
+Cycles drive(Navigator& navigator,
+             const std::function<void(double, const Pose2&)>& sense,
+             Others others = Others::Robots) {
   Cycles result;
-  Traffic traffic;
+  Traffic traffic(others);
   Pose2 robot{.position = {1.5, 2.5}, .heading = 0.0};
   for (int cycle = 0; cycle < 150; ++cycle) {
     const double time = 0.1 * cycle;
@@ -104,6 +118,7 @@ Cycles drive(Navigator& navigator, const std::function<void(double, const Pose2&
     }
     robot = step(robot, now.command, 0.1, Integration::Midpoint);
   }
+  result.end = robot;
   return result;
 }
 
@@ -163,6 +178,42 @@ TEST(Facades, CyclesWithoutAMapAndWithoutAPlanDoNotAllocate) {
   });
   EXPECT_GT(cycles.without_plan, 50);
   EXPECT_TRUE(cycles.met_a_robot);
+}
+
+// Settings with and without the plan in space and time. Where it acts, the robot ends elsewhere.
+Settings among_people(double space_time_horizon) {
+  Settings settings;
+  settings.tracking.space_time_horizon = space_time_horizon;
+  return settings;
+}
+
+TEST(Facades, CyclesOnAMapAmongPeopleDoNotAllocate) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  const auto run = [](double space_time_horizon) {
+    MapNavigator navigator(among_people(space_time_horizon), hall());
+    navigator.set_goal(kBehindTheDoor);
+    return drive(
+        navigator, [](double /*time*/, const Pose2& /*robot*/) {}, Others::People);
+  };
+  const Cycles cycles = run(6.0);
+  EXPECT_GT(cycles.without_plan, 100);
+  EXPECT_NE(cycles.end.position, run(0.0).end.position) << "no plan in space and time was made";
+}
+
+TEST(Facades, CyclesWithoutAMapAmongPeopleDoNotAllocate) {
+  if (!test::AllocationGuard::available) GTEST_SKIP() << "a sanitizer owns malloc";
+  const auto run = [](double space_time_horizon) {
+    MaplessNavigator navigator(among_people(space_time_horizon), {1.5, 2.5});
+    navigator.set_goal(kBehindTheDoor);
+    Scanner scanner{BitGrid(hall())};
+    const auto sense = [&](double time, const Pose2& robot) {
+      navigator.observe(scanner.scan(time, robot), robot.position);
+    };
+    return drive(navigator, sense, Others::People);
+  };
+  const Cycles cycles = run(6.0);
+  EXPECT_GT(cycles.without_plan, 50);
+  EXPECT_NE(cycles.end.position, run(0.0).end.position) << "no plan in space and time was made";
 }
 
 TEST(Facades, CyclesWithZonesAndOnHoldDoNotAllocate) {

@@ -25,7 +25,7 @@ OccupancyGrid room() {
   return map;
 }
 
-// A base that does what it is told, and what it did.
+// A base that executes its commands, and a record of its motion.
 struct Base {
   MapNavigator navigator;
   Pose2 robot;

@@ -48,7 +48,7 @@ TEST(ReedsShepp, KnowsTheShortestPathsOfTextbooks) {
   const double quarter = 0.5 * std::numbers::pi;
   EXPECT_NEAR(reeds_shepp_length(origin, {.position = {2.0, 2.0}, .heading = quarter}, 2.0),
               2.0 * quarter, 1e-9);
-  // Turning round where it stands: three arcs of a sixth of a turn each.
+  // Turning around at a standstill: three arcs of a sixth of a turn each.
   const Pose2 round{.heading = std::numbers::pi};
   EXPECT_NEAR(reeds_shepp_length(origin, round, 1.0), std::numbers::pi, 1e-9);
 }

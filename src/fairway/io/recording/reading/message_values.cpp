@@ -6,7 +6,7 @@
 #include <string>
 
 #include "fairway/io/base64.hpp"
-#include "fairway/io/recording/exact_zones.hpp"
+#include "fairway/io/recording/exact/exact_zones.hpp"
 #include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 
 // The contents of single messages of a recording. Like `exact`, these throw
 // nlohmann::json::exception or std::invalid_argument where a value is missing or wrong.

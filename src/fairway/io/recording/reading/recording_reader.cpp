@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fairway/io/mcap/mcap_reader.hpp"
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/recording/fleet_ledger.hpp"
 #include "fairway/io/recording/foxglove_json.hpp"
 #include "fairway/io/recording/reading/message_values.hpp"
@@ -94,29 +94,36 @@ class Player {
   }
 
   void scenario(const Json& json) {
-    if (started_) return more_robots(json);
+    if (started_) return changed_scenario(json);
     const Scenario scenario = to_scenario(json, map_message_);
     lidar_ = scenario.sensing.sensing == Sensing::Lidar;
     frame_ = scenario.map.frame();
-    count(scenario);
+    note_bodies(scenario);
+    robots_ = scenario.robots.size();
+    zones_ = json.value("zones", Json::array());
     started_ = true;
     observer_.on_start(scenario);
   }
 
-  void count(const Scenario& scenario) {
-    robots_ = scenario.robots.size();
+  void note_bodies(const Scenario& scenario) {
     of_body_.clear();
     for (const RobotTask& robot : scenario.robots)
       of_body_.push_back(robot.model.has_value());
   }
 
-  // A later scenario has the robots of the running world; their number never decreases.
-  void more_robots(const Json& json) {
+  // A later scenario has the robots and the zones of the running world; the number of robots never
+  // decreases.
+  void changed_scenario(const Json& json) {
     const Scenario scenario = to_scenario(json, map_message_);
+    const double time = exact::to_number(json.at("time"));
     if (scenario.robots.size() < robots_) throw std::invalid_argument("expected every robot");
-    count(scenario);
+    note_bodies(scenario);
     told_navigators_ = false;
-    observer_.on_robots(exact::to_number(json.at("time")), scenario.robots);
+    if (scenario.robots.size() > robots_) observer_.on_robots(time, scenario.robots);
+    robots_ = scenario.robots.size();
+    Json zones = json.value("zones", Json::array());
+    if (zones != zones_) observer_.on_zones(time, scenario.zones);
+    zones_ = std::move(zones);
   }
 
   void navigators(const Json& json) {
@@ -232,6 +239,7 @@ class Player {
   EpisodeObserver& observer_;
   std::map<std::string, std::uint32_t> next_;  // number of the next message of a topic
   Json map_message_;
+  Json zones_;  // of the last scenario
   std::map<int, BitGrid> grids_;
   GridFrame frame_;  // of the scenario's map
   FleetReader fleet_;

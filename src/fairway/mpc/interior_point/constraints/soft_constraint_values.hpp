@@ -58,8 +58,8 @@ FAIRWAY_LANES void evaluate_soft_constraints(const Workspace& w, Point& point) n
   }
 }
 
-/// Admits watched constraint i if it is near at `w.now`, where it has value `value`: swaps it with
-/// the first watched one and initialises it at `mu`.
+/// Admits watched constraint i if it is near at `w.now`, where it has value `value`. It is swapped
+/// with the first watched one and initialised at `mu`.
 template <typename Lanes>
 FAIRWAY_LANES void admit_if_near(Workspace& w,
                                  double mu,

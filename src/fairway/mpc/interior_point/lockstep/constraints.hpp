@@ -230,8 +230,8 @@ FAIRWAY_LANES void linearise_near(Lockstep& s,
   }
 }
 
-/// Effect of the Newton step on all constraints: the greatest share of a slack that it would use
-/// up, and the slope of their part of the barrier function.
+/// Effect of the Newton step on all constraints. It holds the greatest share of a slack that the
+/// step would use up, and the slope of their part of the barrier function.
 template <typename Lanes>
 struct StepEffect {
   Lanes used = 0.0;

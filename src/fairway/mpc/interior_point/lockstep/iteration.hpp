@@ -152,8 +152,8 @@ inline bool is_best_known(const Lockstep& s, std::size_t i) noexcept {
   return true;
 }
 
-/// Gives up active starts that will end where another one does, or the best solution known; and
-/// those that will end worse.
+/// Gives up active starts that will end worse, or where another start or the best known solution
+/// does.
 inline void give_up(Lockstep& s, const std::array<Outlook, kStarts>& outlooks) noexcept {
   for (std::size_t i = 0; i < kStarts; ++i) {
     StartState& start = s.starts[i];

@@ -58,7 +58,7 @@ command_gradient(const Workspace& w, const FourPoints& p, std::size_t j, std::si
                 w.change_weight[j][k + 1] * next_change);
 }
 
-/// Computes the costate backwards, and from it the curvature of the dynamics and the gradient of
+/// Computes the costate backwards. From it follow the curvature of the dynamics and the gradient of
 /// the cost by the commands, Eq. (S6).
 /// @return The stationarity of each start.
 template <typename Lanes>

@@ -14,8 +14,8 @@ template <typename Lanes>
 [[nodiscard]] FAIRWAY_LANES bool riccati_backward(Workspace& w, double damping) noexcept {
   constexpr double kLeastPivot = 1e-9;  // smaller pivots count as not positive
   double slope = 0.0;
-  // Cost to go as a function of the pose after step k, and of its command through the change after
-  // it.
+  // Cost to go as a function of the pose after step k. Through the change after it, it also depends
+  // on the command of step k.
   Lanes vx = w.stages[w.horizon - 1].pose_x;
   Lanes vy = w.stages[w.horizon - 1].pose_y;
   Lanes vh = w.stages[w.horizon - 1].pose_heading;

@@ -122,8 +122,8 @@ struct Model {
   std::array<StepArray, 2> gradient;  ///< of the cost by the commands
 };
 
-/// One step of the Newton system in the coordinates of docs/solver.md section 3: rows of matrices
-/// over (x, y, heading), with the gradient in the last lane.
+/// One step of the Newton system, in the coordinates of docs/solver.md section 3. It holds rows of
+/// matrices over (x, y, heading), with the gradient in the last lane.
 struct Stage {
   Pack4d pose_x, pose_y, pose_heading;  ///< Hessian by the pose after the step
   Pack4d linear, angular;               ///< Hessian by the command and the pose before the step

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/io/recording/scenario_archive.hpp"
+#include "fairway/io/recording/exact/scenario_archive.hpp"
 
 #include <cstdint>
 #include <sstream>
@@ -8,7 +8,7 @@
 
 #include "fairway/io/mcap/mcap_format.hpp"
 #include "fairway/io/number_text.hpp"
-#include "fairway/io/recording/exact_zones.hpp"
+#include "fairway/io/recording/exact/exact_zones.hpp"
 #include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/io/recording/exact_zones.hpp"
+#include "fairway/io/recording/exact/exact_zones.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fairway/io/number_text.hpp"
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 
 namespace fairway::io::exact {
 

@@ -5,7 +5,7 @@
 
 #include "fairway/base/contract.hpp"
 #include "fairway/io/base64.hpp"
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/map/occupancy_grid.hpp"
 
 namespace fairway::io::exact {

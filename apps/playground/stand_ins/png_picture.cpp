@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes maps by Emscripten's stb_image, in place of GraphicsMagick. Of 16 bits a channel it
-// keeps 8.
-#include "fairway/io/maps/map_image.hpp"
+// Decodes PNG pictures by Emscripten's stb_image, in place of GraphicsMagick. Of 16 bits a channel
+// it keeps 8.
+#include "fairway/io/maps/png_picture.hpp"
 
 #include <stb_image.h>
 
@@ -10,9 +10,7 @@
 
 #include <fmt/core.h>
 
-#include "fairway/io/maps/pgm_picture.hpp"
 #include "fairway/io/maps/png_check.hpp"
-#include "fairway/map/occupancy_grid.hpp"
 
 namespace fairway::io {
 
@@ -21,6 +19,8 @@ namespace {
 struct Free {
   void operator()(stbi_uc* pixels) const noexcept { stbi_image_free(pixels); }
 };
+
+}  // namespace
 
 Expected<MapImage> decode_png(std::string_view bytes, const std::string& name) {
   const Expected<CheckedPng> checked = check_png(bytes, name);
@@ -46,25 +46,6 @@ Expected<MapImage> decode_png(std::string_view bytes, const std::string& name) {
     image.opaque.push_back(pixel[3] == kMost);
   }
   return image;
-}
-
-}  // namespace
-
-std::optional<std::string> wrong_size(std::int64_t width, std::int64_t height) {
-  constexpr std::int64_t kSide = OccupancyGrid::kMaxSide;
-  if (width >= 1 && height >= 1 && width <= kSide && height <= kSide &&
-      width * height <= kMaxMapCells) {
-    return std::nullopt;
-  }
-  return fmt::format("expected 1 to {} pixels a side and at most {} in all, found {} x {}", kSide,
-                     kMaxMapCells, width, height);
-}
-
-Expected<MapImage> decode_map_image(std::string_view bytes, const std::string& name) {
-  if (bytes.starts_with("P5") || bytes.starts_with("P2")) return decode_pgm(bytes, name);
-  if (bytes.starts_with(kPngSignature)) return decode_png(bytes, name);
-  return fail(fmt::format("{}: expected a PGM (P5 or P2) or PNG picture, found {}", name,
-                          bytes.empty() ? "an empty file" : "another format"));
 }
 
 }  // namespace fairway::io

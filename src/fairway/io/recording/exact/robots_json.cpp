@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/io/recording/robots_json.hpp"
+#include "fairway/io/recording/exact/robots_json.hpp"
 
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 #include "fairway/io/scenario/robot_model_file.hpp"
 
 namespace fairway::io {

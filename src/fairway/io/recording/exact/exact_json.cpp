@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/io/recording/exact_json.hpp"
+#include "fairway/io/recording/exact/exact_json.hpp"
 
 #include <algorithm>
 #include <bit>
