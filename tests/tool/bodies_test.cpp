@@ -136,5 +136,28 @@ TEST_F(Bodies, RefusesParkingCasesThatAreNone) {
   }
 }
 
+constexpr const char* kCar =
+    "kind: car\nlength: 1.0\nwidth: 0.5\nreference_to_front: 0.8\nwheelbase: 0.6\n"
+    "steering_max: 0.6\nsteering_rate_max: 1.0\nlinear_min: -0.5\nlinear_max: 1.0\n"
+    "angular_max: 1.5\nlinear_acceleration: 0.8\nangular_acceleration: 3.0\n";
+
+// The plans of a body are not in the recording: the replay makes them again.
+TEST_F(Bodies, ARunIsRecordedAndReplayedToTheBit) {
+  folder_.write("car.yaml", kCar);
+  const std::string drive =
+      "simulate --map room.yaml --start 1.5,1,0 --goal 6.5,3,0 --body car.yaml ";
+  for (const std::string sensing : {"map", "lidar"}) {
+    const ToolRun run =
+        run_tool(folder_, drive + "--sensing " + sensing + " --log run.mcap --report run.html");
+    EXPECT_EQ(run.code, 0) << run.err << run.out;
+    const ToolRun replay = run_tool(folder_, "replay run.mcap");
+    EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+  }
+  const ToolRun threads = run_tool(folder_, drive + "--set planning.background=true --log a.mcap");
+  EXPECT_EQ(threads.code, 2);
+  EXPECT_NE(threads.err.find("--log: expected planning.background false"), std::string::npos)
+      << threads.err;
+}
+
 }  // namespace
 }  // namespace fairway::test

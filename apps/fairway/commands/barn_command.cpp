@@ -95,10 +95,7 @@ Expected<BarnOptions> BarnCommand::options() const {
     if (!model) return tl::unexpected(model.error());
     options.model = *model;
     note_input(body);
-    if (sensing != "map" || physics != "unicycle")
-      return fail("--body: expected --sensing map and --physics unicycle, found others");
-    if (!outputs.log.empty())
-      return fail("--body: expected no --log, since such a run cannot be replayed; found one");
+    if (physics != "unicycle") return fail("--body: expected --physics unicycle, found " + physics);
   }
   options.seed = static_cast<std::uint64_t>(seed);
   return options;

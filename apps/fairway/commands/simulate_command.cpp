@@ -138,9 +138,9 @@ Expected<Scenario> SimulateCommand::load() const {
     describe_models(*loaded);
   }
   if (const auto fits = check_models(*loaded); !fits) return tl::unexpected(fits.error());
-  if (has_models(*loaded) && !outputs.log.empty())
+  if (has_models(*loaded) && !outputs.log.empty() && loaded->settings.planning.background)
     return fail(
-        "--log: expected robots without a body of their own, found one: it cannot be replayed");
+        "--log: expected planning.background false with robots of their own body, found true");
   if (seed) loaded->seed = static_cast<std::uint64_t>(*seed);
   if (time_limit) loaded->time_limit = *time_limit;
   return loaded;

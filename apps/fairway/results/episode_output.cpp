@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "fairway/geometry/body_outline.hpp"
 #include "fairway/io/drawing/speed_picture.hpp"
 #include "fairway/io/drawing/world_picture.hpp"
 #include "fairway/planning/body_obstruction.hpp"
@@ -219,6 +220,8 @@ Expected<std::string> world_picture(const Scenario& scenario,
                               .path = plan.path,
                               .corridor = plan.corridor,
                               .track = {}});
+    if (const auto& model = scenario.robots[i].model)
+      drawing.robots.back().outlines = outlines_of(model->body);
   }
   for (const TraceRow& row : result.trace.rows)
     drawing.robots[row.robot].track.push_back(row.pose);

@@ -31,6 +31,8 @@ export interface RobotTask {
   start: [number, number, number];
   goal: number[];
   idle?: boolean;
+  /** The true outline in the robot's frame, of a robot with a body of its own: polygons. */
+  outline?: [number, number][][];
 }
 
 /** The constant data from the beginning of a run. */

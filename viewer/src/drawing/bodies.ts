@@ -50,7 +50,10 @@ export function drawRobot(pen: Pen, pose: Pose, robot: RobotFrame, index: number
   if (robot.absent) return;
   const fill = robot.collided ? theme.fault : color;
   const { length, width, discs } = run.body;
-  if (discs.length > 0 && radius === run.radius) {
+  const outline = radius === run.radius ? run.begin.robots[index]?.outline : undefined;
+  if (outline) {
+    pen.polygons(pose, outline);
+  } else if (discs.length > 0 && radius === run.radius) {
     pen.disc(pose, radius);
     pen.stroke(fill, 1, 0.6);
     pen.discs(pose, discs);
@@ -68,7 +71,8 @@ export function drawRobot(pen: Pen, pose: Pose, robot: RobotFrame, index: number
     x: pose.x + distance * Math.cos(pose.heading + turn),
     y: pose.y + distance * Math.sin(pose.heading + turn),
   });
-  const size = discs.length > 0 ? Math.min(...discs.map((d) => d.radius))
+  const size = outline ? Math.min(...outline.flat().map(([, y]) => Math.abs(y)).filter((y) => y > 0.01), radius)
+    : discs.length > 0 ? Math.min(...discs.map((d) => d.radius))
     : length > 0 ? Math.min(length, width) / 2 : radius;
   const arrow = Math.max(size, LEAST_ROBOT / pen.camera.scale);
   pen.trace([ahead(0.82 * arrow, 0), ahead(0.66 * arrow, 2.4), ahead(0.25 * arrow, Math.PI),

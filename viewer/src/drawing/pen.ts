@@ -42,6 +42,19 @@ export class Pen {
     if (close) this.context.closePath();
   }
 
+  /** Begins one path around several polygons, given in the frame `pose`. */
+  polygons(pose: Pose, polygons: readonly [number, number][][]): void {
+    this.context.beginPath();
+    for (const polygon of polygons) {
+      polygon.forEach(([x, y], i) => {
+        const at = this.at(placed(pose, { x, y }));
+        if (i === 0) this.context.moveTo(at.x, at.y);
+        else this.context.lineTo(at.x, at.y);
+      });
+      this.context.closePath();
+    }
+  }
+
   /** Begins a path around a disc, which is enlarged if it would be too small to see. */
   disc(center: Point, radius: number): void {
     const at = this.at(center);

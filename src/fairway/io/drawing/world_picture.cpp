@@ -109,6 +109,27 @@ void draw_bodies_along(Canvas& canvas,
   }
 }
 
+// The same with the true outline.
+void draw_outlines_along(Canvas& canvas,
+                         const PlotAxes& axes,
+                         const RobotDrawing& robot,
+                         const Color& color) {
+  const Stroke stroke{.color = color.faded(0.55), .width = 0.5};
+  const std::size_t every = std::max<std::size_t>(1, robot.track.size() / 12);
+  std::optional<Vector2d> last;
+  for (std::size_t i = 0; i < robot.track.size(); i += every) {
+    const Pose2& pose = robot.track[i];
+    if (last && (pose.position - *last).norm() < 0.1 * robot.radius) continue;
+    for (const std::vector<Vector2d>& outline : robot.outlines) {
+      std::vector<Vector2d> corners;
+      for (const Vector2d& corner : outline)
+        corners.push_back(axes.at(transform(pose, corner)));
+      canvas.polygon(corners, color.faded(0.10), &stroke);
+    }
+    last = pose.position;
+  }
+}
+
 std::vector<Vector2d> positions(const std::vector<Pose2>& poses) {
   std::vector<Vector2d> result;
   for (const Pose2& pose : poses)
@@ -152,7 +173,11 @@ void draw_robots(Canvas& canvas, const PlotAxes& axes, const WorldDrawing& world
     const RobotDrawing& robot = world.robots[i];
     const RobotColors colors = colors_of(i, count);
     const std::vector<Vector2d> track = positions(robot.track);
-    draw_bodies_along(canvas, axes, track, robot.radius, colors.track);
+    if (robot.outlines.empty()) {
+      draw_bodies_along(canvas, axes, track, robot.radius, colors.track);
+    } else {
+      draw_outlines_along(canvas, axes, robot, colors.track);
+    }
     canvas.line(axes.at(robot.path.waypoints),
                 {.color = colors.path, .width = 1.3, .dash = {4.0, 2.5}});
     canvas.line(axes.at(track), {.color = colors.track, .width = 1.8});

@@ -24,6 +24,8 @@ struct RobotDrawing {
   Path path;
   Corridor corridor;
   std::vector<Pose2> track;  ///< driven poses, equally spaced in time
+  /// True outline in its frame: polygons; empty for one that is drawn as its disc.
+  std::vector<std::vector<Eigen::Vector2d>> outlines{};
 };
 
 /// What is drawn of one moving obstacle.

@@ -38,7 +38,9 @@ Json cycle() {
                       {"wants_plan", "boolean"},
                       {"rectangle", "integer"},
                       {"clearance", "number"},
-                      {"seconds", "number"}});
+                      {"seconds", "number"},
+                      {"lateral", "number"},
+                      {"steering", "number"}});
   Json input = fields({{"time", "number"},
                        {"pose_time", "number"},
                        {"obstacles_time", "number"},

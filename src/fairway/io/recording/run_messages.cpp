@@ -88,8 +88,9 @@ void RunMessages::add_robots(std::span<const RobotTask> tasks) {
     robot.scene = own("/scene", "foxglove.SceneUpdate");
     robot.way = own("/way", "foxglove.SceneUpdate");
     robot.frame = foxglove::kMapFrame;
+    robot.body = tasks[i].model.has_value();
+    if (lidar_ || robot.body) robot.goal = own("/goal", "fairway.Goal");
     if (lidar_) {
-      robot.goal = own("/goal", "fairway.Goal");
       robot.scan = own("/scan", "foxglove.LaserScan");
       robot.lidar = own("/lidar", "fairway.Scan");
       robot.map = own("/map", "foxglove.Grid");
@@ -170,7 +171,7 @@ void RunMessages::on_navigators(double time,
 }
 
 void RunMessages::on_goal(double time, std::size_t robot, const Goal& goal) {
-  if (!lidar_) return;  // the plan contains the goal
+  if (!lidar_ && !robots_.at(robot).body) return;  // the plan contains the goal
   write(robots_.at(robot).goal, time,
         dumped({{"time", exact::to_json(time)}, {"robot", robot}, {"goal", exact::to_json(goal)}}));
 }
@@ -245,6 +246,11 @@ void RunMessages::on_cycle(const NavigationCycle& cycle) {
             {"clearance", exact::to_json(cycle.clearance)},
             {"seconds", exact::to_json(cycle.seconds)},
             {"mark", exact::to_json(cycle.mark)}};
+  const auto add = [&](const char* key, double value) {
+    if (value != 0.0 || std::signbit(value)) json[key] = exact::to_json(value);
+  };
+  add("lateral", step.lateral);
+  add("steering", step.steering);
   if (cycle.input.planning) json["input"]["planning"] = true;
   if (cycle.input.hold) json["input"]["hold"] = true;
   if (cycle.occupied != nullptr) json["occupied"] = tell_cells(time, *cycle.occupied);

@@ -46,8 +46,9 @@ class RunMessages final : public EpisodeObserver {
     std::uint16_t pose = 0;
     std::uint16_t scene = 0;  // what changes every cycle
     std::uint16_t way = 0;    // path, corridor and goal
+    bool body = false;        // it has a model
+    std::uint16_t goal = 0;   // for a robot with a lidar or a model
     // For a robot with a lidar only:
-    std::uint16_t goal = 0;
     std::uint16_t scan = 0;
     std::uint16_t lidar = 0;  // pose and time of the scan
     std::uint16_t map = 0;    // as seen

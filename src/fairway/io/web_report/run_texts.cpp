@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "fairway/geometry/body_outline.hpp"
 #include "fairway/io/recording/message_text.hpp"
 #include "fairway/io/yaml/setting_text.hpp"
 #include "fairway/mpc/solution.hpp"
@@ -64,6 +65,18 @@ Json entry(const char* group, const Value& value, const SettingInfo& info) {
 
 Json point(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); }
 
+// The outline of a robot with a model: a polygon for each of its parts, in the robot's frame.
+Json outline_json(const BodyShape& body) {
+  Json polygons = Json::array();
+  for (const std::vector<Eigen::Vector2d>& outline : outlines_of(body)) {
+    Json polygon = Json::array();
+    for (const Eigen::Vector2d& corner : outline)
+      polygon.push_back(point(corner));
+    polygons.push_back(std::move(polygon));
+  }
+  return polygons;
+}
+
 Json robots_list(std::span<const RobotTask> tasks) {
   Json robots = Json::array();
   for (const RobotTask& task : tasks) {
@@ -74,6 +87,7 @@ Json robots_list(std::span<const RobotTask> tasks) {
          {"start", {task.start.position.x(), task.start.position.y(), task.start.heading}},
          {"goal", std::move(goal)},
          {"idle", task.idle}});
+    if (task.model) robots.back()["outline"] = outline_json(task.model->body);
   }
   return robots;
 }

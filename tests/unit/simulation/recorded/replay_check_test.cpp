@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
+#include "support/robot_presets.hpp"
 
 namespace fairway {
 namespace {
@@ -81,6 +82,28 @@ TEST(ReplayCheck, ReproducesARobotWithALidarFromItsScansAndPoses) {
   EXPECT_EQ(check.cycles(), result.robots[0].cycles + result.robots[1].cycles);
   EXPECT_GT(check.cycles(), 100);
   EXPECT_EQ(check.different(), 0);
+}
+
+// Their plans are not in a recording: they are made again.
+TEST(ReplayCheck, ReproducesRobotsWithABody) {
+  for (const Sensing sensing : {Sensing::Map, Sensing::Lidar}) {
+    Scenario scenario = meeting();
+    scenario.sensing.sensing = sensing;
+    scenario.sensing.lidar.beams = 180;
+    scenario.robots[0].model = test::robot_presets()[0].model;
+    scenario.robots[1].model = test::robot_presets()[2].model;
+    if (sensing == Sensing::Lidar) scenario.robots.resize(1);
+    describe_models(scenario);
+    ReplayCheck check;
+    const EpisodeResult result = run_episode(scenario, {.observer = &check});
+    int cycles = 0;
+    for (const RobotResult& robot : result.robots)
+      cycles += robot.cycles;
+    EXPECT_EQ(check.cycles(), cycles);
+    EXPECT_GT(check.cycles(), 50);
+    EXPECT_EQ(check.different(), 0)
+        << check.first_difference()->time << " s, robot " << check.first_difference()->robot;
+  }
 }
 
 // Plans from a thread arrive in cycles that depend on the machine; the recording has these cycles.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/io/recording/exact/exact_json.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -149,7 +150,7 @@ Json to_json(const Plan& plan) {
           {"stuck_at", to_json(plan.stuck_at)}};
 }
 
-Plan to_plan(const Json& json) {
+Plan to_plan(const Json& json, bool of_body) {
   Plan plan;
   plan.path_status = to_enumerated(json.at("path_status"), PathStatus::InvalidInput);
   plan.corridor_status = to_enumerated(json.at("corridor_status"), CorridorStatus::InvalidInput);
@@ -163,6 +164,14 @@ Plan to_plan(const Json& json) {
   plan.goal = to_goal(json.at("goal"));
   plan.margin = to_number(json.at("margin"));
   plan.stuck_at = to_number(json.at("stuck_at"));
+  if (of_body && plan.corridor.rectangles.empty()) {
+    // It is only shown: a robot with a model makes its plans again.
+    const auto is_place = [](const Eigen::Vector2d& point) { return is_plausible(point); };
+    const auto& points = plan.path.waypoints;
+    if (!std::all_of(points.begin(), points.end(), is_place) || !is_place(plan.goal.position))
+      throw std::invalid_argument("expected a path of plausible points");
+    return plan;
+  }
   if (const auto valid = validate(plan); !valid) throw std::invalid_argument(valid.error().message);
   return plan;
 }

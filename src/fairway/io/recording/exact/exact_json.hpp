@@ -39,7 +39,8 @@ using Json = nlohmann::json;
 [[nodiscard]] Goal to_goal(const Json& json);
 
 [[nodiscard]] Json to_json(const Plan& plan);
-[[nodiscard]] Plan to_plan(const Json& json);
+/// @param of_body  Whether it is of a robot with a model, whose plans have no corridor.
+[[nodiscard]] Plan to_plan(const Json& json, bool of_body = false);
 
 [[nodiscard]] Json to_json(const GridFrame& frame);
 /// @throws std::invalid_argument under the same conditions as OccupancyGrid.

@@ -2,6 +2,7 @@
 #include "fairway/io/recording/exact/robots_json.hpp"
 
 #include "fairway/io/recording/exact/exact_json.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 
 namespace fairway::io {
 
@@ -14,6 +15,7 @@ Json robots_json(std::span<const RobotTask> tasks) {
                       {"start", exact::to_json(task.start)},
                       {"goal", exact::to_json(task.goal)}});
     if (task.idle) robots.back()["idle"] = true;
+    if (task.model) robots.back()["robot"] = robot_model_yaml(*task.model, 0);
   }
   return robots;
 }

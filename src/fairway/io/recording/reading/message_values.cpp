@@ -7,6 +7,7 @@
 
 #include "fairway/io/base64.hpp"
 #include "fairway/io/recording/exact/exact_zones.hpp"
+#include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
 namespace fairway::io {
@@ -62,6 +63,12 @@ SensingModel to_sensing(const Json& json) {
   return model;
 }
 
+RobotModel to_model(const std::string& text) {
+  Expected<RobotModel> parsed = parse_robot_model(text, "robot");
+  if (!parsed) throw std::invalid_argument(parsed.error().message);
+  return *std::move(parsed);
+}
+
 }  // namespace
 
 Settings to_settings(const Json& json) {
@@ -84,6 +91,8 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
                                .idle = task.value("idle", false)});
     if (!is_plausible(scenario.robots.back().start))
       throw std::invalid_argument("expected a robot that starts at a plausible place");
+    if (task.contains("robot"))
+      scenario.robots.back().model = to_model(task.at("robot").get<std::string>());
   }
   for (const Json& item : json.at("bodies")) {
     MovingBody body{.name = item.at("name").get<std::string>(),

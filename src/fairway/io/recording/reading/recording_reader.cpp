@@ -22,6 +22,11 @@ using exact::Json;
 
 constexpr std::size_t kMaxFile = std::size_t{4} << 30U;  // [bytes]
 
+// A number that is 0 where it is left out.
+double optional_number(const Json& json, const char* key) {
+  return json.contains(key) ? exact::to_number(json.at(key)) : 0.0;
+}
+
 // Decodes messages one by one and passes them to the observer.
 class Player {
  public:
@@ -93,10 +98,17 @@ class Player {
     const Scenario scenario = to_scenario(json, map_message_);
     lidar_ = scenario.sensing.sensing == Sensing::Lidar;
     frame_ = scenario.map.frame();
+    note_bodies(scenario);
     robots_ = scenario.robots.size();
     zones_ = json.value("zones", Json::array());
     started_ = true;
     observer_.on_start(scenario);
+  }
+
+  void note_bodies(const Scenario& scenario) {
+    of_body_.clear();
+    for (const RobotTask& robot : scenario.robots)
+      of_body_.push_back(robot.model.has_value());
   }
 
   // A later scenario has the robots and the zones of the running world; the number of robots never
@@ -105,6 +117,7 @@ class Player {
     const Scenario scenario = to_scenario(json, map_message_);
     const double time = exact::to_number(json.at("time"));
     if (scenario.robots.size() < robots_) throw std::invalid_argument("expected every robot");
+    note_bodies(scenario);
     told_navigators_ = false;
     if (scenario.robots.size() > robots_) observer_.on_robots(time, scenario.robots);
     robots_ = scenario.robots.size();
@@ -153,7 +166,7 @@ class Player {
   void plan(const Json& json) {
     if (!told_navigators_) throw std::invalid_argument("expected the settings first");
     observer_.on_plan(exact::to_number(json.at("time")), robot(json),
-                      exact::to_plan(json.at("plan")));
+                      exact::to_plan(json.at("plan"), of_body_.at(robot(json))));
   }
 
   void cycle(const Json& json) {
@@ -180,7 +193,9 @@ class Player {
                  .limit = to_limit(json.at("limit")),
                  .wants_plan = json.at("wants_plan").get<bool>(),
                  .rectangle = json.at("rectangle").get<std::size_t>(),
-                 .plan = prediction ? &*prediction : nullptr},
+                 .plan = prediction ? &*prediction : nullptr,
+                 .lateral = optional_number(json, "lateral"),
+                 .steering = optional_number(json, "steering")},
         .twist = exact::to_twist(json.at("twist")),
         .clearance = exact::to_number(json.at("clearance")),
         .seconds = exact::to_number(json.at("seconds")),
@@ -230,6 +245,7 @@ class Player {
   FleetReader fleet_;
   std::vector<float> ranges_;  // of the next scan
   std::size_t robots_ = 0;
+  std::vector<bool> of_body_;  // per robot: it has a model
   bool lidar_ = false;
   bool started_ = false;
   bool told_navigators_ = false;
