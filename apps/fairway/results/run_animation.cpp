@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/geometry/body_outline.hpp"
 #include "fairway/io/drawing/animation.hpp"
 #include "fairway/io/drawing/world_legend.hpp"
 
@@ -18,14 +19,8 @@ constexpr std::size_t kMostFrames = 180;
 
 // The outline of a robot as polygons in its own frame; none for a single disc in its centre.
 std::vector<std::vector<Vector2d>> outline_of(const Scenario& scenario, const RobotTask& robot) {
+  if (robot.model) return outlines_of(robot.model->body);
   std::vector<std::vector<Vector2d>> polygons;
-  if (robot.model) {
-    for (const ConvexPart& part : robot.model->body.parts()) {
-      if (part.count < 3) continue;
-      polygons.emplace_back(part.vertices.begin(), part.vertices.begin() + part.count);
-    }
-    return polygons;
-  }
   const RobotSettings& body = scenario.settings.robot;
   if (body.length > 0.0 && body.width > 0.0 && body.discs.count == 0) {
     const Vector2d half(0.5 * body.length, 0.5 * body.width);
