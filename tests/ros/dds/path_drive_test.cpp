@@ -72,7 +72,8 @@ Drive drive(const Path& path,
     UnicycleRobot robot = world.robots()[0];
     const double moved = world.time() > 4.0 ? jump : 0.0;
     pilot.set_localisation({.position = {0.0, moved}}, 1e9);
-    pilot.add_odometry(world.time(), robot.pose, robot.twist);
+    pilot.add_odometry(world.time(), robot.pose,
+                       {.linear = robot.twist.linear, .angular = robot.twist.angular});
     robot.pose.position.y() += moved;  // in the map
     if (auto piece = drive.next(robot.pose.position))
       pilot.follow(piece->path, piece->heading, piece->bound);
