@@ -93,8 +93,10 @@ TEST(RobotModelFile, RefusesABodyThatIsNone) {
       refused("{kind: unicycle, length: 1, width: 0.5, sides: 3, " + base + "}").find("sides"),
       std::string::npos);
   EXPECT_NE(refused("{file: nowhere.yaml}").find("nowhere.yaml"), std::string::npos);
-  EXPECT_NE(refused("{kind: unicycle, length: 1, width: 0.5, " + base + "}", "sensing: lidar\n")
-                .find("expected map"),
+  const std::string plain = "{kind: unicycle, length: 1, width: 0.5, " + base + "}";
+  EXPECT_EQ(refused(plain, "sensing: lidar\n"), "");
+  EXPECT_NE(refused(plain, "zones:\n  - {kind: keep_out, polygon: [[2, 0], [3, 0], [3, 1]]}\n")
+                .find("zones: expected none"),
             std::string::npos);
 }
 

@@ -100,7 +100,9 @@ TEST(ReplayCheck, ReproducesRobotsWithABody) {
     for (const RobotResult& robot : result.robots)
       cycles += robot.cycles;
     EXPECT_EQ(check.cycles(), cycles);
-    EXPECT_GT(check.cycles(), 50);
+    // By lidar the person walks into the robot, which has stopped for them.
+    EXPECT_GT(check.cycles(), 20);
+    EXPECT_EQ(result.robots[0].approach, 0.0);
     EXPECT_EQ(check.different(), 0)
         << check.first_difference()->time << " s, robot " << check.first_difference()->robot;
   }
