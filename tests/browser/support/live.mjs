@@ -89,8 +89,13 @@ const cellValue = ([wx, wy]) => {
 /** The value of the true map's cell: 0 free, 1 occupied. */
 export const cellAt = (page, x, y) => page.evaluate(cellValue, [x, y]);
 
-/** Waits until the true map's cell has a value, at most for the time limit of the page. */
-export const cellBecomes = (page, x, y, value) => page.waitForFunction(`(${cellValue})([${x}, ${y}]) === ${value}`);
+/** Waits until the true map's cell has a value, at most for two minutes. */
+export const cellBecomes = async (page, x, y, value) => {
+  for (const end = Date.now() + 120_000; await cellAt(page, x, y) !== value;) {
+    assert.ok(Date.now() < end, `the cell at ${x}, ${y} does not become ${value}`);
+    await page.waitForTimeout(30);
+  }
+};
 
 /** Pauses the world, and waits until the page shows it. */
 export const pause = async (page) => {

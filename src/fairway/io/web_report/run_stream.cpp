@@ -275,7 +275,9 @@ void RunStream::on_world(const WorldView& world) {
     robots_at_.push_back(robot.pose.position);
   std::string fields;
   CompactFields out(fields);
-  out.time(world.time);
+  // A paused world is told at the time of its last cycles, so that a step still shows a new time.
+  if (!paused_) told_time_ = world.time;
+  out.time(told_time_);
   append_obstacles(out, world.bodies);
   out.count(world.robots.size());
   for (std::size_t i = 0; i < world.robots.size(); ++i) {

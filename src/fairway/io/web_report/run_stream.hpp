@@ -84,6 +84,7 @@ class RunStream final : public EpisodeObserver {
   std::vector<std::string> scans_;          // by robot: the newest, until it is written
   bool lidar_ = false;
   bool paused_ = false;        // whether the world is shown between two cycles
+  double told_time_ = 0.0;     // of the newest time step [s]
   std::string newest_world_;   // record of the newest time step
   std::string newest_cycles_;  // records of its cycles and scans
 };
