@@ -6,11 +6,11 @@
 
   const drop = async (files) => {
     const zip = files.find((file) => /\.zip$/i.test(file.name));
-    if (zip) return playground.begin(await playground.unzip(await bytes(zip)));
+    if (zip) return playground.begin(Object.entries(await playground.unzip(await bytes(zip))));
     const texts = await Promise.all(files.filter((file) => /\.ya?ml$/i.test(file.name)).map((file) => file.text()));
     if (texts.some((text) => /^robots:/m.test(text))) {
       const named = await Promise.all(files.map(async (file) => [file.name, await bytes(file)]));
-      return playground.begin(Object.fromEntries(named));
+      return playground.begin(named);
     }
     const list = new DataTransfer();
     for (const file of files) list.items.add(file);

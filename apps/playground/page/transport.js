@@ -94,17 +94,25 @@ const playground = (() => {
     return found;
   };
 
-  /** Begins with a scenario and its files, given by name; without files with the built-in maps. */
-  const begin = (given = {}) => {
+  /**
+   * Begins with a scenario and its files, [name, content] each; without files with the built-in maps.
+   * The scenario and its map may have the same name.
+   */
+  const begin = (given = []) => {
     const here = {};
-    let yaml = '';
-    for (const [name, content] of Object.entries(given)) {
-      const short = name.slice(name.lastIndexOf('/') + 1);
-      // A scenario may name its map with a folder or without.
-      for (const path of [short, `maps/${short}`]) here[`/scenario/${path}`] = content;
-      if (/\.ya?ml$/i.test(short) && /^robots:/m.test(new TextDecoder().decode(content))) yaml = `/scenario/${short}`;
+    const short = (name) => name.slice(name.lastIndexOf('/') + 1);
+    const isScenario = ([name, content]) => /\.ya?ml$/i.test(name) && /^robots:/m.test(new TextDecoder().decode(content));
+    const scenario = given.find(isScenario);
+    if (given.length > 0 && !scenario) throw new Error('expected a scenario with robots');
+    const yaml = scenario ? `/scenario/${short(scenario[0])}` : '';
+    // A scenario may name its map with a folder or without.
+    for (const [name, content] of given) {
+      for (const path of [short(name), `maps/${short(name)}`]) here[`/scenario/${path}`] = content;
     }
-    if (Object.keys(given).length > 0 && !yaml) throw new Error('expected a scenario with robots');
+    for (const [name, content] of given) {
+      if (!isScenario([name, content])) here[`/scenario/maps/${short(name)}`] = content;
+    }
+    if (scenario) here[yaml] = scenario[1];
     worker.postMessage({ do: 'begin', files: here, scenario: yaml });
   };
 
@@ -134,9 +142,9 @@ const playground = (() => {
     const wasm = await through(bytesOf(text('world')), new DecompressionStream('gzip'));
     worker.postMessage({ do: 'start', wasm: wasm.buffer }, [wasm.buffer]);
     const [, hash] = /^#scenario=([\w-]+)$/.exec(location.hash) ?? [];
-    let given = {};
+    let given = [];
     try {
-      if (hash) given = await linked(hash);
+      if (hash) given = Object.entries(await linked(hash));
       begin(given);
     } catch (error) {
       begin();
