@@ -13,6 +13,7 @@
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 #include "support/free_poses.hpp"
+#include "support/idle_solver.hpp"
 
 namespace fairway {
 namespace {
@@ -57,22 +58,6 @@ class RecklessSolver final : public ControlSolver {
 
   test::Random random_;
   Twist2 aim_;
-  MpcSolution solution_;
-};
-
-// A solver that never moves.
-class IdleSolver final : public ControlSolver {
- public:
-  const MpcSolution& solve(const ControlProblem& problem,
-                           const InitialGuess& /*guess*/) noexcept override {
-    solution_ = MpcSolution{};
-    solution_.status = SolveStatus::Solved;
-    solution_.horizon = problem.horizon;
-    solution_.poses.fill(problem.start);
-    return solution_;
-  }
-
- private:
   MpcSolution solution_;
 };
 
@@ -177,7 +162,7 @@ TEST(Feasibility, ARobotWithoutProgressSaysSo) {
   constexpr double kBound = 4 * (4.0 + 15.0 + 1.5 + 1.5 + 10.0) + 60.0;  // [s]
   int runs = 0;
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-    IdleSolver solver;
+    test::IdleSolver solver;
     Drive drive;
     if (!start_in_random_world(seed, solver, drive)) continue;
     SCOPED_TRACE("seed " + std::to_string(seed));

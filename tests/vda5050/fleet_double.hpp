@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,12 @@ class FleetDouble {
       action["actionParameters"].push_back({{"key", key}, {"value", value}});
     message["actions"] = json::array({action});
     return message;
+  }
+
+  /// Whether the state has an error of this kind.
+  [[nodiscard]] bool has_error(Fault fault) const {
+    const auto found = errors();
+    return std::find(found.begin(), found.end(), type(fault)) != found.end();
   }
 
   void send(Topic topic, const json& message) { vehicle.receive(topic, message.dump(), time); }

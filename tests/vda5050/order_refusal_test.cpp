@@ -13,11 +13,6 @@ namespace {
 class RefusedOrders : public testing::TestWithParam<ProtocolVersion> {
  protected:
   FleetDouble fleet{GetParam()};
-
-  [[nodiscard]] bool has_error(Fault fault) const {
-    const auto errors = fleet.errors();
-    return std::find(errors.begin(), errors.end(), fleet.type(fault)) != errors.end();
-  }
 };
 
 INSTANTIATE_TEST_SUITE_P(Versions,
@@ -29,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(Versions,
 TEST_P(RefusedOrders, AreRefusedWhileAnotherOneIsActive) {
   fleet.send_order({});
   fleet.send_order({.id = "other"});
-  EXPECT_TRUE(has_error(Fault::OtherOrderActive));
+  EXPECT_TRUE(fleet.has_error(Fault::OtherOrderActive));
   const json state = fleet.state();
   EXPECT_EQ(state["orderId"], "lanes");
   EXPECT_EQ(state["errors"][0]["errorReferences"][0]["referenceValue"], "other");
@@ -37,7 +32,7 @@ TEST_P(RefusedOrders, AreRefusedWhileAnotherOneIsActive) {
 
 TEST_P(RefusedOrders, AreRefusedFarFromTheirFirstNode) {
   fleet.send_order({.first = 1, .nodes = 2, .released = 2});
-  EXPECT_TRUE(has_error(Fault::StartNode));
+  EXPECT_TRUE(fleet.has_error(Fault::StartNode));
   EXPECT_EQ(fleet.state()["orderId"], "");
 }
 
@@ -45,7 +40,7 @@ TEST_P(RefusedOrders, OfAnotherMapAreRefused) {
   json order = fleet.lanes({});
   order["nodes"][2]["nodePosition"]["mapId"] = "roof";
   fleet.send(Topic::Order, order);
-  EXPECT_TRUE(has_error(Fault::UnknownMap));
+  EXPECT_TRUE(fleet.has_error(Fault::UnknownMap));
 }
 
 TEST_P(RefusedOrders, WithoutAPathAreRefused) {
@@ -53,7 +48,7 @@ TEST_P(RefusedOrders, WithoutAPathAreRefused) {
     return std::optional<std::size_t>(route.legs.size() - 1);
   });
   fleet.send_order({});
-  EXPECT_TRUE(has_error(Fault::NoRoute));
+  EXPECT_TRUE(fleet.has_error(Fault::NoRoute));
   EXPECT_EQ(fleet.state()["errors"][0]["errorReferences"][2]["referenceValue"], "n3");
 }
 
@@ -61,7 +56,7 @@ TEST_P(RefusedOrders, RefuseAnOldUpdateAndDriveOn) {
   fleet.send_order({.update = 0, .nodes = 4, .released = 2});
   fleet.send_order({.update = 2, .first = 1, .nodes = 2, .released = 2});
   fleet.send_order({.update = 1, .first = 1, .nodes = 2, .released = 2});
-  EXPECT_TRUE(has_error(Fault::OutdatedUpdate));
+  EXPECT_TRUE(fleet.has_error(Fault::OutdatedUpdate));
   EXPECT_TRUE(fleet.vehicle.may_drive());
   EXPECT_EQ(fleet.state()["orderUpdateId"], 2);
 }
@@ -69,7 +64,7 @@ TEST_P(RefusedOrders, RefuseAnOldUpdateAndDriveOn) {
 TEST_P(RefusedOrders, RefuseAnUpdateThatDoesNotBeginAtTheEndOfTheBase) {
   fleet.send_order({.nodes = 4, .released = 2});
   fleet.send_order({.update = 1, .first = 3, .nodes = 2, .released = 2});
-  EXPECT_TRUE(has_error(Fault::Stitching));
+  EXPECT_TRUE(fleet.has_error(Fault::Stitching));
   EXPECT_EQ(fleet.state()["orderUpdateId"], 0);
 }
 
@@ -84,9 +79,9 @@ TEST_P(RefusedOrders, KeepARefusalUntilAnOrderIsAccepted) {
 TEST_P(RefusedOrders, AreNotTakenInManualMode) {
   fleet.vehicle.set_mode(OperatingMode::Manual);
   fleet.send_order({});
-  EXPECT_TRUE(has_error(Fault::NotAvailable));
+  EXPECT_TRUE(fleet.has_error(Fault::NotAvailable));
   fleet.vehicle.set_mode(OperatingMode::Automatic);
-  EXPECT_FALSE(has_error(Fault::NotAvailable));
+  EXPECT_FALSE(fleet.has_error(Fault::NotAvailable));
 }
 
 // One change of a sound order, and the refusal that it must cause.

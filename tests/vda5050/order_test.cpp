@@ -12,11 +12,6 @@ namespace {
 class Orders : public testing::TestWithParam<ProtocolVersion> {
  protected:
   FleetDouble fleet{GetParam()};
-
-  [[nodiscard]] bool has_error(Fault fault) const {
-    const auto errors = fleet.errors();
-    return std::find(errors.begin(), errors.end(), fleet.type(fault)) != errors.end();
-  }
 };
 
 INSTANTIATE_TEST_SUITE_P(Versions,
@@ -124,7 +119,7 @@ TEST_P(Orders, NameTheEdgeWhoseCorridorIsLeft) {
   fleet.send_order({});
   fleet.drive(0.0, 1.0);
   fleet.move_to({1.0, 0.6});
-  EXPECT_TRUE(has_error(Fault::OutsideCorridor));
+  EXPECT_TRUE(fleet.has_error(Fault::OutsideCorridor));
   EXPECT_FALSE(fleet.vehicle.may_drive());
   const json error = fleet.state()["errors"][0];
   EXPECT_EQ(error["errorLevel"], fleet.third() ? "CRITICAL" : "WARNING");
@@ -146,7 +141,7 @@ TEST_P(Orders, WaitForAClosedCorridorAndThenGiveUp) {
   wait(0.0, false);
   EXPECT_TRUE(fleet.errors().empty());
   wait(4.0, false);
-  EXPECT_TRUE(has_error(Fault::CorridorClosed));
+  EXPECT_TRUE(fleet.has_error(Fault::CorridorClosed));
   wait(20.0, true);
   EXPECT_EQ(fleet.errors(), std::vector<std::string>{fleet.type(Fault::NodeUnreachable)});
   EXPECT_FALSE(fleet.vehicle.may_drive());

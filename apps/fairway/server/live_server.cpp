@@ -11,8 +11,8 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include "server/foxglove_dialogue.hpp"
-#include "server/http_session.hpp"
 #include "server/live_world.hpp"
+#include "server/network/http_session.hpp"
 #include "server/page_dialogue.hpp"
 #include "server/stop_signal.hpp"
 #include "server/uploads/map_uploads.hpp"

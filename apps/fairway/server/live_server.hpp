@@ -8,7 +8,7 @@
 
 #include "fairway/base/error.hpp"
 #include "server/live_maps.hpp"
-#include "server/origin_check.hpp"
+#include "server/network/origin_check.hpp"
 
 namespace fairway::app {
 

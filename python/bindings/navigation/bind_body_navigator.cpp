@@ -57,17 +57,8 @@ Step update_body(SharedBodyNavigator& self,
                  const std::optional<double>& obstacles_time,
                  bool obstacles_due,
                  const std::optional<double>& map_time) {
-  OwnedMeasurements owned{.measurements = {.time = time,
-                                           .pose = pose,
-                                           .pose_time = pose_time,
-                                           .obstacles_time = obstacles_time,
-                                           .obstacles_due = obstacles_due,
-                                           .map_time = map_time},
-                          .obstacles = {},
-                          .motions = {},
-                          .fleet = {}};
-  owned.read(obstacles, py::none());
-  return self.run([&](BodyNavigator& n) { return Step(n.update(owned.measurements)); });
+  return update(self, time, pose, obstacles, py::none(), 0, pose_time, obstacles_time,
+                obstacles_due, map_time);
 }
 
 void bind_robot_model(py::module_& module) {

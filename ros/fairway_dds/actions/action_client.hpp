@@ -16,11 +16,11 @@ template <typename Action>
 class ActionClient {
  public:
   explicit ActionClient(Participant& participant)
-      : send_goal_(participant, topic("send_goal")),
-        cancel_goal_(participant, topic("cancel_goal")),
-        get_result_(participant, topic("get_result")),
-        feedback_(participant, topic("feedback"), {}),
-        status_(participant, topic("status"), kLatched) {}
+      : send_goal_(participant, action_topic<Action>("send_goal")),
+        cancel_goal_(participant, action_topic<Action>("cancel_goal")),
+        get_result_(participant, action_topic<Action>("get_result")),
+        feedback_(participant, action_topic<Action>("feedback"), {}),
+        status_(participant, action_topic<Action>("status"), kLatched) {}
 
   /// Whether a server offers all services and topics of the action.
   [[nodiscard]] bool is_served() const {
@@ -64,10 +64,6 @@ class ActionClient {
   }
 
  private:
-  [[nodiscard]] static std::string topic(const std::string& part) {
-    return std::string(Action::kName) + "/_action/" + part;
-  }
-
   ServiceClient<typename Action::SendGoalRequest, typename Action::SendGoalResponse> send_goal_;
   ServiceClient<action_msgs_srv_dds__CancelGoal_Request_, action_msgs_srv_dds__CancelGoal_Response_>
       cancel_goal_;

@@ -34,17 +34,23 @@ namespace fairway::dds {
           .nanosec = static_cast<std::uint32_t>(nanoseconds % 1'000'000'000)};
 }
 
+/// The name of a topic or service of an action.
+template <typename Action>
+[[nodiscard]] std::string action_topic(const std::string& part) {
+  return std::string(Action::kName) + "/_action/" + part;
+}
+
 /// A server of one ROS 2 action, with the topics and services that ROS 2's clients expect. It
 /// executes one goal at a time: a new one replaces the one before, which is aborted, as in Nav2.
 template <typename Action>
 class ActionServer {
  public:
   explicit ActionServer(Participant& participant)
-      : send_goal_(participant, topic("send_goal")),
-        cancel_goal_(participant, topic("cancel_goal")),
-        get_result_(participant, topic("get_result")),
-        feedback_(participant, topic("feedback"), {}),
-        status_(participant, topic("status"), kLatched) {}
+      : send_goal_(participant, action_topic<Action>("send_goal")),
+        cancel_goal_(participant, action_topic<Action>("cancel_goal")),
+        get_result_(participant, action_topic<Action>("get_result")),
+        feedback_(participant, action_topic<Action>("feedback"), {}),
+        status_(participant, action_topic<Action>("status"), kLatched) {}
 
   /// Handles all requests. @param on_goal  Called with each accepted goal. @param on_cancel  Called
   /// when the active goal was cancelled; it stays active until `end`. @param now  [ns]
@@ -88,10 +94,6 @@ class ActionServer {
     ServiceHeader client;
     bridge::GoalId id;
   };
-
-  [[nodiscard]] static std::string topic(const std::string& part) {
-    return std::string(Action::kName) + "/_action/" + part;
-  }
 
   template <typename OnGoal>
   void take_goal(const typename Action::SendGoalRequest& request,

@@ -9,6 +9,7 @@
 
 #include "bridge/pilot.hpp"
 #include "fairway/simulation/world.hpp"
+#include "support/self_approaching_paths.hpp"
 
 namespace fairway::dds {
 namespace {
@@ -22,17 +23,6 @@ Path dense(const std::vector<Vector2d>& corners) {
     const int pieces = static_cast<int>(std::ceil(line.norm() / 0.05));
     for (int k = 1; k <= pieces; ++k)
       path.waypoints.push_back(corners[i - 1] + line * k / pieces);
-  }
-  return path;
-}
-
-Path figure_eight(double radius) {
-  Path path;
-  for (int i = 0; i <= 400; ++i) {
-    const double turn = 4.0 * std::numbers::pi * i / 400;
-    const double side = i <= 200 ? 1.0 : -1.0;
-    path.waypoints.emplace_back(6.0 + radius * std::sin(turn),
-                                3.0 + side * radius * (1.0 - std::cos(turn)));
   }
   return path;
 }
@@ -90,29 +80,6 @@ Drive drive(const Path& path,
   return result;
 }
 
-// Share of the poses that the robot missed by more than 0.3 m, in the order of the path.
-double missed(const Path& path, const std::vector<Vector2d>& track) {
-  constexpr std::size_t kSoon = 60;  // cycles
-  constexpr std::size_t kEach = 5;   // cycles more for each pose that was missed since
-  std::size_t begin = 0;
-  std::size_t misses = 0;
-  std::size_t since = 0;
-  for (const Vector2d& pose : path.waypoints) {
-    const std::size_t end = std::min(track.size(), begin + kSoon + kEach * since);
-    std::size_t i = begin;
-    while (i < end && (track[i] - pose).norm() > 0.3)
-      ++i;
-    if (i == end) {
-      ++misses;
-      ++since;
-    } else {
-      begin = i;
-      since = 0;
-    }
-  }
-  return static_cast<double>(misses) / static_cast<double>(path.waypoints.size());
-}
-
 TEST(PathDrive, SkipsNoPartOfAPathThatComesNearItself) {
   std::vector<Vector2d> lanes;
   for (int i = 0; i < 4; ++i) {
@@ -127,14 +94,15 @@ TEST(PathDrive, SkipsNoPartOfAPathThatComesNearItself) {
   };
   for (const Case& given :
        {Case{"out and back", dense({{2, 3}, {9, 3}, {2, 3}}), 60.0},
-        Case{"lanes 0.8 m apart", dense(lanes), 120.0}, Case{"figure 8", figure_eight(1.2), 90.0},
+        Case{"lanes 0.8 m apart", dense(lanes), 120.0},
+        Case{"figure 8", test::figure_eight(1.2), 90.0},
         Case{"twice around a square",
              dense({{2, 1}, {5, 1}, {5, 4}, {2, 4}, {2, 1}, {5, 1}, {5, 4}, {2, 4}, {2, 1}}),
              120.0}}) {
     SCOPED_TRACE(given.name);
     const Drive result = drive(given.path, given.seconds);
     EXPECT_TRUE(result.reached);
-    EXPECT_LE(missed(given.path, result.track), 0.02);
+    EXPECT_LE(test::missed_share(given.path, result.track, 0.3), 0.02);
   }
 }
 
@@ -144,7 +112,7 @@ TEST(PathDrive, DrivesALongPathWithoutAStop) {
     path.waypoints.emplace_back(2.0 + 0.1 * i, 3.0 + 0.6 * std::sin(0.06 * i));
   const Drive result = drive(path, 120.0);
   EXPECT_TRUE(result.reached);
-  EXPECT_LE(missed(path, result.track), 0.02);
+  EXPECT_LE(test::missed_share(path, result.track, 0.3), 0.02);
   EXPECT_GT(result.slowest_within, 0.1);
 }
 

@@ -11,6 +11,7 @@
 #include "fairway/simulation/world.hpp"
 #include "nav2_fairway_controller/costmap_conversion.hpp"
 #include "nav2_fairway_controller/path_follower.hpp"
+#include "support/self_approaching_paths.hpp"
 
 namespace fairway::nav2 {
 
@@ -149,25 +150,7 @@ struct Rig {
   /// Returns the share of the path's poses that the robot missed by more than `bound` [m], in the
   /// order of the path. A pose counts as met only at the time of those before it or soon after.
   [[nodiscard]] double missed(const Path& given, double bound) const {
-    constexpr std::size_t kSoon = 60;  // cycles
-    constexpr std::size_t kEach = 5;   // cycles more for each pose that was missed since
-    std::size_t begin = 0;
-    std::size_t misses = 0;
-    std::size_t since = 0;
-    for (const Eigen::Vector2d& pose : given.waypoints) {
-      const std::size_t end = std::min(track.size(), begin + kSoon + kEach * since);
-      std::size_t i = begin;
-      while (i < end && (track[i] - pose).norm() > bound)
-        ++i;
-      if (i == end) {
-        ++misses;
-        ++since;
-      } else {
-        begin = i;
-        since = 0;
-      }
-    }
-    return static_cast<double>(misses) / static_cast<double>(given.waypoints.size());
+    return test::missed_share(given, track, bound);
   }
 
   World world;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paths that come near themselves: no part may be skipped.
+#include "support/self_approaching_paths.hpp"
+
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -22,17 +24,6 @@ Path lanes(int count, double apart) {
   return Rig::dense(corners);
 }
 
-Path figure_eight(double radius) {
-  Path path;
-  for (int i = 0; i <= 400; ++i) {
-    const double turn = 4.0 * std::numbers::pi * i / 400;
-    const double side = i <= 200 ? 1.0 : -1.0;
-    path.waypoints.emplace_back(6.0 + radius * std::sin(turn),
-                                3.0 + side * radius * (1.0 - std::cos(turn)));
-  }
-  return path;
-}
-
 struct Case {
   const char* name;
   Path path;
@@ -46,8 +37,8 @@ TEST_P(SelfApproachingPath, IsDrivenWithoutSkippingAPart) {
   const std::vector<Case> cases{
       {.name = "lanes 0.4 m apart", .path = lanes(6, 0.4), .seconds = 120.0},
       {.name = "lanes 0.8 m apart", .path = lanes(4, 0.8), .seconds = 90.0},
-      {.name = "figure 8 of 1.2 m", .path = figure_eight(1.2), .seconds = 60.0},
-      {.name = "figure 8 of 0.6 m", .path = figure_eight(0.6), .seconds = 60.0},
+      {.name = "figure 8 of 1.2 m", .path = test::figure_eight(1.2), .seconds = 60.0},
+      {.name = "figure 8 of 0.6 m", .path = test::figure_eight(0.6), .seconds = 60.0},
       {.name = "out and back", .path = Rig::dense({{2, 3}, {9, 3}, {2, 3}}), .seconds = 60.0},
       {.name = "twice around a square",
        .path = Rig::dense({{2, 1}, {5, 1}, {5, 4}, {2, 4}, {2, 1}, {5, 1}, {5, 4}, {2, 4}, {2, 1}}),

@@ -10,6 +10,7 @@
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/navigation/status_label.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
+#include "support/idle_solver.hpp"
 
 namespace fairway {
 namespace {
@@ -165,24 +166,8 @@ TEST_F(Statuses, InfeasibleWhenTheSolverHasNoAnswer) {
   EXPECT_EQ(step.command.angular, 0.0);
 }
 
-// A solver that always prefers to stay.
-class Stays final : public ControlSolver {
- public:
-  const MpcSolution& solve(const ControlProblem& problem,
-                           const InitialGuess& /*guess*/) noexcept override {
-    solution_ = MpcSolution{};
-    solution_.status = SolveStatus::Solved;
-    solution_.horizon = problem.horizon;
-    solution_.poses.fill(problem.start);
-    return solution_;
-  }
-
- private:
-  MpcSolution solution_;
-};
-
 TEST_F(Statuses, RecoveringTurnsTowardsThePathWhenARobotIsAtStandstill) {
-  Stays solver;
+  test::IdleSolver solver;
   for (const double heading : {2.5, -2.5, 1.0}) {
     statuses_.clear();
     start({.position = {3.0, 1.1}, .heading = heading}, kBehindTheDoor, &solver);

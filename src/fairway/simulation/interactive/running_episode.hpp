@@ -9,8 +9,8 @@
 #include "fairway/planning/prepared_map.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
+#include "fairway/simulation/interactive/timed_solver.hpp"
 #include "fairway/simulation/robot_driver.hpp"
-#include "fairway/simulation/timed_solver.hpp"
 
 namespace fairway {
 

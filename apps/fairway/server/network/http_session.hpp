@@ -8,7 +8,7 @@
 
 #include "server/foxglove_dialogue.hpp"
 #include "server/live_world.hpp"
-#include "server/origin_check.hpp"
+#include "server/network/origin_check.hpp"
 #include "server/page_dialogue.hpp"
 #include "server/uploads/map_uploads.hpp"
 

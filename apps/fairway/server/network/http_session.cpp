@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/http_session.hpp"
+#include "server/network/http_session.hpp"
 
 #include <chrono>
 #include <memory>
@@ -13,7 +13,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 
 #include "fairway/io/web_report/viewer_page.hpp"
-#include "server/socket_session.hpp"
+#include "server/network/socket_session.hpp"
 
 namespace fairway::app {
 

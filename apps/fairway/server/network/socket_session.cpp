@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/socket_session.hpp"
+#include "server/network/socket_session.hpp"
 
 #include <algorithm>
 #include <chrono>

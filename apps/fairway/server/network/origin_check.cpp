@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/origin_check.hpp"
+#include "server/network/origin_check.hpp"
 
 #include <algorithm>
 
