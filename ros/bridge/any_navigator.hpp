@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -85,6 +86,15 @@ class AnyNavigator {
   }
   [[nodiscard]] bool plan_is_current() const {
     return visit([](const auto& navigator) { return navigator.plan_is_current(); });
+  }
+  /// Why there is no usable plan, with numbers where they are known.
+  [[nodiscard]] std::string why_no_plan() const {
+    return visit([](const auto& navigator) -> std::string {
+      if constexpr (requires { navigator.explanation(); }) {
+        if (!navigator.explanation().empty()) return navigator.explanation();
+      }
+      return navigator.plan().reason();
+    });
   }
   [[nodiscard]] bool follows_new_plan() const {
     return visit([](const auto& navigator) { return navigator.follows_new_plan(); });

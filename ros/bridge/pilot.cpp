@@ -277,7 +277,7 @@ std::string Pilot::reason_of(const NavigationStep& step) const {
   std::string text = to_text(step.status);
   if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
   if (has_planned_ && !navigator_->plan().usable()) {
-    text += std::string(": ") + navigator_->plan().reason();
+    text += ": " + navigator_->why_no_plan();
   }
   return text;
 }

@@ -142,10 +142,15 @@ void NavigationNode::take_robot(const fairway_msgs_msg_dds__SharedMotion_& messa
   const auto frame = find_frame(message.header.frame_id);
   if (message.leaving) {
     pilot_.fleet().forget(name);
+    if (robots_.erase(name) > 0)
+      std::fprintf(stderr, "fairway: robot %s has left\n", one_line(name).c_str());
   } else if (frame) {
-    if (!pilot_.fleet().receive(name, to_motion(message, *frame), now()))
+    if (!pilot_.fleet().receive(name, to_motion(message, *frame), now())) {
       std::fprintf(stderr, "fairway: %s: expected a plausible message with a time that has been\n",
                    one_line(name).c_str());
+    } else if (robots_.insert(name).second) {
+      std::fprintf(stderr, "fairway: receives robot %s\n", one_line(name).c_str());
+    }
   }
 }
 

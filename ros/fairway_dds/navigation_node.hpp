@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "bridge/cycle_clock.hpp"
 #include "bridge/frame_tree.hpp"
 #include "bridge/pilot.hpp"
@@ -107,6 +110,7 @@ class NavigationNode {
   Eigen::Vector2d goal_position_ = Eigen::Vector2d::Zero();  // of the last goal without a path
   bridge::DriveProgress progress_;
   std::string odometry_frame_;
+  std::set<std::string> robots_;  // of the fleet, whose messages have been received
   std::string told_;
   bool scan_came_ = false;  // since the last tick
 };

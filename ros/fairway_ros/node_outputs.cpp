@@ -144,7 +144,7 @@ void NodeOutputs::publish_status(const bridge::Pilot& pilot,
     const Plan& plan = pilot.navigator()->plan();
     add("rectangle", std::to_string(step.rectangle + 1) + " of " +
                          std::to_string(plan.corridor.rectangles.size()));
-    if (!plan.usable() && pilot.has_planned()) add("plan", plan.reason());
+    if (!plan.usable() && pilot.has_planned()) add("plan", pilot.navigator()->why_no_plan());
   }
   status_.publish(status);
 }

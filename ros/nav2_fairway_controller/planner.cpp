@@ -12,22 +12,22 @@ namespace fairway::nav2 {
 namespace {
 
 // Nav2's behaviour trees distinguish these exceptions.
-[[noreturn]] void throw_reason(const Plan& plan) {
+[[noreturn]] void throw_reason(const Plan& plan, const std::string& why) {
   switch (plan.path_status) {
     case PathStatus::StartOutsideMap:
-      throw StartOutsideMap(plan.reason());
+      throw StartOutsideMap(why);
     case PathStatus::GoalOutsideMap:
-      throw GoalOutsideMap(plan.reason());
+      throw GoalOutsideMap(why);
     case PathStatus::StartBlocked:
-      throw StartOccupied(plan.reason());
+      throw StartOccupied(why);
     case PathStatus::GoalBlocked:
-      throw GoalOccupied(plan.reason());
+      throw GoalOccupied(why);
     case PathStatus::Found:
     case PathStatus::NoConnection:
     case PathStatus::InvalidInput:
       break;
   }
-  throw NoValidPath(plan.reason());
+  throw NoValidPath(why);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ nav_msgs::msg::Path FairwayPlanner::plan(
     if (!is_finite(last)) throw NoValidPath("expected a finite goal");
     const Plan leg = planner_.plan(map, from, {.position = last.position, .heading = last.heading},
                                    planner_settings(settings));
-    if (!leg.usable()) throw_reason(leg);
+    if (!leg.usable()) throw_reason(leg, explain(map, from, leg, settings.robot.radius));
     const std::size_t skip = whole.waypoints.empty() ? 0 : 1;  // the legs share this point
     whole.waypoints.insert(whole.waypoints.end(),
                            leg.path.waypoints.begin() + static_cast<std::ptrdiff_t>(skip),

@@ -141,7 +141,7 @@ test('malformed requests and frames end only their own connection', async () => 
     socket.on('error', () => {});
     socket.on('data', () => {});
     socket.write(text);
-    setTimeout(() => socket.destroy(), 200);
+    socket.end();  // the server closes a connection whose request is malformed or incomplete
     await closed(socket);
   }
   const socket = await connect();
@@ -155,7 +155,7 @@ test('clients that disconnect leave no resources behind', async () => {
   for (let i = 0; i < 200; ++i) {
     const socket = new WebSocket(live());
     socket.on('error', () => {});
-    await Promise.race([once(socket, 'open'), new Promise((done) => setTimeout(done, 500))]);
+    if (i % 2 === 0) await once(socket, 'open');  // the others end before the handshake does
     socket.terminate();
   }
   await goesOn();

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "fairway/zones/zone_map.hpp"
 #include "node/leg_strips.hpp"
 
 namespace fairway::vda5050 {
@@ -167,6 +169,31 @@ Zones driving_area(std::span<const RouteLeg> legs,
     area.back().weight = 0.0;
   }
   return area;
+}
+
+BitGrid map_of_area(const BitGrid& map,
+                    Zones area,
+                    const std::optional<Point>& robot,
+                    double body) {
+  if (area.empty()) return map.part(all_cells(map.frame()));
+  auto zones = std::make_shared<const ZoneMap>(std::move(area), body);
+  CellWindow window = kNoCells;
+  // Further away than this, cells change neither a path nor a stop.
+  const double cells = (zones->reach() + body) / map.frame().resolution;
+  const auto add = [&](const Point& point) {
+    const Point at = map.frame().to_grid(point);
+    const auto index = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
+    window = united(window, {.first = {.x = index(at.x() - cells), .y = index(at.y() - cells)},
+                             .last = {.x = index(at.x() + cells), .y = index(at.y() + cells)}});
+  };
+  for (const ZoneReference kind : {ZoneReference::Contour, ZoneReference::Centre}) {
+    for (const ZonePolygon& strip : zones->strips(kind).polygons())
+      std::for_each(strip.corners().begin(), strip.corners().end(), add);
+  }
+  if (!is_empty(window) && robot) add(*robot);
+  BitGrid part = map.part(zones->has_strips() ? window : all_cells(map.frame()));
+  part.set_zones(std::move(zones));
+  return part;
 }
 
 }  // namespace fairway::vda5050

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
-#include "fairway/zones/zone_map.hpp"
 #include "node/approach.hpp"
 #include "node/leg_strips.hpp"
 #include "node/legs_apart.hpp"
@@ -80,10 +79,7 @@ std::optional<std::size_t> RouteDriver::choose_free_lines(std::vector<RouteLeg>&
 
 std::optional<BitGrid> RouteDriver::map_with(Zones zones) const {
   if (!validate(zones)) return std::nullopt;
-  BitGrid map = map_;
-  if (!zones.empty())
-    map.set_zones(std::make_shared<const ZoneMap>(std::move(zones), settings_.robot.radius));
-  return map;
+  return map_of_area(map_, std::move(zones), std::nullopt, settings_.robot.radius);
 }
 
 // A long order is checked in windows, as it is driven. Neighbours share a leg, so that the joint
@@ -167,6 +163,7 @@ void RouteDriver::open_window(const Vehicle& vehicle, const Measurements& m) {
     if (penalties == Penalties::AreAvoided && closed_time_ >= 0.0) continue;
     const Zones area = driving_area(legs, vehicle.zones(), body, behind, penalties);
     if (!validate(area)) continue;
+    navigator_.set_map(map_of_area(map_, area, robot, body));
     navigator_.set_zones(area);
     path = window_path(legs, robot);
     if (!path.closed_leg) break;

@@ -132,24 +132,28 @@ void visit_robot(Settings& s, Visitor&& field) {
   field(s.angular_acceleration_max,
         SettingInfo{"angular_acceleration_max", "rad/s^2",
                     "greatest change of angular speed per second", 0.01, 1000, kEssential});
-  field(
-      s.linear_braking_max,
-      SettingInfo{"linear_braking_max", "m/s^2",
-                  "greatest loss of linear speed per second; 0: linear_acceleration_max", 0, 1000});
+  field(s.linear_braking_max,
+        SettingInfo{"linear_braking_max", "m/s^2",
+                    "greatest loss of linear speed per second; 0: linear_acceleration_max", 0, 1000,
+                    kEssential});
   field(s.angular_braking_max,
         SettingInfo{"angular_braking_max", "rad/s^2",
                     "greatest loss of angular speed per second; 0: angular_acceleration_max", 0,
                     1000});
   field(s.linear_delay,
-        SettingInfo{"linear_delay", "s", "time until a linear command begins to act", 0, 0.6});
+        SettingInfo{"linear_delay", "s", "time until a linear command begins to act", 0, 0.6,
+                    kEssential});
   field(s.angular_delay,
-        SettingInfo{"angular_delay", "s", "time until an angular command begins to act", 0, 0.6});
+        SettingInfo{"angular_delay", "s", "time until an angular command begins to act", 0, 0.6,
+                    kEssential});
   field(s.linear_lag,
         SettingInfo{"linear_lag", "s",
-                    "time constant with which the base's linear speed follows its command", 0, 1});
+                    "time constant with which the base's linear speed follows its command", 0, 1,
+                    kEssential});
   field(s.angular_lag,
         SettingInfo{"angular_lag", "s",
-                    "time constant with which the base's angular speed follows its command", 0, 1});
+                    "time constant with which the base's angular speed follows its command", 0, 1,
+                    kEssential});
 }
 
 }  // namespace fairway

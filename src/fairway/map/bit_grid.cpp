@@ -138,4 +138,29 @@ void BitGrid::copy(const BitGrid& source, const CellWindow& window) noexcept {
   }
 }
 
+BitGrid BitGrid::part(const CellWindow& window) const {
+  const CellWindow inside = clipped(window, frame_);
+  if (is_empty(inside)) return {};
+  GridFrame frame = frame_;
+  frame.width = inside.last.x - inside.first.x + 1;
+  frame.height = inside.last.y - inside.first.y + 1;
+  frame.origin.position = frame_.to_world({inside.first.x + 0.0, inside.first.y + 0.0});
+  BitGrid cells(frame, false);
+  const std::size_t first = word_of(inside.first.x);
+  const auto shift = static_cast<unsigned>(inside.first.x) % 64;
+  const std::uint64_t used = up_to(frame.width - 1);
+  for (int y = 0; y < frame.height; ++y) {
+    const std::span<const std::uint64_t> source = row(inside.first.y + y);
+    std::uint64_t* words = cells.words_.data() + static_cast<std::size_t>(y) * cells.words_per_row_;
+    for (std::size_t w = 0; w < cells.words_per_row_; ++w) {
+      words[w] = source[first + w] >> shift;
+      if (shift != 0 && first + w + 1 < source.size())
+        words[w] |= source[first + w + 1] << (64 - shift);
+    }
+    words[cells.words_per_row_ - 1] &= used;
+  }
+  cells.make_bands();
+  return cells;
+}
+
 }  // namespace fairway

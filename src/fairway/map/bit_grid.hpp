@@ -63,6 +63,11 @@ class BitGrid {
   /// lies in them.
   void copy(const BitGrid& from, const CellWindow& window) noexcept;
 
+  /// Returns the cells of a window as a grid of their own, at the same place in the world and
+  /// without the zones. The window is clipped to this grid; an empty one gives a grid without
+  /// cells.
+  [[nodiscard]] BitGrid part(const CellWindow& window) const;
+
   /// Moves the cells to another place: `origin` is the new world pose of the lower-left corner.
   void move_to(const Pose2& origin) noexcept { frame_.origin = origin; }
 

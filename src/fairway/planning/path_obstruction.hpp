@@ -53,11 +53,4 @@ struct PathObstruction {
                                                               const Plan& plan,
                                                               double radius);
 
-/// Explains why `plan` is not usable, in one sentence with numbers and what could be changed. The
-/// text is empty if the plan is usable. Parameters are as in find_obstruction.
-[[nodiscard]] std::string explain(const PreparedMap& map,
-                                  const Eigen::Vector2d& start,
-                                  const Plan& plan,
-                                  double radius);
-
 }  // namespace fairway

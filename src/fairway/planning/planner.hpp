@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "fairway/base/setting.hpp"
 #include "fairway/corridor/corridor_builder.hpp"
@@ -96,5 +97,14 @@ class Planner {
                              const PlannerHooks& hooks);
   std::unique_ptr<PathPlanner> path_planner_;
 };
+
+/// Explains why `plan` is not usable, in one sentence with numbers and what could be changed. The
+/// text is empty if the plan is usable. It takes O(cells) time and memory; do not call it in a
+/// control cycle.
+/// @param radius  Radius of the disc that the plan had to keep free [m].
+[[nodiscard]] std::string explain(const PreparedMap& map,
+                                  const Eigen::Vector2d& start,
+                                  const Plan& plan,
+                                  double radius);
 
 }  // namespace fairway

@@ -30,7 +30,7 @@ void visit_safety(Settings& s, Visitor&& field) {
         SettingInfo{"longest_hold", "cycles",
                     "longest time from one command to the next that the check of the stop covers, "
                     "in control periods; a later cycle brakes",
-                    1, 20});
+                    1, 20, kEssential});
   field(s.stop_margin,
         SettingInfo{"stop_margin", "m", "clearance beyond the body in the check of the stop", 0, 1,
                     kEssential});

@@ -121,6 +121,11 @@ class DdsTest(unittest.TestCase):
         self.processes.append(process)
         return process
 
+    def output(self, process):
+        """What the process has printed until now."""
+        with open(process.log.name, encoding="utf-8") as log:
+            return log.read()
+
     def send_goal(self, name, goal):
         x, y = goal
         self.start(name, "fairway_dds_goal", "--namespace", name, f"--goal={x},{y}")

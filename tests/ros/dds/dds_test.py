@@ -8,7 +8,6 @@ namespace connects them. The test is skipped where namespaces cannot be made (no
 import math
 import signal
 import sys
-import time
 import unittest
 
 from dds_system import SCENARIOS, SKIPPED, DdsTest, why_no_networks
@@ -24,10 +23,14 @@ class FleetTest(DdsTest):
             start = ",".join(str(value) for value in pose)
             self.start(name, "fairway_dds_simulator", self.path("hall.yaml"), "--namespace", name,
                        f"--start={start}", "--track", self.path(f"{name}.csv"))
-            self.start(name, "fairway_dds_node", "--namespace", name, "--name", name,
-                       "--base-frame", f"{name}/base_link", "--no-scan", "--patience", "60")
+        nodes = {name: self.start(name, "fairway_dds_node", "--namespace", name, "--name", name,
+                                  "--base-frame", f"{name}/base_link", "--no-scan",
+                                  "--patience", "60")
+                 for name in starts}
         self.wait_for(lambda: all(self.track(name) for name in self.names), 30, "the simulators")
-        time.sleep(2.0)  # until all robots have received each other's messages
+        self.wait_for(lambda: all(f"receives robot {other}\n" in self.output(nodes[name])
+                                  for name in starts for other in starts if other != name),
+                      30, "the robots to receive each other's messages")
 
     def finish(self, goals):
         for name, goal in goals.items():

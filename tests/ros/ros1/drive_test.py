@@ -51,6 +51,7 @@ class Robot:
         self.lock = threading.Lock()
         self.commands = []  # (time received, linear, angular)
         self.truth = None
+        self.truth_time = 0.0  # when it was received
         self.contact = None
         self.statuses = []
         rospy.Subscriber("cmd_vel", Twist, self.on_command, tcp_nodelay=True)
@@ -64,6 +65,7 @@ class Robot:
 
     def on_truth(self, message):
         self.truth = message.pose.position
+        self.truth_time = time.monotonic()
 
     def on_contact(self, message):
         self.contact = message.data
@@ -129,7 +131,8 @@ class DriveTest(unittest.TestCase):
 
     def expect_stand(self, begin, seconds):
         """Checks that all commands later than `seconds` after `begin` are exactly zero."""
-        time.sleep(max(0.0, begin + seconds + 0.5 - time.monotonic()))
+        end = begin + seconds + 0.5
+        self.ros.wait_for(lambda: self.robot.truth_time > end, seconds + 20, "the simulator")
         late = self.robot.commands_since(begin + seconds)
         self.assertEqual([c for c in late if c[1] or c[2]], [], "it still moves")
         return late

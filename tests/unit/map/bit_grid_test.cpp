@@ -2,6 +2,7 @@
 #include "fairway/map/bit_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -140,6 +141,51 @@ TEST(BitGrid, CopiesAWindowAndItsBands) {
       ASSERT_TRUE(std::ranges::equal(to.row(y), expected.row(y)));
       const int b = y / BitGrid::kBandRows;
       ASSERT_TRUE(std::ranges::equal(to.band(b), expected.band(b)));
+    }
+  }
+}
+
+TEST(BitGrid, APartHasTheSameCellsAtTheSamePlaces) {
+  test::Random random(12);
+  for (int round = 0; round < 300; ++round) {
+    const GridFrame frame{.width = random.integer(1, 150),
+                          .height = random.integer(1, 30),
+                          .resolution = 0.05,
+                          .origin = {{random.uniform(-9, 9), 2.0}, random.uniform(-3, 3)}};
+    BitGrid grid(frame, false);
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x)
+        grid.set({x, y}, random.chance(0.3));
+    }
+    const CellWindow window{.first = {random.integer(-5, 150), random.integer(-5, 30)},
+                            .last = {random.integer(-5, 155), random.integer(-5, 35)}};
+    const BitGrid part = grid.part(window);
+    const CellWindow inside = clipped(window, frame);
+    EXPECT_EQ(part.frame().width, std::max(0, inside.last.x - inside.first.x + 1) *
+                                      static_cast<int>(!is_empty(inside)));
+    for (int y = 0; y < part.frame().height; ++y) {
+      for (int x = 0; x < part.frame().width; ++x) {
+        const CellIndex cell{inside.first.x + x, inside.first.y + y};
+        ASSERT_EQ(part.blocked({x, y}), grid.blocked(cell));
+        ASSERT_LT((part.frame().center({x, y}) - frame.center(cell)).norm(), 1e-12);
+        ASSERT_EQ(part.any_blocked_in_band(y / BitGrid::kBandRows, x, x), [&] {
+          const int first = y / BitGrid::kBandRows * BitGrid::kBandRows;
+          for (int i = first; i < std::min(first + 8, part.frame().height); ++i) {
+            if (part.blocked({x, i})) return true;
+          }
+          return false;
+        }());
+      }
+    }
+    // Bits past the width stay 0.
+    for (int y = 0; y < part.frame().height; ++y) {
+      int ones = 0;
+      for (const std::uint64_t word : part.row(y))
+        ones += std::popcount(word);
+      int blocked = 0;
+      for (int x = 0; x < part.frame().width; ++x)
+        blocked += static_cast<int>(part.blocked({x, y}));
+      ASSERT_EQ(ones, blocked);
     }
   }
 }

@@ -105,6 +105,10 @@ SharedMotion MapNavigator::share(std::uint32_t robot,
 
 const Settings& MapNavigator::settings() const noexcept { return state_->settings; }
 const Plan& MapNavigator::plan() const noexcept { return state_->navigator->plan(); }
+const std::string& MapNavigator::explanation() const noexcept {
+  return state_->planning->explanation();
+}
+
 bool MapNavigator::plan_is_current() const noexcept { return state_->plan_is_current; }
 bool MapNavigator::follows_new_plan() const noexcept { return state_->follows_new_plan; }
 

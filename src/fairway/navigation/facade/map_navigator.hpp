@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "fairway/map/occupancy_grid.hpp"
 #include "fairway/mpc/solution.hpp"
@@ -137,6 +138,11 @@ class MapNavigator {
 
   /// Returns whether the plan is for the present goal; false between a new goal and its plan.
   [[nodiscard]] bool plan_is_current() const noexcept;
+
+  /// Returns why there is no path, in one sentence with numbers and what could be changed. Empty
+  /// while there is one, and unless `planning.background` is true: without a thread, call `explain`
+  /// outside of the control cycle. A new cause may take eight attempts to appear.
+  [[nodiscard]] const std::string& explanation() const noexcept;
 
   /// Returns whether the last cycle started to follow another plan.
   [[nodiscard]] bool follows_new_plan() const noexcept;

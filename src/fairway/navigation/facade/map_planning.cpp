@@ -42,6 +42,7 @@ void MapPlanning::start(const BitGrid& obstacles, PlanRequest request) {
   worker_.start([this, changed, cells = obstacles] {
     own_map_->update(cells, changed);
     make();
+    make_explanation();
   });
 }
 
@@ -55,10 +56,24 @@ void MapPlanning::make() {
   }
 }
 
+// An explanation reads the whole map, and is therefore not made for every attempt.
+void MapPlanning::make_explanation() {
+  constexpr int kEvery = 8;
+  failures_ = made_->usable() ? 0 : failures_ + 1;
+  if (made_->usable()) explained_.clear();
+  if (failures_ % kEvery != 1) return;
+  try {
+    explained_ = explain(*map_, request_.start, *made_, settings_.radius);
+  } catch (const std::exception&) {  // out of memory
+    explained_ = made_->reason();
+  }
+}
+
 std::optional<Plan> MapPlanning::take() {
   if (!worker_.idle()) {
     if (!worker_.finished()) return std::nullopt;
     worker_.collect();
+    explanation_ = explained_;
   }
   return std::exchange(made_, std::nullopt);
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "fairway/navigation/settings.hpp"
 #include "fairway/planning/background_worker.hpp"
@@ -43,6 +44,10 @@ class MapPlanning {
   /// Returns the plan once it is made.
   [[nodiscard]] std::optional<Plan> take();
 
+  /// Why there is no path, in one sentence with numbers (`explain`); empty after a usable plan. It
+  /// is made in the thread only: it takes time that a control cycle does not have.
+  [[nodiscard]] const std::string& explanation() const noexcept { return explanation_; }
+
   /// Waits until the plan being made is finished.
   void wait() const noexcept { worker_.wait(); }
 
@@ -52,6 +57,7 @@ class MapPlanning {
 
  private:
   void make();
+  void make_explanation();
 
   PlannerSettings wanted_;  // of the next plan
   bool background_;         // for the next plan
@@ -64,6 +70,9 @@ class MapPlanning {
   // The worker's while it runs, like settings_, maps and planners above.
   PlanRequest request_;
   std::optional<Plan> made_;  // the worker's while it runs
+  std::string explained_;     // the worker's while it runs
+  int failures_ = 0;          // plans in a row that were not usable; the worker's while it runs
+  std::string explanation_;
   std::function<double()> clock_;
   double seconds_ = 0.0;
   BackgroundWorker worker_;  // last member: its job ends before the others are destroyed

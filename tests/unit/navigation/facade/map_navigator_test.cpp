@@ -117,6 +117,29 @@ TEST(MapNavigator, PlansInAThread) {
   EXPECT_EQ(drive.step.status, NavigationStatus::GoalReached);
 }
 
+TEST(MapNavigator, ExplainsInTheThreadWhyThereIsNoPath) {
+  TwoRooms rooms;
+  rooms.set_wall(0.0, 8.0, CellState::Occupied);
+  rooms.set_wall(2.0, 2.4, CellState::Free);
+  Settings settings;
+  settings.planning.background = true;
+  MapNavigator navigator(settings, rooms.map);
+  navigator.set_goal(kGoal);
+  Drive drive{navigator};
+  drive.cycle();
+  navigator.wait_for_plan();
+  drive.cycle();
+  EXPECT_EQ(drive.step.status, NavigationStatus::NoPlan);
+  EXPECT_NE(navigator.explanation().find("0.400 m"), std::string::npos) << navigator.explanation();
+  rooms.set_wall(2.0, 3.2, CellState::Free);
+  navigator.update_map(rooms.map, {119, 0}, {121, 159});
+  for (int cycle = 0; cycle < 20 && !navigator.plan().usable(); ++cycle) {
+    drive.cycle();
+    navigator.wait_for_plan();
+  }
+  EXPECT_EQ(navigator.explanation(), "");
+}
+
 TEST(MapNavigator, ANewGoalReplacesTheUnfinishedPlan) {
   const TwoRooms rooms;
   Settings settings;

@@ -108,7 +108,7 @@ FAIRWAY_LANES Lanes admit_near(Lockstep& s, bool start_them, const Lanes& mu, bo
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const std::size_t k = kLanes * b + lane;
         if (k >= w.horizon) break;
-        if ((s.admitted[i] >> lane & 1U) != 0) continue;
+        if ((static_cast<unsigned>(s.admitted[i]) >> lane & 1U) != 0) continue;
         NearSet& near = s.near[k];
         const bool is_side = i < range.barrier;
         NearConstraint& c = near.constraints[is_side ? near.sides : near.end()];
