@@ -108,7 +108,7 @@ class CommandCheck {
 };
 
 /// Called after every cycle; for a look at a single run.
-using Watch = std::function<void(const World&, const NavigationStep&, bool good)>;
+using Watch = std::function<void(const World&, const DrivenCycle&, bool good)>;
 
 /// Drives a run to its end: arrival, contact or time limit.
 [[nodiscard]] inline Outcome drive(const Run& run,
@@ -141,11 +141,12 @@ using Watch = std::function<void(const World&, const NavigationStep&, bool good)
   double interval = 0.0;  // from the last cycle to this one [s]
   while (world.time() < scenario.time_limit && !world.encounters().front().collided) {
     driver->measure(world);
-    const NavigationStep step = driver->drive(world).step;
+    const DrivenCycle cycle = driver->drive(world);
+    const NavigationStep& step = cycle.step;
     ++outcome.cycles;
     const bool good = check.good(step.command, interval);
     if (!good) ++outcome.bad_commands;
-    if (watch) watch(world, step, good);
+    if (watch) watch(world, cycle, good);
     if (step.status == NavigationStatus::GoalReached) {
       outcome.reached = true;
       break;
