@@ -176,7 +176,8 @@ int look_at(const Options& options) {
       robot.linear_max, robot.linear_acceleration_max, robot.angular_max,
       robot.angular_acceleration_max, robot.radius, robot.length, robot.discs.count,
       run.scenario.settings.navigation.control_period, run.jitter);
-  const auto watch = [](const World& world, const NavigationStep& step, bool good) {
+  const auto watch = [](const World& world, const DrivenCycle& cycle, bool good) {
+    const NavigationStep& step = cycle.step;
     const UnicycleRobot& r = world.robots().front();
     const Encounter& met = world.encounters().front();
     std::printf(
@@ -189,6 +190,12 @@ int look_at(const Options& options) {
       const MovingObstacle body = world.body(i).at(world.time());
       std::printf(" | %.3f %.3f v %.3f %.3f", body.position.x(), body.position.y(),
                   body.velocity.x(), body.velocity.y());
+    }
+    // Where the robot estimates them to be: by lidar this differs.
+    for (const MovingObstacle& seen : cycle.input.obstacles) {
+      const Vector2d now = predicted_position(seen, cycle.input.time - cycle.input.obstacles_time);
+      std::printf(" | seen %.3f %.3f v %.3f %.3f radius %.3f", now.x(), now.y(), seen.velocity.x(),
+                  seen.velocity.y(), seen.radius);
     }
     std::printf("%s\n", good ? "" : " | OUTSIDE THE LIMITS");
   };

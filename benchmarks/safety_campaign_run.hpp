@@ -4,10 +4,13 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <vector>
 
+#include "fairway/geometry/angle.hpp"
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/robot_driver.hpp"
+#include "fairway/simulation/sensors/lidar.hpp"
 #include "fairway/simulation/world.hpp"
 #include "safety_campaign_draw.hpp"
 
@@ -17,7 +20,8 @@ namespace fairway::campaign {
 /// The classes of contacts, by this rule, which is tried from the top:
 /// - `Static`: the robot touched the map.
 /// - `Unpredictable`: what it touched changed its velocity within the time that the robot needs to
-///   stop from its greatest speed, plus one second: it was not visible in time what it would do.
+///   stop from its greatest speed, plus one second: it was not visible in time what it would do. By
+///   lidar also: its middle was out of the lidar's view at some time within that.
 /// - `RunInto`: the robot went towards it with at most 0.02 m/s: it came to the robot.
 /// - `DroveInto`: all others.
 enum class ContactKind : std::uint8_t { None, Static, Unpredictable, RunInto, DroveInto };
@@ -55,7 +59,51 @@ struct Outcome {
          (1.0 + settings.safety.longest_hold) * settings.navigation.control_period;
 }
 
-[[nodiscard]] inline ContactKind classify(const World& world, const Settings& settings) {
+/// Notes when the middle of each body was out of the lidar's view last: behind walls and others,
+/// beside the field of view or too far away. Without a lidar everything is in view.
+class Sight {
+ public:
+  explicit Sight(const Scenario& scenario)
+      : lidar_(scenario.sensing.lidar),
+        reach_(std::min(lidar_.max_range, scenario.settings.perception.reach)),
+        looks_(scenario.sensing.sensing == Sensing::Lidar) {}
+
+  void look(const World& world) {
+    if (!looks_) return;
+    hidden_at_.resize(world.num_bodies(), kNever);
+    bodies_.clear();
+    for (std::size_t i = 0; i < world.num_bodies(); ++i)
+      bodies_.push_back(world.body(i).at(world.time()));
+    const Pose2& robot = world.robots().front().pose;
+    const Vector2d from = transform(robot, lidar_.mount);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const Vector2d way = bodies_[i].position - from;
+      const double angle = std::atan2(way.y(), way.x());
+      const bool turned_to =
+          std::abs(shortest_turn(robot.heading, angle)) < 0.5 * lidar_.field_of_view;
+      const double front = way.norm() - bodies_[i].radius - 1e-3;
+      const bool seen = turned_to && front < reach_ &&
+                        cast_ray(world.obstacles(), bodies_, from, angle, reach_) >= front;
+      if (!seen) hidden_at_[i] = world.time();
+    }
+  }
+
+  [[nodiscard]] double hidden_at(std::size_t body) const {
+    return body < hidden_at_.size() ? hidden_at_[body] : kNever;
+  }
+
+ private:
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
+  LidarModel lidar_;
+  double reach_;
+  bool looks_;
+  std::vector<double> hidden_at_;
+  std::vector<MovingObstacle> bodies_;
+};
+
+[[nodiscard]] inline ContactKind classify(const World& world,
+                                          const Settings& settings,
+                                          const Sight& sight) {
   const Encounter& met = world.encounters().front();
   if (!met.collided) return ContactKind::None;
   if (met.min_clearance < 0.0) return ContactKind::Static;
@@ -69,7 +117,7 @@ struct Outcome {
     const double gap = (now.position - world.robots().front().pose.position).norm() - now.radius;
     if (!(gap < nearest)) continue;
     nearest = gap;
-    changed = false;
+    changed = sight.hidden_at(i) > since;
     for (const MovingBody::KeyFrame& frame : body.key_frames) {
       if (frame.time > std::max(0.0, since) && frame.time <= met.collision_time) changed = true;
     }
@@ -108,7 +156,7 @@ class CommandCheck {
 };
 
 /// Called after every cycle; for a look at a single run.
-using Watch = std::function<void(const World&, const NavigationStep&, bool good)>;
+using Watch = std::function<void(const World&, const DrivenCycle&, bool good)>;
 
 /// Drives a run to its end: arrival, contact or time limit.
 [[nodiscard]] inline Outcome drive(const Run& run,
@@ -136,16 +184,19 @@ using Watch = std::function<void(const World&, const NavigationStep&, bool good)
   driver->head_for(scenario.robots.front().goal, world);
   Noise noise(seed);
   CommandCheck check(settings);
+  Sight sight(scenario);
   Outcome outcome;
   std::vector<Twist2> commands(1);
   double interval = 0.0;  // from the last cycle to this one [s]
   while (world.time() < scenario.time_limit && !world.encounters().front().collided) {
     driver->measure(world);
-    const NavigationStep step = driver->drive(world).step;
+    sight.look(world);
+    const DrivenCycle cycle = driver->drive(world);
+    const NavigationStep& step = cycle.step;
     ++outcome.cycles;
     const bool good = check.good(step.command, interval);
     if (!good) ++outcome.bad_commands;
-    if (watch) watch(world, step, good);
+    if (watch) watch(world, cycle, good);
     if (step.status == NavigationStatus::GoalReached) {
       outcome.reached = true;
       break;
@@ -160,7 +211,7 @@ using Watch = std::function<void(const World&, const NavigationStep&, bool good)
     }
   }
   outcome.time = world.time();
-  outcome.contact = classify(world, settings);
+  outcome.contact = classify(world, settings, sight);
   outcome.clearance = world.encounters().front().min_clearance;
   outcome.separation = world.encounters().front().min_separation;
   return outcome;

@@ -132,6 +132,23 @@ bool MovingObjectTracker::slides_along_a_wall(const MovingTrack& track,
   return remain >= kFewest;
 }
 
+// Moves are counted from the present position on.
+void MovingObjectTracker::count_from_here(MovingTrack& track) const noexcept {
+  track.born_at = track.position();
+  track.born_time = time_;
+}
+
+// Whether the mean velocity since the first sighting is that of a moving object, and the present
+// one agrees with it. The error of a mean shrinks with time. That of the filter's velocity does
+// not: it stays at 0.5 m/s, so that a person who walks at 0.4 m/s would never count.
+bool MovingObjectTracker::walks_steadily(const MovingTrack& track) const noexcept {
+  constexpr double kSameDirection = 0.8;  // cosine
+  const Vector2d moved = track.position() - track.born_at;
+  const double mean = moved.norm() / std::max(time_ - track.born_time, 1e-3);
+  return mean > settings_.moving_speed &&
+         moved.dot(track.velocity()) > kSameDirection * moved.norm() * track.velocity().norm();
+}
+
 void MovingObjectTracker::judge_motion(MovingTrack& track,
                                        double dt,
                                        std::span<const Beam> beams) const noexcept {
@@ -140,16 +157,16 @@ void MovingObjectTracker::judge_motion(MovingTrack& track,
   track.slow_for = fast ? 0.0 : track.slow_for + dt;
   if (track.moving) {
     track.moving = track.slow_for < kStoppedFor;
-    if (!track.moving) track.born_at = track.position();
+    if (!track.moving) count_from_here(track);
     return;
   }
   const double moved = (track.position() - track.born_at).norm();
   const bool may_move = track.sightings >= kFewestSightings && track.last_seen >= time_ && fast &&
-                        speed > track.velocity_sigma() && moved > settings_.moving_distance &&
-                        moved > 3.0 * track.position_sigma();
+                        moved > settings_.moving_distance && moved > 3.0 * track.position_sigma() &&
+                        (speed > track.velocity_sigma() || walks_steadily(track));
   if (!may_move) return;
   track.moving = !slides_along_a_wall(track, beams);
-  if (!track.moving) track.born_at = track.position();  // moves are counted from here again
+  if (!track.moving) count_from_here(track);
 }
 
 void MovingObjectTracker::drop_lost(double time) noexcept {

@@ -42,6 +42,8 @@ class MovingObjectTracker {
   void correct(std::size_t track, double time, std::span<const Beam> beams) noexcept;
   void judge_unseen(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
   void judge_motion(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
+  void count_from_here(MovingTrack& track) const noexcept;
+  [[nodiscard]] bool walks_steadily(const MovingTrack& track) const noexcept;
   [[nodiscard]] static bool slides_along_a_wall(const MovingTrack& track,
                                                 std::span<const Beam> beams) noexcept;
   void drop_lost(double time) noexcept;

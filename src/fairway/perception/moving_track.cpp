@@ -55,6 +55,7 @@ MovingTrack new_track(
   track.covariance.bottomRightCorner<2, 2>() *= kFirstSpeedSigma * kFirstSpeedSigma;
   track.radius = radius;
   track.born_at = center;
+  track.born_time = time;
   track.sightings = 1;
   track.last_seen = time;
   return track;

@@ -16,6 +16,7 @@ struct MovingTrack {
   double radius = 0.0;         ///< radius of the disc that represents it [m]
   double radius_weight = 0.0;  ///< number of scans from which the radius was estimated
   Eigen::Vector2d born_at = Eigen::Vector2d::Zero();  ///< position at the first sighting [m]
+  double born_time = 0.0;                             ///< time of that sighting [s]
   int sightings = 0;                                  ///< number of scans in which it was seen
   double last_seen = 0.0;                             ///< time of the last sighting [s]
   double seen_through = 0.0;  ///< time for which beams have passed through its position [s]

@@ -111,6 +111,31 @@ TEST(MovingObjectTracker, FollowsADiscThatCrosses) {
   }
 }
 
+// In view from the first scan on, or stepping out from behind a post.
+TEST(MovingObjectTracker, FollowsAPersonWhoWalksSlowly) {
+  for (const double speed : {0.25, 0.32, 0.38, 0.45}) {
+    for (const bool steps_out : {false, true}) {
+      Hall hall(steps_out ? 3 : 2);
+      if (steps_out) hall.put_post({1.5, -0.65}, 0.4);
+      int followed = 0;
+      int scans = 0;
+      while (hall.time() < 6.0) {
+        const MovingObstacle truth{.position = Vector2d(2.5, -1.2 + speed * hall.time()),
+                                   .velocity = {0.0, speed},
+                                   .radius = 0.26};
+        const MovingObstacles seen = hall.scan({truth}, {}).tracker().obstacles();
+        if (hall.time() < 4.5) continue;
+        ++scans;
+        if (seen.size() != 1) continue;
+        ++followed;
+        EXPECT_NEAR((seen[0].position - truth.position).norm(), 0.0, 0.15);
+        EXPECT_NEAR((seen[0].velocity - truth.velocity).norm(), 0.0, 0.2);
+      }
+      EXPECT_EQ(followed, scans) << "speed " << speed << ", steps out " << steps_out;
+    }
+  }
+}
+
 TEST(MovingObjectTracker, GivesNoTracksInAStaticWorld) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Hall hall(seed);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/core.h>
@@ -48,15 +49,28 @@ CellState state_of(std::uint32_t brightness,
   return scaled <= 0.0 ? CellState::Free : CellState::Unknown;
 }
 
-// Whether pixels of 205, which map_server and its tools write for unknown, become free cells.
-bool usual_unknown_is_free(const MapHeader& header, const MapImage& image) {
-  constexpr std::uint32_t kUsual = 205;
-  if (header.mode == MapMode::Raw || state_of(kUsual, 255, true, header) != CellState::Free) {
-    return false;
+// A grey that usually means unknown, yet becomes free cells of this map; nothing where there is
+// none. map_server and its tools write 205, inverted 50; other programs write the middle.
+std::optional<std::uint32_t> unknown_that_is_free(const MapHeader& header, const MapImage& image) {
+  constexpr std::array<std::uint32_t, 4> kUsual{205, 50, 128, 127};  // of 255
+  constexpr std::uint32_t kFewGreys = 7;  // white of a picture that is too coarse to have them
+  if (header.mode == MapMode::Raw || image.white < kFewGreys) return {};
+  for (const std::uint32_t grey : kUsual) {
+    const std::uint64_t level = (std::uint64_t{grey} * image.white + 127) / 255;
+    if (state_of(static_cast<std::uint32_t>(level), image.white, true, header) != CellState::Free)
+      continue;
+    if (std::find(image.brightness.begin(), image.brightness.end(), level) !=
+        image.brightness.end()) {
+      return grey;
+    }
   }
-  return std::any_of(image.brightness.begin(), image.brightness.end(), [&](std::uint64_t level) {
-    return level * 255 == std::uint64_t{kUsual} * image.white;
-  });
+  return {};
+}
+
+// The greatest free_thresh with which a grey of 255 stays unknown, to three digits.
+double free_thresh_for(std::uint32_t grey, const MapHeader& header) {
+  const std::uint32_t level = header.negate ? grey : 255 - grey;
+  return std::floor(1000.0 * level / 255.0) / 1000.0;
 }
 
 std::string image_path(const std::string& yaml_path, const std::string& image) {
@@ -139,10 +153,11 @@ Expected<OccupancyGrid> read_map(const std::string& path, FileNotes* notes) {
   if (!bytes) return fail(fmt::format("{}: image: {}", path, bytes.error().message));
   const Expected<MapImage> image = decode_map_image(*bytes, picture);
   if (!image) return tl::unexpected(image.error());
-  if (notes != nullptr && usual_unknown_is_free(*header, *image)) {
+  const std::optional<std::uint32_t> grey = unknown_that_is_free(*header, *image);
+  if (notes != nullptr && grey) {
     notes->warnings.push_back(fmt::format(
-        "{}: free_thresh: expected at most 0.196, found {}: grey 205, usually unknown, is free",
-        path, header->free_thresh));
+        "{}: free_thresh: expected at most {}, found {}: grey {}, usually unknown, is free", path,
+        free_thresh_for(*grey, *header), header->free_thresh, *grey));
   }
   return make_grid(*header, *image, path);
 }

@@ -139,6 +139,33 @@ TEST(MapFile, WarnsWhereTheUsualGreyOfUnknownIsFree) {
   EXPECT_TRUE(warnings_of("0.25", "P2 2 1 255  100 205", "mode: raw\n").empty());
 }
 
+TEST(MapFile, WarnsOfAnInvertedOrMiddleGreyThatIsFree) {
+  const TemporaryFolder folder;
+  const auto warning_of = [&](const char* negate, const char* thresholds, const char* pixels) {
+    folder.write("m.pgm", pixels);
+    const std::string yaml =
+        "image: m.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: " + std::string(negate) + "\n" +
+        thresholds;
+    FileNotes notes;
+    EXPECT_TRUE(read_map(folder.write("m.yaml", yaml), &notes));
+    return notes.warnings.empty() ? "" : notes.warnings.front();
+  };
+  const auto expected = [&](const char* most, const char* found, const char* grey) {
+    return folder.path("m.yaml") + ": free_thresh: expected at most " + most + ", found " + found +
+           ": grey " + grey + ", usually unknown, is free";
+  };
+  constexpr const char* kLoose = "occupied_thresh: 0.65\nfree_thresh: 0.25\n";
+  EXPECT_EQ(warning_of("1", kLoose, "P2 2 1 255  1 50"), expected("0.196", "0.25", "50"));
+  EXPECT_EQ(warning_of("1", kLoose, "P2 2 1 255  1 205"), "");  // a wall
+  EXPECT_EQ(warning_of("0", kLoose, "P2 2 1 255  254 50"), "");
+  EXPECT_EQ(warning_of("1", "occupied_thresh: 0.65\nfree_thresh: 0.196\n", "P2 2 1 255  1 50"), "");
+  EXPECT_EQ(warning_of("0", kLoose, "P2 2 1 100  99 80"), expected("0.196", "0.25", "205"));
+  EXPECT_EQ(warning_of("0", kLoose, "P2 2 1 1  1 0"), "");
+  constexpr const char* kMiddle = "occupied_thresh: 0.65\nfree_thresh: 0.6\n";
+  EXPECT_EQ(warning_of("0", kMiddle, "P2 2 1 255  254 128"), expected("0.498", "0.6", "128"));
+  EXPECT_EQ(warning_of("1", kMiddle, "P2 2 1 255  1 127"), expected("0.498", "0.6", "127"));
+}
+
 TEST(MapFile, SaysWhichOfItsFilesIsMissing) {
   const TemporaryFolder folder;
   const std::string yaml = folder.write("m.yaml", kYaml);
