@@ -110,7 +110,9 @@ class TravelCost {
   double required_;
   float allowed_;
   float surely_free_distance_;  // least distance at the centre of a cell that is free all over [m]
-  float at_zero_;               // cost that the linear increase extrapolates to at distance 0
+  float easy_distance_;         // beyond it a metre costs 1 and is surely free [m]
+  double cells_per_metre_;
+  float at_zero_;  // cost that the linear increase extrapolates to at distance 0
   float rise_;
   float greatest_at_distance_;
   float greatest_cost_;
