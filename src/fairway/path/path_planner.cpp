@@ -155,20 +155,21 @@ bool PathPlanner::search(const TravelCost& costs, bool any_angle, PathResult& re
   result.expanded = 0;
   bool found = false;
   if (!costs.needs_fine_search()) {
-    blocks_.begin(costs);
-    found = search_.find(blocks_, start_.blocks, goal_.blocks);
-    result.expanded = search_.expanded();
+    const bool known = blocks_.begin(costs);
+    found = known ? block_search_.find_further(blocks_, start_.blocks, goal_.blocks)
+                  : block_search_.find(blocks_, start_.blocks, goal_.blocks);
+    result.expanded = block_search_.expanded();
     if (!found) return false;
-    coarse_path_.assign(search_.nodes().begin(), search_.nodes().end());
+    const std::span<const CellIndex> blocks = block_search_.nodes();
     // Where all metres cost the same, shortest paths touch obstacles, and only cells are fine
     // enough.
     if (any_angle && costs.rise() > 0.0F &&
-        chain_.find(costs, coarse_path_, start_.terminals, goal_.terminals)) {
+        chain_.find(costs, blocks, start_.terminals, goal_.terminals)) {
       points_.assign(chain_.points().begin(), chain_.points().end());
       result.cost = chain_.cost() * costs.frame().resolution;
       return true;
     }
-    cells_.begin(costs, coarse_path_);
+    cells_.begin(costs, blocks);
     found = search_.find(cells_, start_.terminals, goal_.terminals);
     result.expanded += search_.expanded();
   }

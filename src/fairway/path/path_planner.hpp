@@ -35,6 +35,9 @@ struct PathResult {
 /// path is nearly always a cheapest one. Where there is none, it also tries points between the
 /// centres of cells: the middle of a gap that is an even number of cells wide lies there. The
 /// planner is deterministic: the same map and query give the same bits.
+///
+/// On the map of the last call it uses what it knows of it, and from the same start it continues
+/// that search: further goals cost little, and give the same paths.
 class PathPlanner {
  public:
   /// Finds a path from `start` to `goal` [m, world] for a disc of `robot_radius` [m].
@@ -77,10 +80,10 @@ class PathPlanner {
   End goal_;
   BlockGrid blocks_;
   CellGrid cells_;
-  GridSearch search_;
+  GridSearch block_search_;
+  GridSearch search_;  // over cells
   BlockChain chain_;
   Straightening straightening_;
-  std::vector<CellIndex> coarse_path_;
   std::vector<Eigen::Vector2d> points_;  // of the path that was found, without its ends
 };
 

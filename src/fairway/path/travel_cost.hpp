@@ -60,6 +60,18 @@ class TravelCost {
   /// Whether zones allow to move from the centre of a cell to that of a neighbour.
   [[nodiscard]] bool step_fits(CellIndex from, CellIndex to) const noexcept;
 
+  /// The numbers on which the cost of a cell depends, beside its distance.
+  struct Scale {
+    float allowed = 0.0F;
+    float at_zero = 0.0F;
+    float rise = 0.0F;
+    float greatest = 0.0F;
+    [[nodiscard]] bool operator==(const Scale&) const noexcept = default;
+  };
+  [[nodiscard]] Scale scale() const noexcept {
+    return {.allowed = allowed_, .at_zero = at_zero_, .rise = rise_, .greatest = greatest_cost_};
+  }
+
   /// Increase of the cost per metre closer to an obstacle [1/m].
   [[nodiscard]] float rise() const noexcept { return rise_; }
 
