@@ -43,6 +43,11 @@ class BitGrid {
 
   [[nodiscard]] const GridFrame& frame() const noexcept { return frame_; }
 
+  /// Whether both have the same frame, cells and zones; zones are compared by identity.
+  [[nodiscard]] bool operator==(const BitGrid& other) const noexcept {
+    return same_frame(frame_, other.frame_) && zones_ == other.zones_ && words_ == other.words_;
+  }
+
   /// Returns whether a cell is blocked; cells outside the grid are.
   [[nodiscard]] bool blocked(CellIndex cell) const noexcept {
     if (!frame_.contains(cell)) return true;

@@ -56,6 +56,7 @@ class DistanceField {
   /// is infinite.
   /// @pre reach > 0, and either infinite or at most kMostReach cells.
   void set_reach(double reach) noexcept { reach_ = reach; }
+  [[nodiscard]] double reach() const noexcept { return reach_; }
   static constexpr int kMostReach = DistanceRow::kMostColumns - 1;
 
   /// Recomputes the field for new obstacles in O(cells); reuses its memory if the size is

@@ -7,16 +7,7 @@ namespace fairway {
 
 namespace {
 
-// Half of the cost of a step, per unit of cost of either of its nodes.
-constexpr std::array<std::uint32_t, 8> kHalfStep{29, 41, 29, 41, 29, 41, 29, 41};
 constexpr std::uint32_t kDiagonalExtra = 82 - GridSearch::kStep;
-
-// Unreached by the search, but visited by the flood fill.
-constexpr std::uint32_t kFlooded = kUnreached - 1;
-constexpr std::uint32_t kTooFar = kUnreached / 2;  // sums of costs below this cannot overflow
-
-constexpr std::uint8_t kStart = 8;    // marks the start, which has no previous node
-constexpr std::uint8_t kClosed = 16;  // expanded since its cost was last reduced
 
 constexpr std::uint32_t pack(int x, int y) {
   return static_cast<std::uint32_t>(y) << 16U | static_cast<std::uint32_t>(x);
@@ -54,22 +45,38 @@ struct Estimate {
 bool GridSearch::find(BlockGrid& grid,
                       std::span<const Terminal> starts,
                       std::span<const Terminal> goals) {
-  return find_on(grid, starts, goals);
+  return find_on(grid, starts, goals, false);
 }
 
 bool GridSearch::find(CellGrid& grid,
                       std::span<const Terminal> starts,
                       std::span<const Terminal> goals) {
-  return find_on(grid, starts, goals);
+  return find_on(grid, starts, goals, false);
+}
+
+bool GridSearch::find_further(BlockGrid& grid,
+                              std::span<const Terminal> starts,
+                              std::span<const Terminal> goals) {
+  return find_on(grid, starts, goals, true);
 }
 
 template <typename Grid>
 bool GridSearch::find_on(Grid& grid,
                          std::span<const Terminal> starts,
-                         std::span<const Terminal> goals) {
+                         std::span<const Terminal> goals,
+                         bool further) {
   best_ = kUnreached;
   expanded_ = 0;
   nodes_.clear();
+  const bool again =
+      further && std::equal(starts.begin(), starts.end(), starts_.begin(), starts_.end());
+  if (!again) {
+    starts_.clear();
+    for (std::vector<std::uint32_t>& bucket : buckets_)
+      bucket.clear();
+    queued_ = 0;
+    grid.restart();
+  }
   if (starts.empty() || goals.empty()) return false;
   const auto size =
       static_cast<std::size_t>(grid.stride()) * (static_cast<std::size_t>(grid.height()) + 2);
@@ -82,29 +89,62 @@ bool GridSearch::find_on(Grid& grid,
       grid.prepare_rows(terminal.node.y - 1, terminal.node.y + 1, so_far_.data());
   }
   if (is_pocket(grid, starts, goals)) return false;
+  if (again) {
+    enqueue_again(grid, goals);
+  } else {
+    starts_.assign(starts.begin(), starts.end());
+    enqueue_starts(grid, goals);
+  }
+  run(grid, goals);
+  if (best_ == kUnreached) return false;
+  collect_nodes(grid, cheapest_goal(grid, goals).node);
+  return true;
+}
+
+template <typename Grid>
+void GridSearch::enqueue_starts(const Grid& grid, std::span<const Terminal> goals) {
   const Estimate estimate(goals, grid.unit());
   lowest_ = kUnreached;
-  queued_ = 0;
-  for (const Terminal& start : starts)
+  for (const Terminal& start : starts_)
     lowest_ = std::min(lowest_, start.cost + estimate(start.node.x, start.node.y));
-  for (const Terminal& start : starts) {
+  for (const Terminal& start : starts_) {
     const auto i = static_cast<std::size_t>(grid.index(start.node));
     if (grid.nodes()[i] == 0 || start.cost >= so_far_[i]) continue;
     so_far_[i] = start.cost;
     arrivals_[i] = kStart;
-    // Starts may be spread further than the ring is long. Expanding a start too early does no harm.
-    const std::uint32_t total = start.cost + estimate(start.node.x, start.node.y);
-    const std::uint32_t bucket =
-        std::min(total >> kBucketShift, (lowest_ >> kBucketShift) + kBuckets - 1);
-    buckets_[bucket % kBuckets].push_back(pack(start.node.x, start.node.y));
-    ++queued_;
+    enqueue(start.node, start.cost + estimate(start.node.x, start.node.y));
   }
-  run(grid, goals);
-  for (std::vector<std::uint32_t>& bucket : buckets_)
+}
+
+// Orders the nodes that the last search left in the queue by the estimates for other goals.
+template <typename Grid>
+void GridSearch::enqueue_again(const Grid& grid, std::span<const Terminal> goals) {
+  const Estimate estimate(goals, grid.unit());
+  open_.clear();
+  for (std::vector<std::uint32_t>& bucket : buckets_) {
+    for (const std::uint32_t packed : bucket) {
+      const auto i = static_cast<std::size_t>(grid.index(unpack(packed)));
+      if ((arrivals_[i] & kClosed) == 0) open_.push_back(packed);
+    }
     bucket.clear();
-  if (best_ == kUnreached) return false;
-  collect_nodes(grid);
-  return true;
+  }
+  queued_ = 0;
+  const auto total = [&](CellIndex node) {
+    return so_far_[static_cast<std::size_t>(grid.index(node))] + estimate(node.x, node.y);
+  };
+  lowest_ = kUnreached;
+  for (const std::uint32_t packed : open_)
+    lowest_ = std::min(lowest_, total(unpack(packed)));
+  for (const std::uint32_t packed : open_)
+    enqueue(unpack(packed), total(unpack(packed)));
+}
+
+// Nodes may be spread further than the ring is long; those are put in again when their turn comes.
+void GridSearch::enqueue(CellIndex node, std::uint32_t total) {
+  const std::uint32_t bucket =
+      std::min(total >> kBucketShift, (lowest_ >> kBucketShift) + kBuckets - 1);
+  buckets_[bucket % kBuckets].push_back(pack(node.x, node.y));
+  ++queued_;
 }
 
 // Returns whether the goals lie in a small pocket that contains no start. Most failed searches fail
@@ -115,16 +155,18 @@ bool GridSearch::is_pocket(Grid& grid,
                            std::span<const Terminal> goals) {
   constexpr std::size_t kBudget = 2048;
   flood_.clear();
+  bool reached = false;  // whether an earlier search from the same starts reached the pocket
   const auto visit = [&](CellIndex node) {
     const auto i = static_cast<std::size_t>(grid.index(node));
     if (grid.nodes()[i] == 0 || so_far_[i] == kFlooded) return;
+    reached = reached || so_far_[i] != kUnreached;
+    if (reached) return;
     so_far_[i] = kFlooded;
     flood_.push_back(pack(node.x, node.y));
   };
   for (const Terminal& goal : goals)
     visit(goal.node);
-  for (std::size_t i = 0; i < flood_.size(); ++i) {
-    if (i == kBudget) return false;
+  for (std::size_t i = 0; i < std::min(flood_.size(), kBudget) && !reached; ++i) {
     const CellIndex node = unpack(flood_[i]);
     grid.prepare_rows(node.y - 1, node.y + 1, so_far_.data());
     for (unsigned d = 0; d < 8; ++d) {
@@ -133,9 +175,13 @@ bool GridSearch::is_pocket(Grid& grid,
       if (grid.nodes()[grid.index(next)] != 0 && grid.linked(next, (d + 4) % 8)) visit(next);
     }
   }
-  return std::none_of(starts.begin(), starts.end(), [&](const Terminal& start) {
+  const bool is_small = flood_.size() <= kBudget && !reached;
+  const bool has_start = std::any_of(starts.begin(), starts.end(), [&](const Terminal& start) {
     return so_far_[static_cast<std::size_t>(grid.index(start.node))] == kFlooded;
   });
+  for (const std::uint32_t packed : flood_)
+    so_far_[static_cast<std::size_t>(grid.index(unpack(packed)))] = kUnreached;
+  return is_small && !has_start;
 }
 
 // At an open node x, the search skips steps that cannot be on a cheapest path. Let p be the node
@@ -160,9 +206,11 @@ void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {
     offsets[d] = kStepY[d] * stride + kStepX[d];
   std::size_t queued = queued_;
   int expanded = 0;
-  std::uint32_t best = kUnreached;
+  // Goals that an earlier search reached.
+  std::uint32_t best = cheapest_goal(grid, goals).cost;
   for (std::uint32_t turn = lowest_ >> kBucketShift; queued > 0; ++turn) {
-    if (turn << kBucketShift >= std::min(best, kTooFar)) break;
+    // Every node whose estimate equals the best cost is expanded, too: see collect_nodes.
+    if (turn << kBucketShift > best || turn << kBucketShift >= kTooFar) break;
     std::vector<std::uint32_t>& bucket = buckets_[turn % kBuckets];
     while (!bucket.empty()) {
       const CellIndex node = unpack(bucket.back());
@@ -171,15 +219,18 @@ void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {
       const int index = (node.y + 1) * stride + node.x + 1;
       const unsigned arrival = arrivals[index];
       if ((arrival & kClosed) != 0) continue;
+      const std::uint32_t here = so_far[index];
+      const std::uint32_t left = estimate(node.x, node.y);
+      if (const std::uint32_t due = (here + left) >> kBucketShift; due > turn) {
+        buckets_[std::min(due, turn + kBuckets - 1) % kBuckets].push_back(pack(node.x, node.y));
+        ++queued;
+        continue;
+      }
       arrivals[index] = static_cast<std::uint8_t>(arrival | kClosed);
       ++expanded;
-      const std::uint32_t here = so_far[index];
-      if (estimate(node.x, node.y) == 0) {
+      if (left == 0) {
         for (const Terminal& goal : goals) {
-          if (goal.node == node && here + goal.cost < best) {
-            best = here + goal.cost;
-            best_goal_ = node;
-          }
+          if (goal.node == node) best = std::min(best, here + goal.cost);
         }
       }
       grid.prepare_rows(node.y - 1, node.y + 1, so_far);
@@ -209,20 +260,9 @@ void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {
       }
     }
   }
+  queued_ = queued;
   best_ = best;
   expanded_ = expanded;
-}
-
-void GridSearch::collect_nodes(const SearchGrid& grid) {
-  CellIndex node = best_goal_;
-  while (true) {
-    nodes_.push_back(node);
-    const std::size_t arrival =
-        arrivals_[static_cast<std::size_t>(grid.index(node))] & ~unsigned{kClosed};
-    if (arrival == kStart) break;
-    node = {.x = node.x - kStepX[arrival], .y = node.y - kStepY[arrival]};
-  }
-  std::reverse(nodes_.begin(), nodes_.end());
 }
 
 }  // namespace fairway

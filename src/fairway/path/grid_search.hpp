@@ -15,6 +15,8 @@ namespace fairway {
 struct Terminal {
   CellIndex node;
   std::uint32_t cost = 0;
+
+  [[nodiscard]] bool operator==(const Terminal&) const noexcept = default;
 };
 
 /// A* over the linked neighbours of a grid; it reuses its memory from one grid to the next.
@@ -36,22 +38,49 @@ class GridSearch {
                           std::span<const Terminal> starts,
                           std::span<const Terminal> goals);
 
+  /// Finds the same path as `find`. From the same starts it continues the last search, so that
+  /// further goals cost little.
+  /// @pre this was the last search on `grid`, and its nodes have not changed since.
+  [[nodiscard]] bool find_further(BlockGrid& grid,
+                                  std::span<const Terminal> starts,
+                                  std::span<const Terminal> goals);
+
   /// The nodes of the path found, from start to goal.
   [[nodiscard]] std::span<const CellIndex> nodes() const noexcept { return nodes_; }
   /// Cost of the path found, those of its terminals included.
   [[nodiscard]] std::uint32_t cost() const noexcept { return best_; }
-  [[nodiscard]] int expanded() const noexcept { return expanded_; }  ///< nodes taken from the queue
+  /// Nodes taken from the queue in the last call.
+  [[nodiscard]] int expanded() const noexcept { return expanded_; }
 
  private:
   template <typename Grid>
-  bool find_on(Grid& grid, std::span<const Terminal> starts, std::span<const Terminal> goals);
+  bool find_on(Grid& grid,
+               std::span<const Terminal> starts,
+               std::span<const Terminal> goals,
+               bool further);
+  template <typename Grid>
+  void enqueue_starts(const Grid& grid, std::span<const Terminal> goals);
+  template <typename Grid>
+  void enqueue_again(const Grid& grid, std::span<const Terminal> goals);
+  void enqueue(CellIndex node, std::uint32_t total);
+  [[nodiscard]] Terminal cheapest_goal(const SearchGrid& grid,
+                                       std::span<const Terminal> goals) const noexcept;
   template <typename Grid>
   [[nodiscard]] bool is_pocket(Grid& grid,
                                std::span<const Terminal> starts,
                                std::span<const Terminal> goals);
   template <typename Grid>
   void run(Grid& grid, std::span<const Terminal> goals);
-  void collect_nodes(const SearchGrid& grid);
+  void collect_nodes(const CellGrid& grid, CellIndex node);
+  void collect_nodes(const BlockGrid& grid, CellIndex node);
+
+  // Half of the cost of a step, per unit of cost of either of its nodes.
+  static constexpr std::array<std::uint32_t, 8> kHalfStep{29, 41, 29, 41, 29, 41, 29, 41};
+  // Visited by the flood fill, and not reached by a search.
+  static constexpr std::uint32_t kFlooded = kUnreached - 1;
+  static constexpr std::uint32_t kTooFar = kUnreached / 2;  // sums of costs below cannot overflow
+  static constexpr std::uint8_t kStart = 8;    // marks the start, which has no previous node
+  static constexpr std::uint8_t kClosed = 16;  // expanded since its cost was last reduced
 
   // A ring of buckets, each for nearly equal estimated total costs. No entry lies a full turn
   // ahead.
@@ -62,11 +91,12 @@ class GridSearch {
   std::uint32_t lowest_ = 0;  // least estimated total cost of a start
   std::size_t queued_ = 0;
   std::uint32_t best_ = 0;
-  CellIndex best_goal_;
+  std::vector<Terminal> starts_;  // of the last search
   int expanded_ = 0;
   std::vector<std::uint32_t> so_far_;   // cost from the start, by index
   std::vector<std::uint8_t> arrivals_;  // direction of the last step, by index
   std::vector<std::uint32_t> flood_;
+  std::vector<std::uint32_t> open_;  // nodes in the queue
   std::vector<CellIndex> nodes_;
 };
 

@@ -75,10 +75,8 @@ PathResult PathPlanner::find(const BitGrid& obstacles,
   join_grid(costs, robot_radius, start_);
   join_grid(costs, robot_radius, goal_);
   PathResult result;
-  bool found = search(costs, result);
-  if (found) {
-    take_centres();
-  } else if (!leads_straight()) {
+  bool found = search(costs, settings.any_angle, result);
+  if (!found && !leads_straight()) {
     found = search_between_centres(costs, settings, robot_radius, result);
   }
   if (found) {
@@ -152,16 +150,26 @@ bool PathPlanner::add_ring(const TravelCost& costs, double clearance, int ring, 
   return end.cells.size() > before;
 }
 
-bool PathPlanner::search(const TravelCost& costs, PathResult& result) {
+// Finds a chain of points between the ends. It may leave out cells if the path is `any_angle`.
+bool PathPlanner::search(const TravelCost& costs, bool any_angle, PathResult& result) {
   result.expanded = 0;
   bool found = false;
   if (!costs.needs_fine_search()) {
-    blocks_.begin(costs);
-    found = search_.find(blocks_, start_.blocks, goal_.blocks);
-    result.expanded = search_.expanded();
+    const bool known = blocks_.begin(costs);
+    found = known ? block_search_.find_further(blocks_, start_.blocks, goal_.blocks)
+                  : block_search_.find(blocks_, start_.blocks, goal_.blocks);
+    result.expanded = block_search_.expanded();
     if (!found) return false;
-    coarse_path_.assign(search_.nodes().begin(), search_.nodes().end());
-    cells_.begin(costs, coarse_path_);
+    const std::span<const CellIndex> blocks = block_search_.nodes();
+    // Where all metres cost the same, shortest paths touch obstacles, and only cells are fine
+    // enough.
+    if (any_angle && costs.rise() > 0.0F &&
+        chain_.find(costs, blocks, start_.terminals, goal_.terminals)) {
+      points_.assign(chain_.points().begin(), chain_.points().end());
+      result.cost = chain_.cost() * costs.frame().resolution;
+      return true;
+    }
+    cells_.begin(costs, blocks);
     found = search_.find(cells_, start_.terminals, goal_.terminals);
     result.expanded += search_.expanded();
   }
@@ -172,6 +180,7 @@ bool PathPlanner::search(const TravelCost& costs, PathResult& result) {
     result.expanded += search_.expanded();
   }
   result.cost = search_.cost() * costs.frame().resolution / (GridSearch::kStep * cells_.unit());
+  take_centres();
   return found;
 }
 
@@ -199,8 +208,7 @@ bool PathPlanner::search_between_centres(const TravelCost& costs,
   const TravelCost loose(costs.obstacles(), costs.distances(), less, settings);
   join_grid(loose, std::min(robot_radius, less), start_);
   join_grid(loose, std::min(robot_radius, less), goal_);
-  if (!search(loose, result)) return false;
-  take_centres();
+  if (!search(loose, false, result)) return false;
   for (Vector2d& point : points_)
     point = best_in_cell(costs, point);
   const auto is_tight = [&](const Vector2d& point) { return !costs.fits(point, point); };

@@ -6,6 +6,7 @@
 
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/map/distance_field.hpp"
+#include "fairway/path/block_chain.hpp"
 #include "fairway/path/grid_search.hpp"
 #include "fairway/path/path.hpp"
 #include "fairway/path/search_grid.hpp"
@@ -17,7 +18,7 @@ namespace fairway {
 struct PathResult {
   PathStatus status = PathStatus::NoConnection;
   Path path;          ///< from the exact start to the exact goal; empty unless Found
-  double cost = 0.0;  ///< cost of the chain of cells found, before straightening [m]
+  double cost = 0.0;  ///< cost of the chain of points found, before straightening [m]
   int expanded = 0;   ///< number of nodes taken from the queue
 };
 
@@ -28,11 +29,15 @@ struct PathResult {
 /// obstacle than that, the first or the last piece keeps only the radius. A path has at least two
 /// waypoints: the first equals the start and the last equals the goal, to the bit.
 ///
-/// The search first covers blocks of 4 x 4 cells, and then the cells along the blocks found. It
-/// finds a path wherever neighbouring allowed cells (see TravelCost) connect start and goal; that
+/// The search first covers blocks of 4 x 4 cells, and then passes through the best cells of the
+/// blocks found. Where that does not fit, it searches all cells along the blocks. It finds a path
+/// wherever neighbouring allowed cells (see TravelCost) connect start and goal; that
 /// path is nearly always a cheapest one. Where there is none, it also tries points between the
 /// centres of cells: the middle of a gap that is an even number of cells wide lies there. The
 /// planner is deterministic: the same map and query give the same bits.
+///
+/// On the map of the last call it uses what it knows of it, and from the same start it continues
+/// that search: further goals cost little, and give the same paths.
 class PathPlanner {
  public:
   /// Finds a path from `start` to `goal` [m, world] for a disc of `robot_radius` [m].
@@ -59,7 +64,7 @@ class PathPlanner {
 
   void join_grid(const TravelCost& costs, double robot_radius, End& end);
   bool add_ring(const TravelCost& costs, double clearance, int ring, End& end);
-  [[nodiscard]] bool search(const TravelCost& costs, PathResult& result);
+  [[nodiscard]] bool search(const TravelCost& costs, bool any_angle, PathResult& result);
   [[nodiscard]] bool search_between_centres(const TravelCost& costs,
                                             const PathSettings& settings,
                                             double robot_radius,
@@ -75,9 +80,10 @@ class PathPlanner {
   End goal_;
   BlockGrid blocks_;
   CellGrid cells_;
-  GridSearch search_;
+  GridSearch block_search_;
+  GridSearch search_;  // over cells
+  BlockChain chain_;
   Straightening straightening_;
-  std::vector<CellIndex> coarse_path_;
   std::vector<Eigen::Vector2d> points_;  // of the path that was found, without its ends
 };
 

@@ -40,35 +40,56 @@ void SearchGrid::resize(const TravelCost& costs, int spacing) {
   if (nodes_.size() != size()) nodes_.assign(size(), 0);
 }
 
-void BlockGrid::begin(const TravelCost& costs) {
+bool BlockGrid::begin(const TravelCost& costs) {
+  const BitGrid& map = costs.obstacles();
+  const bool same = map.zones() == nullptr && map_.zones() == nullptr && map == map_ &&
+                    costs.distances().reach() == reach_ && costs.scale() == scale_;
   resize(costs, kSide);
+  if (same) return true;
+  restart();
+  map_ = map;
+  reach_ = costs.distances().reach();
+  scale_ = costs.scale();
   masks_.resize(size());
   column_distances_.resize(static_cast<std::size_t>(kSide * width()));
   tightest_.resize(column_distances_.size());
-  first_row_ = 0;
-  last_row_ = -1;
+  first_computed_ = 0;
+  last_computed_ = -1;
+  return false;
 }
 
 void BlockGrid::extend_rows(int first, int last, std::uint32_t* so_far) {
   first = std::max(first, -1);
   last = std::min(last, height());
-  const auto know = [&](int y) {
-    open_row(y);
+  const auto forget = [&](int y) {
     std::fill_n(so_far + index({.x = -1, .y = y}), stride(), kUnreached);
   };
+  compute_rows(first, last);
   if (first_row_ > last_row_) {
     first_row_ = first;
     last_row_ = first - 1;
+  }
+  while (first_row_ > first)
+    forget(--first_row_);
+  while (last_row_ < last)
+    forget(++last_row_);
+}
+
+// Computes rows `first` to `last`, and all rows between them and those computed before.
+void BlockGrid::compute_rows(int first, int last) {
+  if (first_computed_ > last_computed_) {
+    first_computed_ = first;
+    last_computed_ = first - 1;
     fill_row(first - 1);
     fill_row(first);
   }
-  while (first_row_ > first) {
-    fill_row(--first_row_ - 1);
-    know(first_row_);
+  while (first_computed_ > first) {
+    fill_row(--first_computed_ - 1);
+    open_row(first_computed_);
   }
-  while (last_row_ < last) {
-    fill_row(++last_row_ + 1);
-    know(last_row_);
+  while (last_computed_ < last) {
+    fill_row(++last_computed_ + 1);
+    open_row(last_computed_);
   }
 }
 

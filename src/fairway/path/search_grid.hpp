@@ -78,20 +78,25 @@ class SearchGrid {
 /// The cost of a node is that of its cell with the greatest clearance. Two blocks are linked if
 /// allowed cells of both are neighbours. Everything that is connected on the map is therefore
 /// connected here; the reverse fails only where a block has allowed cells on both sides of a thin
-/// obstacle. Rows are computed on first use, so a short path on a large map costs little.
+/// obstacle. Rows are computed on first use, so a short path on a large map costs little, and kept
+/// for further searches on the same map.
 class BlockGrid : public SearchGrid {
  public:
   static constexpr int kSide = 4;  ///< side of a block [cells]
 
-  /// Starts a search; `costs` must outlive it.
-  void begin(const TravelCost& costs);
+  /// Sets the map; `costs` must outlive the searches on it.
+  /// @return Whether all nodes are the same as before. Maps with zones never count as the same.
+  bool begin(const TravelCost& costs);
+
+  /// Starts a search: no row is prepared.
+  void restart() noexcept { first_row_ = 0, last_row_ = -1; }
 
   [[nodiscard]] static CellIndex block_of(CellIndex cell) noexcept {
     return {.x = cell.x / kSide, .y = cell.y / kSide};
   }
 
-  /// Computes rows `first` to `last`, and all rows between them and those already known. Sets their
-  /// part of `so_far` to kUnreached.
+  /// Prepares rows `first` to `last`, and all rows between them and those already prepared. Sets
+  /// their part of `so_far` to kUnreached.
   void prepare_rows(int first, int last, std::uint32_t* so_far) {
     if (first < first_row_ || last > last_row_) extend_rows(first, last, so_far);
   }
@@ -101,12 +106,20 @@ class BlockGrid : public SearchGrid {
 
  private:
   void extend_rows(int first, int last, std::uint32_t* so_far);
+  void compute_rows(int first, int last);
   void fill_row(int y);  // computes costs and masks
   void open_row(int y);  // sets kOpen where all neighbouring blocks are full
   [[nodiscard]] std::uint16_t allowed_cells(CellIndex node) const noexcept;
 
-  int first_row_ = 0;
+  // What the rows were computed from.
+  BitGrid map_;
+  double reach_ = 0.0;
+  TravelCost::Scale scale_;
+
+  int first_row_ = 0;  // prepared for this search
   int last_row_ = -1;
+  int first_computed_ = 0;
+  int last_computed_ = -1;
   // By index: bit 4 y + x is set if that cell of the block is allowed.
   std::vector<std::uint16_t> masks_;
   // Greatest and least distance in the four cells of every column of a row of blocks [m].
@@ -122,7 +135,10 @@ class CellGrid : public SearchGrid {
   void begin(const TravelCost& costs);
   void begin(const TravelCost& costs, std::span<const CellIndex> blocks);
 
-  /// Sets `so_far` to kUnreached at every node, at the first call after `begin`.
+  /// Starts a search: no node is prepared.
+  void restart() noexcept { prepared_ = false; }
+
+  /// Sets `so_far` to kUnreached at every node, at the first call after `restart`.
   void prepare_rows(int /*first*/, int /*last*/, std::uint32_t* so_far) {
     if (!prepared_) reset(so_far);
   }

@@ -119,7 +119,8 @@ bool Straightening::move_corner(const TravelCost& costs,
   for (const Vector2d& offset : {inward, along, Vector2d(-along), Vector2d(-inward)}) {
     const Vector2d to = from + offset;
     const double limit = corner.cost + after.cost - kLeastGain;
-    const TravelCost::Line first = costs.line(before, to, limit);
+    // No metre costs less than 1, so the second line costs at least its length.
+    const TravelCost::Line first = costs.line(before, to, limit - (after.point - to).norm());
     if (std::isinf(first.cost)) continue;
     const TravelCost::Line second = costs.line(to, after.point, limit - first.cost);
     if (std::isinf(second.cost) || !fits(costs, first, before, to) ||

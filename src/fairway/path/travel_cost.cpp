@@ -48,8 +48,14 @@ TravelCost::TravelCost(const BitGrid& obstacles,
   at_zero_ = static_cast<float>(1.0 + rise * (allowed + settings.comfort_distance));
   greatest_cost_ = graded ? static_cast<float>(1.0 + settings.comfort_weight) : 1.0F;
   greatest_at_distance_ = greatest_cost_;
+  cells_per_metre_ = 1.0 / frame.resolution;
+  // Beyond this distance a metre costs 1 and the robot surely fits; a little more for the rounding.
+  const float costs_nothing = graded ? (at_zero_ - 1.0F) / rise_ * (1.0F + 1e-5F) : 0.0F;
+  easy_distance_ = std::max(surely_free_distance_, costs_nothing);
   const ZoneMap* zones = obstacles.zones();
   if (zones == nullptr) return;
+  // Zones are known within their reach only, so distances may differ by more than those of cells.
+  easy_distance_ = std::numeric_limits<float>::infinity();
   steps_need_checks_ = zones->forbids() || zones->has_costs();
   if (!zones->has_costs()) return;
   zone_costs_ = zones;
@@ -119,6 +125,7 @@ TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
   const double per_slope = slope != 0.0 ? 1.0 / std::abs(slope) : kFar;
   const double scale = length / (u1 - u0);  // of the line's length to its extent along u
   const double bound = limit / scale;
+  const double extent = std::sqrt(1.0 + slope * slope);
   double sum = 0.0;
   float least = std::numeric_limits<float>::infinity();
   double u = u0;
@@ -126,6 +133,26 @@ TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
   int v_cell = static_cast<int>(v0);
   const int u_last = static_cast<int>(u1);
   for (int u_cell = static_cast<int>(u0); u_cell <= u_last; ++u_cell) {
+    const float d0 = cells[u_cell * u_stride + v_cell * v_stride];
+    // Skips columns of which all cells near the line are easy. Their centres are within `extent`
+    // per column of this one's, and both are within a cell of the line.
+    if (d0 > easy_distance_) {
+      constexpr double kAcross = 2.01;  // [cells]
+      const double far = static_cast<double>(d0 - easy_distance_) * cells_per_metre_ - kAcross;
+      if (far >= extent) {
+        const int columns = 1 + static_cast<int>(far / extent);
+        const double u_next = std::min(static_cast<double>(u_cell + columns), u1);
+        sum += u_next - u;
+        least = std::min(least, easy_distance_);
+        if (sum + (u1 - u_next) > bound) return {};
+        u = u_next;
+        v = v0 + (u - u0) * slope;
+        v_cell = static_cast<int>(v);
+        v_cell = slope >= 0.0 ? std::min(v_cell, v_last) : std::max(v_cell, v_last);
+        u_cell += columns - 1;
+        continue;
+      }
+    }
     const double u_next = std::min(u_cell + 1.0, u1);
     const double v_next = v0 + (u_next - u0) * slope;
     int next_cell = static_cast<int>(v_next);
@@ -135,7 +162,6 @@ TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
     const double width = u_next - u;
     const double in_first = next_cell == v_cell ? width : std::min(rest * per_slope, width);
     const float* column = cells + u_cell * u_stride;
-    const float d0 = column[v_cell * v_stride];
     const float d1 = column[next_cell * v_stride];
     sum += in_first * static_cast<double>(at_distance(d0)) +
            (width - in_first) * static_cast<double>(at_distance(d1));

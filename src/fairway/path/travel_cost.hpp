@@ -60,6 +60,18 @@ class TravelCost {
   /// Whether zones allow to move from the centre of a cell to that of a neighbour.
   [[nodiscard]] bool step_fits(CellIndex from, CellIndex to) const noexcept;
 
+  /// The numbers on which the cost of a cell depends, beside its distance.
+  struct Scale {
+    float allowed = 0.0F;
+    float at_zero = 0.0F;
+    float rise = 0.0F;
+    float greatest = 0.0F;
+    [[nodiscard]] bool operator==(const Scale&) const noexcept = default;
+  };
+  [[nodiscard]] Scale scale() const noexcept {
+    return {.allowed = allowed_, .at_zero = at_zero_, .rise = rise_, .greatest = greatest_cost_};
+  }
+
   /// Increase of the cost per metre closer to an obstacle [1/m].
   [[nodiscard]] float rise() const noexcept { return rise_; }
 
@@ -110,7 +122,9 @@ class TravelCost {
   double required_;
   float allowed_;
   float surely_free_distance_;  // least distance at the centre of a cell that is free all over [m]
-  float at_zero_;               // cost that the linear increase extrapolates to at distance 0
+  float easy_distance_;         // beyond it a metre costs 1 and is surely free [m]
+  double cells_per_metre_;
+  float at_zero_;  // cost that the linear increase extrapolates to at distance 0
   float rise_;
   float greatest_at_distance_;
   float greatest_cost_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/path/grid_search.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -92,6 +93,54 @@ TEST(GridSearch, HasTheCostOfDijkstrasAlgorithm) {
   }
   EXPECT_GT(tally.found, 100);
   EXPECT_GT(tally.none, 50);
+}
+
+TEST(GridSearch, FurtherGoalsGiveThePathsOfNewSearches) {
+  test::Random random(22);
+  int found = 0;
+  int none = 0;
+  long further_nodes = 0;
+  long new_nodes = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const BitGrid obstacles(test::random_world(random, 200));
+    const DistanceField distances(obstacles);
+    const double radius = random.uniform(0.0, 3.0) * obstacles.frame().resolution;
+    const TravelCost costs(obstacles, distances, radius, random_settings(random));
+    BlockGrid grid;
+    grid.begin(costs);
+    const auto terminals = [&](int count) {
+      std::vector<Terminal> nodes;
+      const CellIndex first{random.integer(0, grid.width() - 1),
+                            random.integer(0, grid.height() - 1)};
+      for (int i = 0; i < count; ++i) {
+        const CellIndex node{std::min(first.x + i, grid.width() - 1), first.y};
+        nodes.push_back({.node = node, .cost = static_cast<std::uint32_t>(random.integer(0, 900))});
+      }
+      return nodes;
+    };
+    GridSearch search;
+    for (int start = 0; start < 2; ++start) {
+      const std::vector<Terminal> starts = terminals(3);
+      for (int i = 0; i < 10; ++i) {
+        const std::vector<Terminal> goals = terminals(2);
+        const bool same = search.find_further(grid, starts, goals);
+        BlockGrid fresh_grid;
+        fresh_grid.begin(costs);
+        GridSearch fresh;
+        ASSERT_EQ(fresh.find(fresh_grid, starts, goals), same);
+        (same ? found : none) += 1;
+        new_nodes += fresh.expanded();
+        further_nodes += search.expanded();
+        if (!same) continue;
+        EXPECT_EQ(fresh.cost(), search.cost());
+        ASSERT_EQ(fresh.nodes().size(), search.nodes().size());
+        EXPECT_TRUE(std::equal(fresh.nodes().begin(), fresh.nodes().end(), search.nodes().begin()));
+      }
+    }
+  }
+  EXPECT_GT(found, 200);
+  EXPECT_GT(none, 50);
+  EXPECT_LT(2 * further_nodes, new_nodes);
 }
 
 TEST(GridSearch, FindsTheBestOfSeveralStartsAndGoals) {

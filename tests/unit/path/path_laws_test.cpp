@@ -232,5 +232,40 @@ TEST(PathLaws, EqualInputGivesEqualBitsAfterAnyEarlierPlan) {
   }
 }
 
+// A planner that keeps what it knows of a map must notice every change of it.
+TEST(PathLaws, FurtherPlansAreThoseOfANewPlannerAlsoAfterTheMapChanged) {
+  test::Random random(47);
+  PathPlanner used;
+  int found = 0;
+  for (int trial = 0; trial < 25; ++trial) {
+    World world{BitGrid(test::random_world(random, 120))};
+    const GridFrame frame = world.obstacles.frame();
+    const auto point = [&] {
+      return frame.to_world({random.uniform(0, frame.width), random.uniform(0, frame.height)});
+    };
+    Vector2d start = point();
+    double radius = frame.resolution;
+    for (int plan = 0; plan < 12; ++plan) {
+      if (random.chance(0.2)) start = point();
+      if (random.chance(0.1)) radius = random.uniform(0.0, 2.0) * frame.resolution;
+      if (random.chance(0.3)) {
+        const CellIndex cell{random.integer(0, frame.width - 1),
+                             random.integer(0, frame.height - 1)};
+        world.obstacles.set(cell, !world.obstacles.blocked(cell));
+        world.distances.update(world.obstacles, {.first = cell, .last = cell});
+      }
+      const Vector2d goal = point();
+      const PathResult fresh = world.find(start, goal, radius);
+      const PathResult again =
+          used.find(world.obstacles, world.distances, start, goal, radius, PathSettings{});
+      EXPECT_EQ(fresh.status, again.status);
+      EXPECT_EQ(fresh.cost, again.cost);
+      EXPECT_EQ(fresh.path.waypoints, again.path.waypoints);
+      found += fresh.status == PathStatus::Found ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 60);
+}
+
 }  // namespace
 }  // namespace fairway

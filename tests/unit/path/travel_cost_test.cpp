@@ -104,6 +104,37 @@ TEST(TravelCost, ALineCostsTheIntegralOverItsCells) {
   }
 }
 
+// Few obstacles, so that lines skip cells far from all of them.
+TEST(TravelCost, ALineInTheOpenCostsTheIntegralOverItsCells) {
+  test::Random random(33);
+  for (int trial = 0; trial < 20; ++trial) {
+    BitGrid obstacles({.width = 180, .height = 140, .resolution = 0.05, .origin = {}}, false);
+    for (int i = 0; i < 4; ++i)
+      obstacles.set({random.integer(0, 179), random.integer(0, 139)}, true);
+    const DistanceField distances(obstacles);
+    const TravelCost costs(obstacles, distances, 0.2, {});
+    for (int i = 0; i < 10; ++i) {
+      const Vector2d a(random.uniform(0, 180), random.uniform(0, 140));
+      const Vector2d b(random.uniform(0, 180), random.uniform(0, 140));
+      constexpr int kSamples = 40000;
+      double sum = 0.0;
+      float least = 1e9F;
+      for (int s = 0; s < kSamples; ++s) {
+        const Vector2d p = a + (b - a) * ((s + 0.5) / kSamples);
+        const CellIndex cell{static_cast<int>(p.x()), static_cast<int>(p.y())};
+        const auto distance = static_cast<float>(distances.at(cell));
+        sum += static_cast<double>(costs.at_distance(distance));
+        least = std::min(least, distance);
+      }
+      const double expected = sum * (b - a).norm() / kSamples;
+      EXPECT_NEAR(costs.line(a, b).cost, expected, 360 * 1.5 * (b - a).norm() / kSamples);
+      // A cell that is free all over has its centre at least half a diagonal further away.
+      if (costs.line(a, b).surely_free) EXPECT_GE(least, 0.2 + 0.05 * std::sqrt(0.5));
+      if (least > 0.3) EXPECT_TRUE(costs.line(a, b).surely_free);
+    }
+  }
+}
+
 TEST(TravelCost, ALineOutsideTheMapHasInfiniteCost) {
   const BitGrid obstacles({.width = 40, .height = 40, .resolution = 0.1, .origin = {}}, false);
   const DistanceField distances(obstacles);
