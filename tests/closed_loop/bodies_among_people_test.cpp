@@ -173,5 +173,29 @@ TEST(BodiesAmongPeople, PeopleWhoWalkAnywhereAndStop) {
   expect_no_contact_by_driving(Walk::Anywhere, 32);
 }
 
+// A person walks along the middle of a hall, straight at the robot, and never looks. There is space
+// beside the person, so the robot moves out of the way.
+TEST(BodiesAmongPeople, GiveWayToAPersonWhoWalksStraightAtThem) {
+  for (const test::NamedRobot& robot : test::robot_presets()) {
+    if (is_steered(robot.model.base)) continue;  // needs more space than there is
+    SCOPED_TRACE(robot.name);
+    Scenario scenario;
+    scenario.map =
+        OccupancyGrid(GridFrame{.width = 400, .height = 100, .resolution = 0.05, .origin = {}});
+    scenario.time_limit = kTime;
+    RobotTask task{.name = "robot",
+                   .start = {.position = {4.0, 2.5}, .heading = 0.0},
+                   .goal = {.position = {16.0, 2.5}, .heading = {}}};
+    task.model = robot.model;
+    scenario.robots = {task};
+    scenario.bodies = {
+        {.name = "person", .radius = 0.3, .key_frames = {{0.0, {16.0, 2.5}}, {15.0, {1.0, 2.5}}}}};
+    const EpisodeResult result = run_episode(scenario);
+    const RobotResult& run = result.robots[0];
+    EXPECT_FALSE(run.collided) << run.approach << " m/s at " << run.time << " s";
+    EXPECT_TRUE(run.reached);
+  }
+}
+
 }  // namespace
 }  // namespace fairway

@@ -57,7 +57,15 @@ std::string distance_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-";
 }
 
+// Whether the contact is a moving obstacle's doing: the robot did not move towards it.
+bool was_run_into(const RobotResult& robot) {
+  constexpr double kStandstill = 1e-3;  // [m/s]
+  return robot.collided && robot.contact.with != Contact::With::StaticObstacle &&
+         robot.contact.with != Contact::With::Nothing && robot.approach <= kStandstill;
+}
+
 const char* outcome(const RobotResult& robot) {
+  if (was_run_into(robot)) return "run into";
   if (robot.collided) return "contact";
   return robot.reached ? "reached" : "not reached";
 }
@@ -104,6 +112,13 @@ std::string failure_reason(const Scenario& scenario,
   const TraceRow* const last = last_row(result, index);
   const Pose2 pose = last != nullptr ? last->pose : scenario.robots[index].start;
   const Eigen::Vector2d& position = pose.position;
+  if (was_run_into(robot)) {
+    return fmt::format(
+        "was run into by {} at {:.2f} s, near ({:.2f}, {:.2f}), at standstill or moving away: "
+        "the other came with {:.2f} m/s",
+        touched(scenario, robot.contact), robot.time, position.x(), position.y(),
+        std::max(0.0, robot.contact.other_approach));
+  }
   if (robot.collided) {
     return fmt::format("touched {} at {:.2f} s, near ({:.2f}, {:.2f}), with {:.2f} m/s towards it",
                        touched(scenario, robot.contact), robot.time, position.x(), position.y(),
@@ -165,7 +180,10 @@ Json episode_json(const Scenario& scenario, const EpisodeResult& result) {
                           {"solve_us", microseconds_json(robot.solve_seconds)},
                           {"plan_us", microseconds_json(robot.plan_seconds)}});
     if (!scenario.zones.empty()) robots.back()["zones"] = zones_json(robot.zones);
-    if (robot.collided) robots.back()["touched"] = touched(scenario, robot.contact);
+    if (robot.collided) {
+      robots.back()["touched"] = touched(scenario, robot.contact);
+      robots.back()["run_into"] = was_run_into(robot);
+    }
     if (robot.reached && !robot.collided && robot.zones.none()) continue;
     robots.back()["reason"] = failure_reason(scenario, result, i);
     if (const auto found = obstruction_of(scenario, result, i))

@@ -74,6 +74,9 @@ class BodyClearance {
   [[nodiscard]] bool is_free_part(const ConvexPart& part, double clearance) const noexcept;
   [[nodiscard]] ConvexPart part_in_grid(const ConvexPart& part, const Pose2& local) const noexcept;
 
+  template <typename Look>
+  void look_at_zones(const Pose2& local, double reach, const Look& look) const;
+
   // The pose in the frame of the grid, still in metres.
   [[nodiscard]] Pose2 in_grid_frame(const Pose2& pose) const noexcept;
 

@@ -118,6 +118,56 @@ Separation separation(const ConvexPart& part, CellIndex cell) noexcept {
   return {.distance = distance, .point = nearest.of_polygon, .normal = normal};
 }
 
+Separation separation(const ConvexPart& part, const Vector2d& a, const Vector2d& b) noexcept {
+  // The axis along which the two overlap least; see least_overlap.
+  Overlap overlap;
+  const auto look_along = [&](const Vector2d& axis, bool of_polygon) {
+    double polygon_low = kInfinity;
+    for (int i = 0; i < part.count; ++i)
+      polygon_low = std::min(polygon_low, part.vertex(i).dot(axis));
+    const double gap = polygon_low - std::max(a.dot(axis), b.dot(axis));
+    if (gap > overlap.gap) overlap.of_polygon = of_polygon;
+    overlap.look(gap, axis);
+  };
+  const Vector2d along = b - a;
+  if (along.squaredNorm() > 0.0) {
+    const Vector2d side = Vector2d(along.y(), -along.x()).normalized();
+    look_along(side, false);
+    look_along(-side, false);
+  }
+  for (int i = 0; part.count > 1 && i < part.count; ++i) {
+    const Vector2d edge = next_vertex(part, i) - part.vertex(i);
+    if (edge.squaredNorm() > 0.0) look_along(Vector2d(-edge.y(), edge.x()).normalized(), true);
+  }
+  if (overlap.gap <= 0.0 && overlap.gap > -kInfinity) {
+    Vector2d deepest = part.vertex(0);
+    for (int i = 1; i < part.count; ++i) {
+      if ((part.vertex(i) - deepest).dot(overlap.normal) < 0.0) deepest = part.vertex(i);
+    }
+    if (overlap.of_polygon) {
+      const Vector2d& end = a.dot(overlap.normal) > b.dot(overlap.normal) ? a : b;
+      deepest = end + overlap.gap * overlap.normal;
+    }
+    return {.distance = overlap.gap, .point = deepest, .normal = overlap.normal};
+  }
+  Nearest nearest;
+  const auto nearest_on = [](const Vector2d& from, const Vector2d& to, const Vector2d& point) {
+    const double square = (to - from).squaredNorm();
+    if (square <= 0.0) return from;
+    const double share = std::clamp((point - from).dot(to - from) / square, 0.0, 1.0);
+    return Vector2d(from + share * (to - from));
+  };
+  for (int i = 0; i < part.count; ++i) {
+    nearest.look(part.vertex(i), nearest_on(a, b, part.vertex(i)));
+    for (const Vector2d& end : {a, b})
+      nearest.look(nearest_on(part.vertex(i), next_vertex(part, i), end), end);
+  }
+  const double distance = std::sqrt(nearest.square);
+  const Vector2d normal =
+      distance > 0.0 ? Vector2d((nearest.of_polygon - nearest.of_cell) / distance) : overlap.normal;
+  return {.distance = distance, .point = nearest.of_polygon, .normal = normal};
+}
+
 Columns columns_between(const ConvexPart& part, double low, double high) noexcept {
   Columns found{.left = kInfinity, .right = -kInfinity};
   const auto take = [&](double x) {

@@ -18,6 +18,11 @@ struct Separation {
 /// the result is exact.
 [[nodiscard]] Separation separation(const ConvexPart& part, CellIndex cell) noexcept;
 
+/// Returns the same for a segment: `normal` then leads from the segment to the polygon.
+[[nodiscard]] Separation separation(const ConvexPart& part,
+                                    const Eigen::Vector2d& a,
+                                    const Eigen::Vector2d& b) noexcept;
+
 /// Returns the columns that the polygon touches between two heights, low <= y <= high. The result
 /// is empty (first above second) where the polygon does not reach there.
 struct Columns {

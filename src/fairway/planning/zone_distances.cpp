@@ -99,8 +99,9 @@ std::vector<ZoneCell> zone_cells(const BitGrid& obstacles) {
   const ZoneMap* zones = obstacles.zones();
   if (zones == nullptr || !zones->forbids()) return {};
   const GridFrame& frame = obstacles.frame();
+  const bool contour_only = zones->radius() <= 0.0;
   CellValues least(frame, kFar);
-  if (zones->has_strips()) {
+  if (zones->has_strips() && !(contour_only && !zones->strips(ZoneReference::Centre).empty())) {
     CellValues inside(frame, 0.0F);
     for (const ZoneReference kind : {ZoneReference::Contour, ZoneReference::Centre}) {
       const ZoneBoundary& strips = zones->strips(kind);
@@ -116,6 +117,7 @@ std::vector<ZoneCell> zone_cells(const BitGrid& obstacles) {
     least = std::move(inside);
   }
   for (const ZoneReference kind : {ZoneReference::Contour, ZoneReference::Centre}) {
+    if (contour_only && kind == ZoneReference::Centre) continue;
     const ZoneBoundary& keep_outs = zones->keep_outs(kind);
     for (const ZonePolygon& polygon : keep_outs.polygons())
       least.fill(polygon, 0.0F);

@@ -23,9 +23,13 @@ class BodyDriver final : public RobotDriver {
         robot_(robot),
         result_(result),
         lidar_(context.scenario.sensing.sensing == Sensing::Lidar),
+        own_map_(!lidar_ && !context.scenario.zones.empty()),
         navigator_(
-            lidar_ ? BodyNavigator(context.settings, world.model_of(robot)->model)
-                   : BodyNavigator(context.settings, world.model_of(robot)->model, context.map)) {
+            lidar_ || own_map_
+                ? BodyNavigator(context.settings, world.model_of(robot)->model)
+                : BodyNavigator(context.settings, world.model_of(robot)->model, context.map)) {
+    if (own_map_) navigator_.set_map(context.map.obstacles);
+    if (!context.scenario.zones.empty()) navigator_.set_zones(context.scenario.zones);
     if (lidar_)
       senses_.emplace(context.scenario.sensing, world, robot, context.scenario.seed + robot);
     const BodyRobot& actual = *world.model_of(robot);
@@ -74,7 +78,11 @@ class BodyDriver final : public RobotDriver {
 
   bool note_map_change(const World& world) override {
     if (lidar_) return false;
-    navigator_.map_changed();
+    if (own_map_) {
+      navigator_.set_map(context_.map.obstacles);
+    } else {
+      navigator_.map_changed();
+    }
     return plan_now(world);
   }
 
@@ -112,6 +120,7 @@ class BodyDriver final : public RobotDriver {
   std::size_t robot_;
   RobotResult& result_;
   bool lidar_;
+  bool own_map_;  // with the zones in the form for a body
   BodyNavigator navigator_;
   std::optional<LidarSenses> senses_;
   std::vector<MovingObstacle> seen_;

@@ -14,8 +14,6 @@ Expected<void> check_models(const Scenario& scenario) {
   if (!has_models(scenario)) return {};
   if (scenario.engine != Engine::Unicycle)
     return fail("physics: expected unicycle for robots with their own body (robot:), found mujoco");
-  if (!scenario.zones.empty())
-    return fail("zones: expected none with robots of their own body (robot:), found some");
   return {};
 }
 

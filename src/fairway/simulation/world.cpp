@@ -49,6 +49,7 @@ double approach(const BodyRobot& robot, bool standing, const Eigen::Vector2d& ot
 World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
     : obstacles_(scenario.map, unknown_cells(scenario.settings.map)),
       footprint_(footprint_of(scenario.settings.robot)),
+      shape_(BodyShape::of(footprint_)),
       zones_(scenario.zones),
       bodies_(scenario.bodies),
       physics_(std::move(physics)) {
@@ -75,8 +76,13 @@ void World::advance(const std::vector<Twist2>& commands, double dt) {
 void World::judge_all_zones() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const UnicycleRobot& robot = robots_[i];
-    judge_zones(zones_, footprint_, judged_[i], robot.pose, robot.twist.linear,
-                encounters_[i].zones);
+    if (models_[i]) {
+      const PlanarTwist twist = models_[i]->twist();
+      judge_zones(zones_, models_[i]->model.body, judged_[i], robot.pose,
+                  std::hypot(twist.linear, twist.lateral), encounters_[i].zones);
+    } else {
+      judge_zones(zones_, shape_, judged_[i], robot.pose, robot.twist.linear, encounters_[i].zones);
+    }
     judged_[i] = robot.pose;
   }
 }

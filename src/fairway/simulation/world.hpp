@@ -139,6 +139,7 @@ class World {
 
   BitGrid obstacles_;
   Footprint footprint_;
+  BodyShape shape_;  // the same
   std::vector<UnicycleRobot> robots_;
   std::vector<std::optional<UnicycleLimits>> actuation_;  // of each, where the scenario says so
   std::vector<std::optional<BodyRobot>> models_;          // of each, where the scenario says so

@@ -5,16 +5,28 @@
 #include <cmath>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/map/body_zones.hpp"
 #include "fairway/trajectory/stopping_trajectory.hpp"
 #include "fairway/trajectory/trajectory_optimizer.hpp"
 
 namespace fairway {
 
+namespace {
+
+// A drive may come nearer to the direction of a one-way zone than its path.
+constexpr internal::LaneReserve kRowsInLanes{.share = 0.02, .beside = 0.02};
+
+}  // namespace
+
 bool is_free(const BodyClearance& clearance,
              const std::vector<TrajectoryRow>& rows,
              double period,
              double margin) noexcept {
+  const ZoneMap* const zones = clearance.obstacles().zones();
   return std::all_of(rows.begin(), rows.end(), [&](const TrajectoryRow& row) {
+    if (zones != nullptr &&
+        internal::goes_against_lane(*zones, row.pose, row.twist, period, kRowsInLanes))
+      return false;
     return clearance.is_free(row.pose, row.twist, period, margin);
   });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "fairway/trajectory/trajectory.hpp"
@@ -27,6 +28,13 @@ class DriveReference {
   [[nodiscard]] const std::vector<TrajectoryRow>& rows() const noexcept { return rows_; }
   [[nodiscard]] double period() const noexcept { return period_; }
 
+  /// Limits the rate of the drive: `most` holds the greatest rate at each row, from 0 to 1, or
+  /// nothing. The rate falls early enough that the accelerations of the base meet every limit.
+  void limit_rate(std::vector<double> most);
+
+  /// The greatest rate at a phase, so that every limit from there on is met.
+  [[nodiscard]] double greatest_rate(double phase) const noexcept;
+
   /// The pose at a phase; before the begin and after the end, the pose there.
   [[nodiscard]] Pose2 pose_at(double phase) const noexcept;
 
@@ -34,7 +42,8 @@ class DriveReference {
   [[nodiscard]] BaseInput input_at(const DriveProgress& progress) const noexcept;
 
   /// The progress `time` [s] later, where the rate goes to `target` as fast as the accelerations of
-  /// the base allow. The phase stays within the drive; at an end the rate is 0.
+  /// the base allow, and no further than `greatest_rate`. The phase stays within the drive; at an
+  /// end the rate is 0.
   [[nodiscard]] DriveProgress advanced(const DriveProgress& progress,
                                        double target,
                                        double time) const noexcept;
@@ -47,7 +56,15 @@ class DriveReference {
   [[nodiscard]] BaseInput planned_at(double phase) const noexcept;
   [[nodiscard]] RateBounds rate_bounds(const DriveProgress& progress) const noexcept;
 
+  struct Axis {
+    double speed;  // of the planned twist along an axis
+    double slope;  // of that speed, per second of the drive
+    double limit;  // acceleration along the axis
+  };
+  [[nodiscard]] std::array<Axis, 3> axes_at(double phase) const noexcept;
+
   BaseModel base_;
+  std::vector<double> greatest_rates_;  // at the rows; empty for no limit
   std::vector<TrajectoryRow> rows_;
   double period_ = 1.0;
   double duration_ = 0.0;

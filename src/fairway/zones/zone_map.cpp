@@ -188,12 +188,16 @@ double ZoneMap::cost_along(const Segment& line) const noexcept {
   return sum * along.norm();
 }
 
-std::optional<std::size_t> ZoneMap::against(const Segment& motion) const noexcept {
+std::optional<std::size_t> ZoneMap::against(const Segment& motion,
+                                            double least_share,
+                                            double beside) const noexcept {
   constexpr double kNothing = 1e-9;  // [m]; rounding
+  const Vector2d along = motion.b - motion.a;
+  const double least = least_share * along.norm() - kNothing;
   for (const Lane& lane : lanes_) {
-    if ((motion.b - motion.a).dot(lane.direction) >= -kNothing) continue;
-    if (lane.polygon.extent().near(extent_of(motion), 0.0) &&
-        lane.polygon.is_near(segment_rectangle(motion.a, motion.b), 0.0)) {
+    if (along.dot(lane.direction) >= least) continue;
+    if (lane.polygon.extent().near(extent_of(motion), beside) &&
+        lane.polygon.is_near(segment_rectangle(motion.a, motion.b), beside)) {
       return lane.zone;
     }
   }

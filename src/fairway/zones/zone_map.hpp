@@ -33,7 +33,9 @@ struct ZoneSpeed {
 /// if it is inside either.
 class ZoneMap {
  public:
-  /// @param radius  Of the robot's disc [m]. @pre validate(zones) holds.
+  /// @param radius  Of the robot's disc [m]; 0 for a robot that is tested as a Body, and whose
+  ///                distances therefore count only what holds for the contour.
+  /// @pre validate(zones) holds.
   explicit ZoneMap(Zones zones, double radius);
 
   [[nodiscard]] const Zones& zones() const noexcept { return zones_; }
@@ -85,7 +87,12 @@ class ZoneMap {
   [[nodiscard]] double cost_along(const Segment& line) const noexcept;
 
   /// The one-way zone in which a straight motion of the centre goes against the direction.
-  [[nodiscard]] std::optional<std::size_t> against(const Segment& motion) const noexcept;
+  /// @param least_share  Share of the motion that must go along the direction, for plans.
+  /// @param beside       Distance at which a zone counts already [m].
+  [[nodiscard]] std::optional<std::size_t> against(const Segment& motion,
+                                                   double least_share = 0.0,
+                                                   double beside = 0.0) const noexcept;
+  [[nodiscard]] bool has_lanes() const noexcept { return !lanes_.empty(); }
 
   /// A region with a greatest speed.
   struct SpeedRegion {

@@ -41,6 +41,16 @@ BodyNavigator::~BodyNavigator() = default;
 
 void BodyNavigator::set_map(const OccupancyGrid& map) { state_->around.set_map(map); }
 
+void BodyNavigator::set_map(const BitGrid& map) { state_->around.set_map(map); }
+
+void BodyNavigator::set_zones(const Zones& zones) {
+  if (const Expected<void> valid = validate(zones); !valid)
+    throw std::invalid_argument(valid.error().message);
+  if (state_->around.shares_map())
+    throw std::invalid_argument("set_zones: expected a navigator with a map of its own");
+  state_->set_zones(zones);
+}
+
 void BodyNavigator::map_changed() { state_->around.note_map(); }
 
 bool BodyNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& position) {

@@ -10,6 +10,7 @@
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"
 #include "fairway/planning/plan.hpp"
+#include "fairway/zones/zones.hpp"
 
 namespace fairway {
 
@@ -53,6 +54,16 @@ class BodyNavigator {
 
   /// Signals that the caller's shared map has changed; see the last constructor.
   void map_changed();
+
+  /// Replaces the map by one in its packed form.
+  void set_map(const BitGrid& map);
+
+  /// Replaces the zones; an empty list removes them. Keep-outs and strips hold for the true
+  /// outline, or for the reference point. They hold from the next cycle on: a drive that breaks
+  /// them is given up, and every command is proven against them.
+  /// @throws std::invalid_argument unless validate(zones) holds, and for a navigator on a map of
+  ///         the caller, who then sets the zones of the map (PreparedMap::set_zones).
+  void set_zones(const Zones& zones);
 
   /// Processes one scan; several may come between two cycles. On a map, what is seen is added to
   /// it. Without a map the robot drives on its scans: it plans through unknown space, and can

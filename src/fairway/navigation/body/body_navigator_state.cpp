@@ -6,16 +6,19 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/map/body_zones.hpp"
+#include "fairway/navigation/body/evasion.hpp"
 #include "fairway/navigation/facade/navigation_task.hpp"
 #include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/navigation/input_check.hpp"
+#include "fairway/navigation/limiting_factor.hpp"
+#include "fairway/safety/zone_check.hpp"
 
 namespace fairway {
 
 namespace {
 
-constexpr double kRowPeriod = 0.02;  // of a planned drive [s]
-constexpr double kPatience = 1.5;    // at standstill before a moving obstacle [s]
+constexpr double kPatience = 1.5;  // at standstill before a moving obstacle [s]
 
 double speed_of(const DriveFollower& follower) noexcept {
   return std::hypot(follower.sent().linear, follower.sent().lateral);
@@ -40,7 +43,7 @@ BodyNavigator::State::State(const Settings& given,
       robot(model),
       around(given, model.body, shared_map, reach_of_stop(model)),
       follower(model.base, given.navigation.control_period, given.safety),
-      planning(model, kRowPeriod, given.planning.background) {
+      planning(model, kDriveRowPeriod, given.planning.background) {
   constexpr std::size_t kManyObstacles = 256;
   moving_.reserve(kManyObstacles);
 }
@@ -53,7 +56,16 @@ void BodyNavigator::State::set_goal(const Goal& goal) {
   failures_ = 0;
   has_drive_ = false;
   reached_ = false;
+  is_evading_ = evades_ = false;
   waits_since_.reset();
+}
+
+// The zone that forbids the place of the robot, as a reason; none where no zone does.
+LimitingFactor BodyNavigator::State::zone_here(const Pose2& pose) const noexcept {
+  const ZoneMap* const zones = around.for_plans().obstacles().zones();
+  if (zones == nullptr) return LimitingFactor::None;
+  const auto zone = internal::forbidding_zone(*zones, robot.body, pose, 0.0);
+  return zone ? limit_of(verdict_of(*zones, *zone)) : LimitingFactor::None;
 }
 
 void BodyNavigator::State::cancel() noexcept {
@@ -113,91 +125,6 @@ bool BodyNavigator::State::at_goal(const Pose2& pose) const noexcept {
           std::abs(shortest_turn(pose.heading, *goal_->heading)) <= limits.heading_tolerance);
 }
 
-// Whether the rest of the drive is blocked by the present map.
-bool BodyNavigator::State::is_blocked() const noexcept {
-  const DriveReference& drive = follower.reference();
-  const auto first = static_cast<std::size_t>(follower.progress().phase / drive.period());
-  // A cell of a scan that flickers at a side must not end a drive.
-  const double margin = around.perception() != nullptr ? 0.0 : settings.safety.stop_margin;
-  for (std::size_t k = first; k < drive.rows().size(); ++k) {
-    const TrajectoryRow& row = drive.rows()[k];
-    if (!around.for_plans().is_free(row.pose, row.twist, drive.period(), margin)) return true;
-  }
-  return false;
-}
-
-// A search that fails takes longest, so it is repeated more and more seldom.
-double BodyNavigator::State::retry_period() const noexcept {
-  constexpr int kMostDoublings = 5;
-  const int doublings = std::clamp(failures_ - 1, 0, kMostDoublings);
-  return settings.planning.retry_period * (1 << doublings);
-}
-
-// A drive begins at standstill, so a robot that needs another one stops first.
-bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const noexcept {
-  if (!goal_ || !goal_valid_ || !around.known() || planning.busy() || reached_) return false;
-  if (has_drive_ && !wants_plan_) return false;
-  if (!follower.at_rest()) return false;
-  if (goal_is_new_ || at_once) return true;
-  const bool just_tried = m.time - plan_time_ < retry_period() && m.time >= plan_time_;
-  return !just_tried;
-}
-
-void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
-  follows_new_plan = false;
-  planned = false;
-  take_plan();
-  if (around.take_change()) {
-    if (around.perception() == nullptr) failures_ = 0;
-    if (has_drive_ && is_blocked()) wants_plan_ = true;
-  }
-  if (!needs_plan(m, at_once)) return;
-  if (!is_plausible(m.pose) || !std::isfinite(m.time)) return;
-  around.claim(m.pose);
-  const bool mapless = around.mapless();
-  BodyPlanRequest request{
-      .start = m.pose,
-      .goal = mapless ? goal_inside(around.for_plans(), m.pose, *goal_) : *goal_,
-      .standing = {},
-      .kept = settings.prediction.obstacle_margin,
-      .or_without = !avoids_moving_,
-      .more_margin = around.perception() != nullptr ? settings.perception.resolution : 0.0};
-  for (const MovingObstacle& obstacle : m.obstacles) {
-    if (is_plausible(obstacle) && (avoids_moving_ || is_standing(obstacle)))
-      request.standing.push_back(obstacle);
-  }
-  goal_is_new_ = false;
-  asked_number_ = goal_number_;
-  plan_time_ = m.time;
-  planned = true;
-  const bool in_known_space = std::exchange(in_known_space_, false);
-  if (in_known_space) {
-    planning.start(around.known_space(), std::move(request));
-  } else {
-    planning.start(around.map_for_plans(), std::move(request));
-  }
-  take_plan();
-}
-
-void BodyNavigator::State::take_plan() {
-  std::optional<BodyPlan> made = planning.take();
-  if (!made || !goal_ || asked_number_ != goal_number_) return;
-  // A robot that waits before an obstacle keeps its drive if there is none around it.
-  failures_ = made->drive.rows.empty() ? failures_ + 1 : 0;
-  const bool keeps = made->drive.rows.empty() && has_drive_ && avoids_moving_;
-  avoids_moving_ = false;
-  if (keeps) {
-    wants_plan_ = false;
-    return;
-  }
-  plan = shown_plan(*made);
-  has_drive_ = !made->drive.rows.empty();
-  wants_plan_ = false;
-  follows_new_plan = true;
-  if (has_drive_)
-    follower.follow(DriveReference(robot.base, std::move(made->drive.rows), kRowPeriod));
-}
-
 NavigationStep BodyNavigator::State::step_of(const BaseInput& input,
                                              NavigationStatus status,
                                              LimitingFactor limit) const noexcept {
@@ -214,29 +141,44 @@ NavigationStep BodyNavigator::State::step_of(const BaseInput& input,
 
 // Notes for how long the robot waits, and gives up a drive that cannot be continued.
 void BodyNavigator::State::watch(const NavigationStep& step, double time) noexcept {
-  const bool waits =
-      follower.at_rest() && !follower.finished() &&
-      (step.limit == LimitingFactor::MovingObstacle || step.limit == LimitingFactor::StopNotProven);
+  const bool blocked = step.status == NavigationStatus::Blocked &&  // by a place, or a zone
+                       step.limit != LimitingFactor::MovingObstacle;
+  const bool waits = follower.at_rest() && !follower.finished() &&
+                     (blocked || step.limit == LimitingFactor::MovingObstacle ||
+                      step.limit == LimitingFactor::StopNotProven);
   if (!waits) {
     waits_since_.reset();
     return;
   }
   if (!waits_since_) waits_since_ = time;
-  if (step.limit == LimitingFactor::StopNotProven && step.status == NavigationStatus::Blocked)
-    wants_plan_ = in_known_space_ = true;
+  if (blocked) wants_plan_ = in_known_space_ = true;
   if (time - *waits_since_ < kPatience || time - plan_time_ < retry_period()) return;
   wants_plan_ = true;
   avoids_moving_ = true;
   waits_since_ = time;
 }
 
+MovingSurroundings BodyNavigator::State::moving_around(const Measurements& m) const noexcept {
+  return {.obstacles = m.obstacles,
+          .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
+          .prediction = settings.prediction};
+}
+
+// A robot that has given way plans again once it is at rest and out of the way.
+void BodyNavigator::State::end_evasion(const Measurements& m) noexcept {
+  constexpr double kAhead = 2.0;  // [s]
+  if (!is_evading_ || !follower.at_rest() || follower.progress().phase <= 0.0) return;
+  if (!follower.settled() && is_run_into(robot.body, m.pose, moving_around(m), kAhead)) return;
+  is_evading_ = false;
+  wants_plan_ = true;
+}
+
 NavigationStep BodyNavigator::State::drive(const Measurements& m) {
-  const FollowerView view{
-      .pose = m.pose,
-      .clearance = &around.for_stops(),
-      .moving = {.obstacles = m.obstacles,
-                 .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
-                 .prediction = settings.prediction}};
+  const FollowerView view{.pose = m.pose,
+                          .clearance = &around.for_stops(),
+                          .moving = moving_around(m),
+                          .no_refuge = no_refuge_};
+  end_evasion(m);
   if (has_drive_ && follower.is_lost(m.pose)) wants_plan_ = true;
   if (!has_drive_ || wants_plan_) {
     const bool plans = planning.busy();
@@ -246,10 +188,12 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
                                     : plans || planned ? NavigationStatus::Planning
                                     : has_drive_       ? NavigationStatus::Blocked
                                                        : NavigationStatus::NoPlan;
-    return step_of(braked.input, status, plans ? LimitingFactor::None : LimitingFactor::NoPath);
+    const LimitingFactor zone = zone_here(m.pose);
+    const LimitingFactor limit = plans ? LimitingFactor::None : LimitingFactor::NoPath;
+    return step_of(braked.input, status, zone != LimitingFactor::None ? zone : limit);
   }
   const FollowerStep driven = follower.update(view);
-  if (follower.settled()) {
+  if (follower.settled() && !is_evading_) {
     if (at_goal(m.pose)) {
       reached_ = true;
       return step_of(driven.input, NavigationStatus::GoalReached, LimitingFactor::None);
@@ -294,6 +238,7 @@ NavigationStep BodyNavigator::State::update(const Measurements& given) {
   }
   const NavigationStep step = drive(m);
   watch(step, m.time);
+  if (must_evade(m)) evades_ = true;
   return step;
 }
 

@@ -13,11 +13,14 @@
 
 namespace fairway {
 
+inline constexpr double kDriveRowPeriod = 0.02;  ///< of a planned drive [s]
+
 /// State of a BodyNavigator: the map, the goal, the drive, and when to plan another.
 struct BodyNavigator::State {
   State(const Settings& settings, const RobotModel& robot, const PreparedMap* shared_map);
 
   void set_goal(const Goal& goal);
+  void set_zones(const Zones& zones);
   void cancel() noexcept;
   void reset(const BaseInput& actual) noexcept;
   [[nodiscard]] NavigationStep update(const Measurements& m);
@@ -42,8 +45,14 @@ struct BodyNavigator::State {
   [[nodiscard]] double retry_period() const noexcept;
   [[nodiscard]] bool needs_plan(const Measurements& m, bool at_once) const noexcept;
   void take_plan();
+  void meet_zone_speeds();
+  [[nodiscard]] LimitingFactor zone_here(const Pose2& pose) const noexcept;
   [[nodiscard]] Measurements merged(const Measurements& m);
   [[nodiscard]] NavigationStep drive(const Measurements& m);
+  [[nodiscard]] MovingSurroundings moving_around(const Measurements& m) const noexcept;
+  [[nodiscard]] BodyPlanRequest request_for(const Measurements& m) const;
+  [[nodiscard]] bool must_evade(const Measurements& m) const noexcept;
+  void end_evasion(const Measurements& m) noexcept;
   void watch(const NavigationStep& step, double time) noexcept;
   [[nodiscard]] NavigationStep step_of(const BaseInput& input,
                                        NavigationStatus status,
@@ -60,6 +69,10 @@ struct BodyNavigator::State {
   int goal_number_ = 0;
   int asked_number_ = 0;
   double plan_time_ = -std::numeric_limits<double>::infinity();
+  bool evades_ = false;      // the next plan leads out of the way of an obstacle
+  bool is_evading_ = false;  // the present drive does
+  bool no_refuge_ = false;   // the last plan of that kind found none
+  double evasion_time_ = -std::numeric_limits<double>::infinity();
   std::optional<double> waits_since_;   // for a moving obstacle, at standstill
   bool avoids_moving_ = false;          // the next plan drives round moving obstacles
   std::vector<MovingObstacle> moving_;  // of trackers and the own lidar

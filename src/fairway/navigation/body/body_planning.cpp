@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/navigation/body/evasion.hpp"
 #include "fairway/path/se2/goal_distance.hpp"
 
 namespace fairway {
@@ -160,6 +161,25 @@ BodyPlan plan_body_drive(const PreparedMap& map,
   return plan_among(map, robot, alone, period, settings);
 }
 
+BodyPlan plan_body_evasion(const PreparedMap& map,
+                           const RobotModel& robot,
+                           const BodyPlanRequest& request,
+                           double period) {
+  constexpr double kReaction = 0.2;  // of planning, and of the base [s]
+  const BodyClearance clearance(map.obstacles, map.distances, robot.body);
+  const EvasionTask task{
+      .start = request.start,
+      .moving = {.obstacles = request.coming, .age = request.age, .prediction = request.prediction},
+      .delay = kReaction + robot.base.response_time};
+  BodyPlan plan{.goal = request.goal, .goal_pose = request.start, .drive = {}, .evasive = true};
+  if (auto rows = plan_evasion(clearance, robot.base, task, period)) {
+    plan.drive.path.status = BodyPathStatus::Found;
+    plan.goal_pose = rows->back().pose;
+    plan.drive.rows = std::move(*rows);
+  }
+  return plan;
+}
+
 Plan shown_plan(const BodyPlan& plan) {
   Plan shown;
   shown.goal = plan.goal;
@@ -197,7 +217,8 @@ void BodyPlanning::make(const PreparedMap& map) {
   const double begin = clock_ ? clock_() : 0.0;
   DriveSettings settings = drive_settings_for(robot_.body);
   settings.path.margin += request_.more_margin;
-  made_ = plan_body_drive(map, robot_, request_, row_period_, settings);
+  made_ = request_.evades ? plan_body_evasion(map, robot_, request_, row_period_)
+                          : plan_body_drive(map, robot_, request_, row_period_, settings);
   seconds_ = clock_ ? clock_() - begin : 0.0;
 }
 

@@ -23,6 +23,12 @@ struct BodyPlanRequest {
   double kept = 0.1;                     ///< distance kept from these [m]
   /// Whether to plan as if they were not there where they leave no path: they may go away.
   bool or_without = true;
+  /// Whether a short drive out of the predicted motion of `coming` is asked for, not one to the
+  /// goal.
+  bool evades = false;
+  std::vector<MovingObstacle> coming{};
+  PredictionSettings prediction{};
+  double age = 0.0;          ///< of `coming` [s]
   double more_margin = 0.0;  ///< beyond what is tried first otherwise, for maps that flicker [m]
 };
 
@@ -31,6 +37,7 @@ struct BodyPlan {
   Goal goal;
   Pose2 goal_pose;  ///< the goal with the heading that was selected
   DrivePlan drive;
+  bool evasive = false;  ///< the drive leads out of the way of an obstacle
 };
 
 /// Settings of drives for a body: the cells of the search grow with the body.
@@ -50,6 +57,12 @@ struct BodyPlan {
                                        const BodyPlanRequest& request,
                                        double period,
                                        const DriveSettings& settings);
+
+/// Plans an evasion as requested; the drive has no rows where there is none.
+[[nodiscard]] BodyPlan plan_body_evasion(const PreparedMap& map,
+                                         const RobotModel& robot,
+                                         const BodyPlanRequest& request,
+                                         double period);
 
 /// The plan in the form that pages, pictures and results show: the path of the reference point.
 [[nodiscard]] Plan shown_plan(const BodyPlan& plan);

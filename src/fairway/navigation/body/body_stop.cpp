@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/map/body_zones.hpp"
+#include "fairway/safety/zone_check.hpp"
 #include "fairway/trajectory/tracking_law.hpp"
 
 namespace fairway {
@@ -39,7 +41,50 @@ bool hits_moving(const BodyShape& body,
   const auto hits = [&](double share) {
     return body_separation(body, pose, surroundings.moving, time, share) < 0.0;
   };
-  return hits(1.0) || (surroundings.may_turn && (hits(0.0) || hits(-1.0)));
+  const auto hits_standing = [&] {
+    MovingSurroundings one = surroundings.moving;
+    for (const MovingObstacle& obstacle : surroundings.moving.obstacles) {
+      one.obstacles = {&obstacle, 1};
+      if (is_standing(obstacle) && body_separation(body, pose, one, time) < 0.0) return true;
+    }
+    return false;
+  };
+  return (surroundings.goes_on ? hits(1.0) : hits_standing()) ||
+         (surroundings.may_turn && (hits(0.0) || hits(-1.0)));
+}
+
+}  // namespace
+
+namespace {
+
+// Why a piece of motion is not free: the zone that forbids one of its ends, or else an obstacle.
+StopVerdict refusal(const BodyClearance& clearance,
+                    const Pose2& from,
+                    const Pose2& to,
+                    double margin) noexcept {
+  const ZoneMap* const zones = clearance.obstacles().zones();
+  if (zones == nullptr) return StopVerdict::HitsStatic;
+  for (const Pose2& pose : {to, from}) {
+    if (const auto zone = internal::forbidding_zone(*zones, clearance.body(), pose,
+                                                    margin + BodyClearance::kMotionTolerance))
+      return verdict_of(*zones, *zone);
+  }
+  return StopVerdict::HitsStatic;
+}
+
+// What zones ask of a piece of motion besides its place: its speed and its direction.
+StopVerdict check_rules(const ZoneMap& zones,
+                        const BodyShape& body,
+                        const Pose2& start,
+                        const PlanarTwist& way,
+                        double speed) noexcept {
+  constexpr double kSameSpeed = 5e-4;  // [m/s]
+  const double half = 0.5 * body.greatest_speed(way.linear, way.lateral, way.angular);
+  if (!zones.speed_regions().empty() &&
+      speed > internal::zone_speed(zones, body, moved(start, way, 0.5), half) + kSameSpeed)
+    return StopVerdict::TooFast;
+  return internal::goes_against_lane(zones, start, way, 1.0, {}) ? StopVerdict::WrongWay
+                                                                 : StopVerdict::Free;
 }
 
 }  // namespace
@@ -54,12 +99,22 @@ StopVerdict check_stop(const BaseModel& base,
                        double held) noexcept {
   if (stop.count == 0) return StopVerdict::HitsStatic;
   const BodyClearance& clearance = *surroundings.clearance;
+  const ZoneMap* const zones = clearance.obstacles().zones();
   Pose2 now = pose;
   double time = 0.0;
   const auto drive = [&](const BaseInput& from, const BaseInput& to, double duration) {
     const Pose2 next = driven(base, now, from, to, duration);
-    if (!clearance.is_free(now, twist_between(now, next), 1.0, surroundings.margin))
-      return StopVerdict::HitsStatic;
+    const PlanarTwist way = twist_between(now, next);
+    if (!clearance.is_free(now, way, 1.0, surroundings.margin))
+      return refusal(clearance, now, next, surroundings.margin);
+    if (zones != nullptr) {
+      const double speed =
+          std::max(std::hypot(from.linear, from.lateral), std::hypot(to.linear, to.lateral));
+      const StopVerdict verdict = check_rules(*zones, clearance.body(), now, way, speed);
+      if (verdict != StopVerdict::Free &&
+          !(verdict == StopVerdict::TooFast && surroundings.may_exceed_zone_speed))
+        return verdict;
+    }
     now = next;
     time += duration;
     return StopVerdict::Free;
@@ -67,7 +122,9 @@ StopVerdict check_stop(const BaseModel& base,
   const auto meets_moving = [&] { return hits_moving(clearance.body(), now, surroundings, time); };
   BaseInput from = sent;
   if (base.response_time > 0.0 && !is_at_rest(base, sent)) {
-    if (drive(sent, sent, base.response_time) != StopVerdict::Free) return StopVerdict::HitsStatic;
+    if (const StopVerdict verdict = drive(sent, sent, base.response_time);
+        verdict != StopVerdict::Free)
+      return verdict;
   } else {
     time = base.response_time;
   }
@@ -77,15 +134,17 @@ StopVerdict check_stop(const BaseModel& base,
     const BaseInput middle = 0.5 * (from + to);
     // Two halves: within each the motion is an arc to less than the margin.
     for (const int half : {0, 1}) {
-      if (drive(half == 0 ? from : middle, half == 0 ? middle : to, 0.5 * period) !=
-          StopVerdict::Free)
-        return StopVerdict::HitsStatic;
+      if (const StopVerdict verdict =
+              drive(half == 0 ? from : middle, half == 0 ? middle : to, 0.5 * period);
+          verdict != StopVerdict::Free)
+        return verdict;
       if (meets_moving()) return StopVerdict::HitsMoving;
     }
     from = to;
     for (double left = i < 0 ? held : 0.0; left > 0.0; left -= 0.5 * period) {
-      if (drive(to, to, std::min(left, 0.5 * period)) != StopVerdict::Free)
-        return StopVerdict::HitsStatic;
+      if (const StopVerdict verdict = drive(to, to, std::min(left, 0.5 * period));
+          verdict != StopVerdict::Free)
+        return verdict;
       if (meets_moving()) return StopVerdict::HitsMoving;
     }
   }

@@ -37,11 +37,14 @@ struct StopSurroundings {
   double margin = 0.0;                       ///< clearance kept from them [m]
   MovingSurroundings moving;
   bool may_turn = false;  ///< moving obstacles may also stop or turn back now
+  bool goes_on = true;    ///< moving obstacles may keep their velocity
+  /// Whether a zone's speed limit may be exceeded: by a robot that brakes as fast as it can.
+  bool may_exceed_zone_speed = false;
 };
 
 /// Returns whether the body stays free from `sent` over `input` through the stop. The inputs are
 /// linear between control periods. Static obstacles are tested along the whole motion, moving ones
-/// at its periods and their middles.
+/// at its periods and their middles. Zones of the map count.
 ///
 /// @param held  Time by which the stop begins later than a period from now: `input` stays [s].
 [[nodiscard]] StopVerdict check_stop(const BaseModel& base,

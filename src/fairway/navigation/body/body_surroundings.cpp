@@ -35,11 +35,22 @@ BodySurroundings::BodySurroundings(const Settings& settings,
   if (shared_ != nullptr) refresh();
 }
 
-void BodySurroundings::set_map(const OccupancyGrid& given) {
-  own_.emplace(given, unknown_);
+void BodySurroundings::set_map(const OccupancyGrid& given) { set_map(BitGrid(given, unknown_)); }
+
+void BodySurroundings::set_map(const BitGrid& map) {
+  BitGrid bits = map;
+  bits.set_zones(zones_);
+  own_.emplace(std::move(bits));
   seen_free_.reset();
   merged_.reset();
   refresh();
+}
+
+void BodySurroundings::set_zones(std::shared_ptr<const ZoneMap> zones) {
+  zones_ = std::move(zones);
+  if (own_) own_->set_zones(zones_);
+  if (perception_) perception_->set_zones(zones_);
+  if (known()) refresh();
 }
 
 void BodySurroundings::note_map() { refresh(); }
@@ -47,7 +58,10 @@ void BodySurroundings::note_map() { refresh(); }
 bool BodySurroundings::observe(const LidarScan& scan, const Vector2d& position) {
   scan_refused_ = !is_plausible(scan, position);
   if (scan_refused_) return false;
-  if (!perception_) perception_.emplace(settings_, position);
+  if (!perception_) {
+    perception_.emplace(settings_, position);
+    perception_->set_zones(zones_);
+  }
   perception_->observe(scan, position, 0.0);
   center_ = position;
   refresh();
@@ -70,7 +84,9 @@ void BodySurroundings::refresh() {
     adopt(drawn_, merged_);
   } else if (perception_) {
     adopt(perception_->grid().occupied(), merged_);
-    adopt(cropped(perception_->grid().not_seen_free(), center_, reach_), seen_free_);
+    BitGrid near = cropped(perception_->grid().not_seen_free(), center_, reach_);
+    near.set_zones(zones_);
+    adopt(near, seen_free_);
   }
   planned_.emplace(map_for_plans().obstacles, map_for_plans().distances, body_);
   const PreparedMap& near = seen_free_ ? *seen_free_ : map_for_plans();

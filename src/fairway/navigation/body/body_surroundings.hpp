@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "fairway/map/body_clearance.hpp"
@@ -28,6 +29,13 @@ class BodySurroundings {
 
   /// Replaces the own map.
   void set_map(const OccupancyGrid& map);
+
+  /// Replaces the own map; its zones are not taken over.
+  void set_map(const BitGrid& map);
+
+  /// Sets the zones that hold; null for none. @pre there is no shared map, whose own zones hold.
+  void set_zones(std::shared_ptr<const ZoneMap> zones);
+  [[nodiscard]] bool shares_map() const noexcept { return shared_ != nullptr; }
 
   /// Takes over a change of the shared map.
   void note_map();
@@ -76,6 +84,7 @@ class BodySurroundings {
   const PreparedMap* shared_;
   double reach_;
   std::optional<PreparedMap> own_;
+  std::shared_ptr<const ZoneMap> zones_;  // null without
   std::optional<Perception> perception_;
   BitGrid drawn_;                         // the map with the obstacles of scans
   std::optional<PreparedMap> merged_;     // the same, prepared; or the scans' obstacles alone

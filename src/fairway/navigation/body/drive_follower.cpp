@@ -7,17 +7,15 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/map/body_zones.hpp"
+#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/limiting_factor.hpp"
 
 namespace fairway {
 
-namespace {
-
-constexpr double kHorizon = 5.0;  // in which moving obstacles are looked at [s]
-
-}  // namespace
-
-void DriveFollower::follow(DriveReference reference) noexcept {
+void DriveFollower::follow(DriveReference reference, bool evasive) noexcept {
   reference_ = std::move(reference);
+  evasive_ = evasive;
   progress_ = {};
   proven_ = {};
   settled_ = false;
@@ -33,34 +31,69 @@ void DriveFollower::reset(const BaseInput& actual) noexcept {
 
 bool DriveFollower::at_rest() const noexcept { return is_at_rest(base_, sent_); }
 
-// The fastest rate at which no moving obstacle is met; where there is none, the one that keeps most
-// distance. A base that can reverse may also drive back along its path.
+// The rate at which the robot backs along its drive; 0 where it cannot, or too slowly to help.
+double DriveFollower::backing_rate() const noexcept {
+  constexpr double kFastest = 0.5;
+  constexpr double kSlowest = 0.1;
+  const bool omni = base_.kind == BaseKind::Omni;
+  const double rate = std::min(kFastest, omni ? kFastest : -base_.linear_min / base_.linear_max);
+  return rate > kSlowest ? -rate : 0.0;
+}
+
+// The fastest rate at which no moving obstacle is met. Where there is none, the robot stays, backs
+// along its drive or drives on, whichever leads past the obstacles with the least distance.
 DriveFollower::Choice DriveFollower::choose_rate(const FollowerView& view) const noexcept {
   constexpr std::array<double, 4> kRates{1.0, 0.6, 0.3, 0.0};
   const double fastest = std::max(base_.linear_max, -base_.linear_min) + base_.lateral_max;
   const BodyShape& body = view.clearance->body();
-  if (is_apart(body, view.pose, view.moving, fastest, kHorizon)) return {};
-  Choice best{.target = 0.0, .slowed = true};
-  double most = -std::numeric_limits<double>::infinity();
-  const auto look = [&](double rate) {
-    return look_ahead(body, reference_, progress_, rate, view.moving, kHorizon).separation;
+  if (is_apart(body, view.pose, view.moving, fastest, kLookAhead)) return {};
+  const auto look = [&](double rate, const MovingSurroundings& moving, double horizon) {
+    return look_ahead(body, reference_, progress_, rate, moving, horizon).separation;
   };
   for (const double rate : kRates) {
-    const double separation = look(rate);
-    if (separation >= 0.0) return {.target = rate, .slowed = rate < 1.0};
-    if (separation > most) {
-      most = separation;
-      best.target = rate;
-    }
+    if (look(rate, view.moving, kLookAhead) >= 0.0) return {.target = rate, .slowed = rate < 1.0};
   }
-  const bool omni = base_.kind == BaseKind::Omni;
-  const double back = -std::min(0.5, omni ? 0.5 : -base_.linear_min / base_.linear_max);
-  constexpr double kSlowest = -0.1;  // slower is no help
-  if (back < kSlowest && look(back) > most) best.target = back;
+  MovingSurroundings near = view.moving;
+  near.prediction = near_prediction(near.prediction);
+  const double stays = look(0.0, near, kLookAhead);
+  if (stays >= 0.0) return {.target = 0.0, .slowed = true};
+  // Backing away from an obstacle that is faster only helps for a while; giving way does.
+  constexpr double kLong = 2.0;
+  const double back = backing_rate();
+  const double backs = back < 0.0 ? look(back, near, kLong * kLookAhead) : stays;
+  if (backs >= 0.0) return {.target = back, .slowed = true};
+  constexpr double kBetter = 0.05;  // [m]
+  Choice best{.target = 0.0, .slowed = true};
+  double most = stays + kBetter;
+  for (const double rate : {1.0, 0.6, 0.3}) {
+    const double separation = look(rate, near, kLookAhead);
+    if (separation <= most) continue;
+    most = separation;
+    best.target = rate;
+    if (most >= 0.0) return best;
+  }
+  if (view.no_refuge && backs > most) best.target = back;
   return best;
 }
 
-DriveFollower::Candidate DriveFollower::candidate(const Pose2& pose, double target) const noexcept {
+// A correction may not exceed the limit of a zone that the plan meets.
+BaseInput DriveFollower::within_zones(const FollowerView& view, BaseInput input) const noexcept {
+  constexpr double kNear = 0.05;   // [m]
+  constexpr double kShare = 0.99;  // of a limit
+  const ZoneMap* const zones = view.clearance->obstacles().zones();
+  if (zones == nullptr || zones->speed_regions().empty()) return input;
+  const double most =
+      kShare * internal::zone_speed(*zones, view.clearance->body(), view.pose, kNear);
+  const double speed = std::hypot(input.linear, input.lateral);
+  if (speed <= most) return input;
+  input.linear *= most / speed;
+  input.lateral *= most / speed;
+  return input;
+}
+
+DriveFollower::Candidate DriveFollower::candidate(const FollowerView& view,
+                                                  double target) const noexcept {
+  const Pose2& pose = view.pose;
   Candidate next;
   next.progress = reference_.advanced(progress_, target, period_);
   // The base follows late, so it is sent what it is to do then.
@@ -73,14 +106,18 @@ DriveFollower::Candidate DriveFollower::candidate(const Pose2& pose, double targ
       next.progress.rate == 0.0
           ? resting_input(base_, planned)
           : corrected_input(base_, gains_, reference_.pose_at(progress_.phase), planned, pose);
-  next.input = limited_input(base_, sent_, wanted, period_);
+  next.input = limited_input(base_, sent_, within_zones(view, wanted), period_);
   return next;
 }
 
-StopVerdict DriveFollower::prove(const FollowerView& view, const Candidate& next) noexcept {
+StopVerdict DriveFollower::prove(const FollowerView& view,
+                                 const Candidate& next,
+                                 Excuse excuse) noexcept {
   make_stop(base_, reference_, next.sent_for, next.input, period_, trial_);
   StopSurroundings all = surroundings(view);
   all.may_turn = true;
+  all.may_exceed_zone_speed = excuse == Excuse::BrakesInZone;
+  all.goes_on = excuse != Excuse::GivesWay;
   // The next cycle may be a period later, or as late as is promised.
   for (const double held : {0.0, (safety_.longest_hold - 1.0) * period_}) {
     const StopVerdict verdict =
@@ -134,28 +171,47 @@ bool DriveFollower::is_lost(const Pose2& pose) const noexcept {
          (pose.position - reference_.pose_at(progress_.phase).position).norm() > kBeside;
 }
 
-FollowerStep DriveFollower::update(const FollowerView& view) noexcept {
+FollowerStep DriveFollower::update(const FollowerView& given) noexcept {
+  FollowerView view = given;
+  if (evasive_) view.moving.prediction = near_prediction(view.moving.prediction);
   if (steers_first()) return {.input = sent_};
   if (finished()) return settle(view);
   const Choice choice = choose_rate(view);
   double target = choice.target;
   target *= accuracy(view.pose);
   FollowerStep step;
+  constexpr double kLimited = 0.995;
+  if (reference_.greatest_rate(progress_.phase) < kLimited) step.limit = LimitingFactor::SpeedZone;
   if (choice.slowed) step.limit = LimitingFactor::MovingObstacle;
   StopVerdict verdict = StopVerdict::Free;
+  std::optional<Candidate> exposed;  // proven, but an obstacle may run into the robot after it
   for (const double rate : {target, 0.5 * target, 0.0}) {
-    const Candidate next = candidate(view.pose, rate);
-    const StopVerdict now = prove(view, next);
-    if (now == StopVerdict::Free) {
-      take(next);
-      step.input = sent_;
-      if (verdict == StopVerdict::Free) return step;
-      step.limit = verdict == StopVerdict::HitsMoving ? LimitingFactor::MovingObstacle
-                                                      : LimitingFactor::StopNotProven;
-      step.status = rate == 0.0 ? NavigationStatus::Stopping : NavigationStatus::Ok;
-      return step;
+    const Candidate next = candidate(view, rate);
+    const StopVerdict now = prove(view, next, rate == 0.0 ? Excuse::BrakesInZone : Excuse::None);
+    if (now != StopVerdict::Free) {
+      verdict = now;
+      if (now == StopVerdict::HitsMoving && rate == target && gives_way(view, target))
+        return {.input = sent_,
+                .status = NavigationStatus::Degraded,
+                .limit = LimitingFactor::MovingObstacle};
+      continue;
     }
-    verdict = now;
+    if (!evasive_ && !can_leave(view, next) && (rate > 0.0 || exposed)) {
+      if (!exposed) exposed = next;
+      if (rate > 0.0) continue;
+      // Slower is no better.
+      static_cast<void>(prove(view, *exposed));
+      take(*exposed);
+      return {.input = sent_, .limit = step.limit};
+    }
+    take(next);
+    step.input = sent_;
+    if (exposed) step.limit = LimitingFactor::MovingObstacle;
+    if (verdict == StopVerdict::Free) return step;
+    step.limit =
+        verdict == StopVerdict::HitsMoving ? LimitingFactor::MovingObstacle : limit_of(verdict);
+    step.status = rate == 0.0 ? NavigationStatus::Stopping : NavigationStatus::Ok;
+    return step;
   }
   if (verdict == StopVerdict::HitsMoving && !stop_is_free(view) && escape(view))
     return {.input = sent_,
@@ -163,46 +219,8 @@ FollowerStep DriveFollower::update(const FollowerView& view) noexcept {
             .limit = LimitingFactor::MovingObstacle};
   step.input = stop();
   step.status = at_rest() ? NavigationStatus::Blocked : NavigationStatus::Stopping;
-  step.limit = LimitingFactor::StopNotProven;
+  step.limit = limit_of(verdict);
   return step;
-}
-
-// Whether the rest of the last proven stop still is free of moving obstacles. Then it is executed:
-// nothing else is as safe.
-bool DriveFollower::stop_is_free(const FollowerView& view) noexcept {
-  if (proven_.at_rest()) return false;
-  trial_ = proven_;
-  const auto first = trial_.inputs.begin() + trial_.next;
-  const BaseInput input = *first;
-  trial_.count = static_cast<int>(
-      std::copy(first + 1, trial_.inputs.begin() + trial_.count, trial_.inputs.begin()) -
-      trial_.inputs.begin());
-  trial_.next = 0;
-  if (trial_.count == 0) trial_.inputs[static_cast<std::size_t>(trial_.count++)] = input;
-  return check_stop(base_, view.pose, sent_, input, trial_, period_, surroundings(view)) ==
-         StopVerdict::Free;
-}
-
-// Where also braking meets a moving obstacle, driving on may pass before it without contact.
-// Otherwise braking is right: nothing else stops earlier. Static obstacles stay excluded.
-bool DriveFollower::escape(const FollowerView& view) noexcept {
-  constexpr double kDistance = 0.05;  // [m]
-  FollowerView fixed = view;
-  fixed.moving.obstacles = {};
-  MovingSurroundings moving = view.moving;
-  moving.prediction.obstacle_margin = kDistance;
-  moving.prediction.obstacle_growth = 0.0;
-  const BodyShape& body = view.clearance->body();
-  for (const double rate : {1.0, 0.6, 0.0}) {
-    const bool passes =
-        look_ahead(body, reference_, progress_, rate, moving, kHorizon).separation > 0.0;
-    if (!passes && rate > 0.0) continue;
-    const Candidate next = candidate(view.pose, rate);
-    if (prove(fixed, next) != StopVerdict::Free) continue;
-    take(next);
-    return true;
-  }
-  return false;
 }
 
 FollowerStep DriveFollower::settle(const FollowerView& view) noexcept {
@@ -225,8 +243,8 @@ FollowerStep DriveFollower::settle(const FollowerView& view) noexcept {
 }
 
 FollowerStep DriveFollower::brake(const FollowerView& view) noexcept {
-  const Candidate next = candidate(view.pose, 0.0);
-  if (prove(view, next) != StopVerdict::Free)
+  const Candidate next = candidate(view, 0.0);
+  if (prove(view, next, Excuse::BrakesInZone) != StopVerdict::Free)
     return {.input = stop(), .status = NavigationStatus::Stopping};
   take(next);
   return {.input = sent_, .status = NavigationStatus::Stopping};

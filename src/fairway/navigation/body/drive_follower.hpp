@@ -11,11 +11,15 @@
 
 namespace fairway {
 
+/// Time in which a follower looks at moving obstacles [s].
+inline constexpr double kLookAhead = 5.0;
+
 /// What a follower measures in a cycle.
 struct FollowerView {
   Pose2 pose;
   const BodyClearance* clearance = nullptr;  ///< the newest static obstacles
   MovingSurroundings moving;
+  bool no_refuge = false;  ///< there is no drive out of the way of an obstacle
 };
 
 /// What a follower answers.
@@ -39,7 +43,11 @@ class DriveFollower {
         safety_(safety) {}
 
   /// Takes over a drive, from its begin. @pre the robot is at rest at the drive's start.
-  void follow(DriveReference reference) noexcept;
+  /// @param evasive  It leads out of the predicted motion of obstacles; see `gives_way`.
+  void follow(DriveReference reference, bool evasive = false) noexcept;
+
+  /// Limits the rate of the present drive; see DriveReference::limit_rate.
+  void limit_rate(std::vector<double> most) { reference_.limit_rate(std::move(most)); }
 
   /// Sets the actual input of the base, for one that was moved by other means. Drops the drive.
   void reset(const BaseInput& actual) noexcept;
@@ -77,11 +85,19 @@ class DriveFollower {
   [[nodiscard]] FollowerStep settle(const FollowerView& view) noexcept;
   [[nodiscard]] double accuracy(const Pose2& pose) const noexcept;
   [[nodiscard]] Choice choose_rate(const FollowerView& view) const noexcept;
-  [[nodiscard]] Candidate candidate(const Pose2& pose, double target) const noexcept;
+  [[nodiscard]] BaseInput within_zones(const FollowerView& view, BaseInput input) const noexcept;
+  [[nodiscard]] Candidate candidate(const FollowerView& view, double target) const noexcept;
   [[nodiscard]] bool escape(const FollowerView& view) noexcept;
   [[nodiscard]] bool stop_is_free(const FollowerView& view) noexcept;
   [[nodiscard]] StopSurroundings surroundings(const FollowerView& view) const noexcept;
-  [[nodiscard]] StopVerdict prove(const FollowerView& view, const Candidate& next) noexcept;
+  // What a proof excuses.
+  enum class Excuse { None, BrakesInZone, GivesWay };
+  [[nodiscard]] StopVerdict prove(const FollowerView& view,
+                                  const Candidate& next,
+                                  Excuse excuse = Excuse::None) noexcept;
+  [[nodiscard]] double backing_rate() const noexcept;
+  [[nodiscard]] bool can_leave(const FollowerView& view, const Candidate& next) const noexcept;
+  [[nodiscard]] bool gives_way(const FollowerView& view, double target) noexcept;
   void take(const Candidate& next) noexcept;
 
   BaseModel base_;
@@ -91,6 +107,7 @@ class DriveFollower {
   DriveReference reference_;
   DriveProgress progress_;
   BaseInput sent_;
+  bool evasive_ = false;
   bool settled_ = false;
   int settling_cycles_ = 0;
   BodyStop proven_;

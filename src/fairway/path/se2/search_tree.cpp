@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/map/body_zones.hpp"
 
 namespace fairway::internal {
 
@@ -56,6 +58,26 @@ double SearchTree::step_cost(const Node& from, const MotionPiece& piece) const n
   return cost;
 }
 
+// What zones add to the cost of a piece; infinite for one that they forbid. The piece is given in
+// the direction of driving.
+double SearchTree::zone_cost(const Pose2& start, const MotionPiece& piece) const noexcept {
+  const ZoneMap* const zones = task_.clearance->obstacles().zones();
+  if (zones == nullptr || !zones->has_costs()) return 0.0;
+  if (goes_against_lane(*zones, start, piece.twist, piece.amount, kPlannedLanes))
+    return std::numeric_limits<double>::infinity();
+  constexpr double kApart = 0.25;  // [m]
+  const double length = piece.amount * std::hypot(piece.twist.linear, piece.twist.lateral);
+  const int parts = std::max(1, static_cast<int>(std::ceil(length / kApart)));
+  double metres = 0.0;
+  Eigen::Vector2d before = start.position;
+  for (int i = 1; i <= parts; ++i) {
+    const Eigen::Vector2d now = moved(start, piece.twist, i * piece.amount / parts).position;
+    metres += zones->cost_along({.a = before, .b = now});
+    before = now;
+  }
+  return metres * task_.cost->per_metre();
+}
+
 double SearchTree::estimate(const Pose2& pose) const noexcept {
   const double way = remaining_->at(pose.position) * task_.cost->per_metre();
   const double alone =
@@ -100,6 +122,9 @@ void SearchTree::expand_node(std::uint32_t index) {
     next.key = key_of(next.pose, scale_at(next.pose));
     std::uint32_t& place = table_[next.key];
     if (place != StateTable::kNone && nodes_[place].cost <= next.cost) continue;
+    next.cost += zone_cost(backwards_ ? next.pose : from.pose, driven(piece));
+    if (!std::isfinite(next.cost)) continue;
+    if (place != StateTable::kNone && nodes_[place].cost <= next.cost) continue;
     if (!task_.clearance->is_free(from.pose, piece.twist, piece.amount, task_.margin)) continue;
     place = static_cast<std::uint32_t>(nodes_.size());
     queue_.push({.estimate = next.cost + task_.greediness * estimate(next.pose), .node = place});
@@ -135,11 +160,13 @@ void SearchTree::try_to_connect(std::uint32_t index) {
     Pose2 pose = backwards_ ? target_ : node.pose;
     bool free = true;
     for (const MotionPiece& piece : connection.pieces) {
-      free = task_.clearance->is_free(pose, piece.twist, piece.amount, task_.margin);
+      cost += zone_cost(pose, piece);
+      free = std::isfinite(cost) &&
+             task_.clearance->is_free(pose, piece.twist, piece.amount, task_.margin);
       if (!free) break;
       pose = piece.from(pose);
     }
-    if (!free) continue;
+    if (!free || (path_ && cost >= path_cost_)) continue;
     keep_path(index, connection, cost);
     return;
   }

@@ -62,6 +62,7 @@ class SearchTree {
 
   [[nodiscard]] MotionPiece driven(const MotionPiece& piece) const noexcept;
   [[nodiscard]] double step_cost(const Node& from, const MotionPiece& piece) const noexcept;
+  [[nodiscard]] double zone_cost(const Pose2& start, const MotionPiece& piece) const noexcept;
   [[nodiscard]] double estimate(const Pose2& pose) const noexcept;
   [[nodiscard]] int scale_at(const Pose2& pose) const noexcept;
   [[nodiscard]] std::uint64_t key_of(const Pose2& pose, int scale) const noexcept;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/map/body_zones.hpp"
 #include "fairway/path/se2/connections.hpp"
 
 namespace fairway {
@@ -33,6 +34,10 @@ bool is_free(const BodyClearance& clearance,
              double margin) noexcept {
   Pose2 pose = start;
   for (const MotionPiece& piece : pieces) {
+    const ZoneMap* const zones = clearance.obstacles().zones();
+    if (zones != nullptr && internal::goes_against_lane(*zones, pose, piece.twist, piece.amount,
+                                                        internal::kPlannedLanes))
+      return false;
     if (!clearance.is_free(pose, piece.twist, piece.amount, margin)) return false;
     pose = piece.from(pose);
   }
@@ -63,6 +68,9 @@ void take_shortcuts(const BodyClearance& clearance,
                     double margin,
                     int tries,
                     MotionPath& path) {
+  // A shortcut may lead through a zone that the search avoided for its cost.
+  const ZoneMap* const zones = clearance.obstacles().zones();
+  if (zones != nullptr && zones->greatest_cost() > 0.0) return;
   constexpr double kCutsPerPath = 24.0;
   std::vector<Connection> connections;
   double now = cost.of(path.pieces);

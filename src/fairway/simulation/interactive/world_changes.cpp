@@ -97,6 +97,7 @@ void World::set_present(std::size_t index, bool present) {
 
 void World::set_robots(const Settings& settings) {
   footprint_ = footprint_of(settings.robot);
+  shape_ = BodyShape::of(footprint_);
   for (std::size_t i = 0; i < robots_.size(); ++i)
     robots_[i].limits = actuation_[i].value_or(limits_of(settings.robot));
 }

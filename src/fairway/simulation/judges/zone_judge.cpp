@@ -16,50 +16,55 @@ namespace {
 using Eigen::Vector2d;
 
 // Points on the outline of the body that a zone is asked about, or its centre.
-std::vector<Vector2d> outline(const Zone& zone, const Footprint& footprint, const Pose2& pose) {
+std::vector<Vector2d> outline(const Zone& zone, const BodyShape& body, const Pose2& pose) {
   if (zone.reference == ZoneReference::Centre) return {pose.position};
-  std::vector<Vector2d> points;
-  if (footprint.is_rectangle()) {
-    constexpr int kAlongSide = 16;
-    const auto corners = footprint.rectangle_at(pose).corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vector2d& next = corners[(i + 1) % corners.size()];
-      for (int k = 0; k < kAlongSide; ++k)
-        points.emplace_back(corners[i] + k * (next - corners[i]) / kAlongSide);
-    }
-    return points;
-  }
+  constexpr int kAlongSide = 16;
   constexpr int kAround = 64;
-  for (int i = 0; i < footprint.num_discs(); ++i) {
-    const Footprint::Disc& disc = footprint.disc_at(i);
-    for (int k = 0; k < kAround; ++k) {
-      const double angle = 2.0 * std::numbers::pi * k / kAround;
-      points.push_back(transform(pose, disc.center) + disc.radius * direction(angle));
+  std::vector<Vector2d> points;
+  for (const ConvexPart& part : body.parts()) {
+    for (int i = 0; i < part.count; ++i) {
+      const Vector2d corner = transform(pose, part.vertex(i));
+      if (part.radius > 0.0) {
+        for (int k = 0; k < kAround; ++k)
+          points.push_back(corner + part.radius * direction(2.0 * std::numbers::pi * k / kAround));
+        continue;
+      }
+      const Vector2d next = transform(pose, part.vertex((i + 1) % part.count));
+      for (int k = 0; k < kAlongSide; ++k)
+        points.emplace_back(corner + k * (next - corner) / kAlongSide);
     }
   }
   return points;
 }
 
+// How deep a point of the body's frame lies in a part of it; negative outside.
+double depth_in(const ConvexPart& part, const Vector2d& point) {
+  if (part.count == 1) return part.radius - (point - part.vertex(0)).norm();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < part.count; ++i) {
+    const Vector2d& a = part.vertex(i);
+    const Vector2d along = (part.vertex((i + 1) % part.count) - a).normalized();
+    const Vector2d to = point - a;
+    least = std::min(least, along.x() * to.y() - along.y() * to.x());
+  }
+  return part.radius + least;
+}
+
 // How deep a body is in a polygon; negative outside.
 double depth(const Zone& zone,
              const ZonePolygon& polygon,
-             const Footprint& footprint,
+             const BodyShape& body,
              const Pose2& pose) {
   double deepest = -std::numeric_limits<double>::infinity();
-  for (const Vector2d& point : outline(zone, footprint, pose))
+  for (const Vector2d& point : outline(zone, body, pose))
     deepest = std::max(deepest, -polygon.signed_distance(point));
   if (zone.reference == ZoneReference::Centre) return deepest;
+  // A corner of the zone may be under the body: as far as the body would have to shrink.
   for (const Vector2d& corner : polygon.corners()) {
-    if (footprint.distance(inverse_transform(pose, corner)) > 0.0) continue;
-    // The corner of the zone is under the body: as far as the body would have to shrink.
-    double in = 0.0;
-    double out = footprint.circumscribed_radius();
-    while (out - in > 1e-6) {
-      const double middle = 0.5 * (in + out);
-      const bool covers = footprint.shrunk(middle).distance(inverse_transform(pose, corner)) <= 0.0;
-      (covers ? in : out) = middle;
-    }
-    deepest = std::max(deepest, in);
+    const Vector2d local = inverse_transform(pose, corner);
+    if (body.distance(local) > 0.0) continue;
+    for (const ConvexPart& part : body.parts())
+      deepest = std::max(deepest, depth_in(part, local));
   }
   return deepest;
 }
@@ -79,12 +84,12 @@ double outside(const Zones& zones,
 
 double excursion(const Zones& zones,
                  const std::vector<ZonePolygon>& polygons,
-                 const Footprint& footprint,
+                 const BodyShape& body,
                  const Pose2& pose) {
   double least = std::numeric_limits<double>::infinity();
   for (const ZoneReference reference : {ZoneReference::Contour, ZoneReference::Centre}) {
     double furthest = 0.0;
-    for (const Vector2d& point : outline({.reference = reference}, footprint, pose))
+    for (const Vector2d& point : outline({.reference = reference}, body, pose))
       furthest = std::max(furthest, outside(zones, polygons, reference, point));
     least = std::min(least, furthest);
   }
@@ -94,7 +99,7 @@ double excursion(const Zones& zones,
 }  // namespace
 
 void judge_zones(const Zones& zones,
-                 const Footprint& footprint,
+                 const BodyShape& body,
                  const Pose2& before,
                  const Pose2& after,
                  double speed,
@@ -107,9 +112,9 @@ void judge_zones(const Zones& zones,
   for (std::size_t i = 0; i < zones.size(); ++i) {
     const Zone& zone = zones[i];
     if (zone.kind == ZoneKind::KeepOut) {
-      breaches.intrusion = std::max(breaches.intrusion, depth(zone, polygons[i], footprint, after));
+      breaches.intrusion = std::max(breaches.intrusion, depth(zone, polygons[i], body, after));
     } else if (zone.kind == ZoneKind::SpeedLimit && std::abs(speed) > zone.speed) {
-      if (depth(zone, polygons[i], footprint, after) >= 0.0)
+      if (depth(zone, polygons[i], body, after) >= 0.0)
         breaches.excess = std::max(breaches.excess, std::abs(speed) - zone.speed);
     } else if (zone.kind == ZoneKind::OneWay) {
       const double along = (after.position - before.position).dot(direction(zone.direction));
@@ -119,7 +124,7 @@ void judge_zones(const Zones& zones,
       }
     }
   }
-  breaches.excursion = std::max(breaches.excursion, excursion(zones, polygons, footprint, after));
+  breaches.excursion = std::max(breaches.excursion, excursion(zones, polygons, body, after));
 }
 
 }  // namespace fairway

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/geometry/footprint.hpp"
+#include "fairway/geometry/body_shape.hpp"
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/zones/zones.hpp"
 
@@ -20,10 +20,10 @@ struct ZoneBreaches {
   }
 };
 
-/// Judges a robot that moved from `before` to `after` with a linear speed, at a fine step of the
-/// simulator. Every corner of a polygon and every point of the footprint's outline counts.
+/// Judges a robot that moved from `before` to `after` with a speed, at a fine step of the
+/// simulator. Every corner of a polygon and every point of the body's outline counts.
 void judge_zones(const Zones& zones,
-                 const Footprint& footprint,
+                 const BodyShape& body,
                  const Pose2& before,
                  const Pose2& after,
                  double speed,

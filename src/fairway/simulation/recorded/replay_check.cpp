@@ -54,6 +54,8 @@ void ReplayCheck::on_navigators(double /*time*/,
   ControlSolver& solver = solver_ != nullptr ? *solver_ : *own_solver_;
   compiled_ =
       zones_.empty() ? nullptr : std::make_shared<const ZoneMap>(zones_, settings.robot.radius);
+  zones_of_bodies_ = zones_.empty() ? nullptr : std::make_shared<const ZoneMap>(zones_, 0.0);
+  if (map_) map_->set_zones(zones_of_bodies_);
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const NavigatorStart& start = starts[i];
     bodies_.push_back(i < models_.size() && models_[i] ? make_body(settings, *models_[i], start)
@@ -73,6 +75,7 @@ std::unique_ptr<BodyNavigator> ReplayCheck::make_body(const Settings& settings,
   auto body = sensing_.sensing == Sensing::Map
                   ? std::make_unique<BodyNavigator>(settings, model, *map_)
                   : std::make_unique<BodyNavigator>(settings, model);
+  if (sensing_.sensing != Sensing::Map && !zones_.empty()) body->set_zones(zones_);
   body->reset({.linear = start.twist.linear, .angular = start.twist.angular});
   return body;
 }
@@ -108,7 +111,9 @@ NavigationStep ReplayCheck::replay_body(BodyNavigator& body, const NavigationInp
   if (on_map && same_frame(input.map->frame(), map_->obstacles.frame())) {
     const CellWindow changed = difference(*input.map, map_->obstacles);
     if (!is_empty(changed)) {
-      map_->update(*input.map, changed);
+      BitGrid now = *input.map;
+      now.set_zones(zones_of_bodies_);
+      map_->update(now, changed);
       for (const auto& other : bodies_) {
         if (other) other->map_changed();
       }

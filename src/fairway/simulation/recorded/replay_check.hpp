@@ -61,6 +61,7 @@ class ReplayCheck final : public EpisodeObserver {
   std::vector<MaplessNavigator> without_map_;           // of robots with a lidar
   std::vector<std::optional<RobotModel>> models_;       // of the robots that have one
   std::unique_ptr<PreparedMap> map_;                    // for these
+  std::shared_ptr<const ZoneMap> zones_of_bodies_;      // of that map
   std::vector<std::unique_ptr<BodyNavigator>> bodies_;  // one per robot; null without a model
   bool background_ = false;                             // the plans were made in a thread
   std::vector<std::optional<Plan>> arrived_{};          // per robot, for its next cycle

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// When a BodyNavigator plans, and what it plans with. The control cycle is in
+// body_navigator_state.cpp.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "fairway/map/body_zones.hpp"
+#include "fairway/navigation/body/body_navigator_state.hpp"
+#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/body/zone_rates.hpp"
+
+namespace fairway {
+
+// The distances of a body count what holds for its contour, so the zones have no radius.
+void BodyNavigator::State::set_zones(const Zones& zones) {
+  around.set_zones(zones.empty() ? nullptr : std::make_shared<const ZoneMap>(zones, 0.0));
+  failures_ = 0;
+  if (has_drive_) meet_zone_speeds();
+}
+
+// Slows the drive down where zones ask for it.
+void BodyNavigator::State::meet_zone_speeds() {
+  const ZoneMap* const zones = around.known() ? around.for_plans().obstacles().zones() : nullptr;
+  follower.limit_rate(zones != nullptr ? zone_rates(*zones, robot.body, follower.reference())
+                                       : std::vector<double>());
+}
+
+// Whether the rest of the drive is blocked by the present map.
+bool BodyNavigator::State::is_blocked() const noexcept {
+  const DriveReference& drive = follower.reference();
+  const auto first = static_cast<std::size_t>(follower.progress().phase / drive.period());
+  // A cell of a scan that flickers at a side must not end a drive.
+  const double margin = around.perception() != nullptr ? 0.0 : settings.safety.stop_margin;
+  const ZoneMap* const zones = around.for_plans().obstacles().zones();
+  for (std::size_t k = first; k < drive.rows().size(); ++k) {
+    const TrajectoryRow& row = drive.rows()[k];
+    if (!around.for_plans().is_free(row.pose, row.twist, drive.period(), margin)) return true;
+    if (zones != nullptr &&
+        internal::goes_against_lane(*zones, row.pose, row.twist, drive.period(), {}))
+      return true;
+  }
+  return false;
+}
+
+// A search that fails takes longest, so it is repeated more and more seldom.
+double BodyNavigator::State::retry_period() const noexcept {
+  constexpr int kMostDoublings = 5;
+  const int doublings = std::clamp(failures_ - 1, 0, kMostDoublings);
+  return settings.planning.retry_period * (1 << doublings);
+}
+
+// A drive begins at standstill, so a robot that needs another one stops first.
+bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const noexcept {
+  if (!goal_ || !goal_valid_ || !around.known() || planning.busy() || reached_) return false;
+  if (evades_) return follower.at_rest();
+  if (has_drive_ && !wants_plan_) return false;
+  if (!follower.at_rest()) return false;
+  if (goal_is_new_ || at_once) return true;
+  const bool just_tried = m.time - plan_time_ < retry_period() && m.time >= plan_time_;
+  return !just_tried;
+}
+
+BodyPlanRequest BodyNavigator::State::request_for(const Measurements& m) const {
+  const bool mapless = around.mapless();
+  BodyPlanRequest request{
+      .start = m.pose,
+      .goal = mapless ? goal_inside(around.for_plans(), m.pose, *goal_) : *goal_,
+      .standing = {},
+      .kept = settings.prediction.obstacle_margin,
+      .or_without = !avoids_moving_,
+      .evades = evades_,
+      .prediction = settings.prediction,
+      .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
+      .more_margin = around.perception() != nullptr ? settings.perception.resolution : 0.0};
+  for (const MovingObstacle& obstacle : m.obstacles) {
+    if (!is_plausible(obstacle)) continue;
+    if (evades_) request.coming.push_back(obstacle);
+    if (avoids_moving_ || is_standing(obstacle)) request.standing.push_back(obstacle);
+  }
+  return request;
+}
+
+// Whether a robot at standstill is run into unless it gives way: nothing else moves it.
+bool BodyNavigator::State::must_evade(const Measurements& m) const noexcept {
+  constexpr double kAhead = 5.0;   // [s]
+  constexpr double kRetry = 0.25;  // [s]
+  if (!goal_ || !goal_valid_ || reached_ || is_evading_ || planning.busy()) return false;
+  if (!follower.at_rest() || m.obstacles.empty()) return false;
+  if (m.time - evasion_time_ < kRetry && m.time >= evasion_time_) return false;
+  return is_run_into(robot.body, m.pose, moving_around(m), kAhead);
+}
+
+void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
+  follows_new_plan = false;
+  planned = false;
+  take_plan();
+  if (around.take_change()) {
+    if (around.perception() == nullptr) failures_ = 0;
+    if (has_drive_ && is_blocked()) wants_plan_ = true;
+  }
+  if (!needs_plan(m, at_once)) return;
+  if (!is_plausible(m.pose) || !std::isfinite(m.time)) return;
+  around.claim(m.pose);
+  const bool evades = evades_;
+  BodyPlanRequest request = request_for(m);
+  goal_is_new_ = false;
+  asked_number_ = goal_number_;
+  (evades ? evasion_time_ : plan_time_) = m.time;
+  planned = true;
+  const bool in_known_space = evades || std::exchange(in_known_space_, false);
+  if (in_known_space) {
+    planning.start(around.known_space(), std::move(request));
+  } else {
+    planning.start(around.map_for_plans(), std::move(request));
+  }
+  take_plan();
+}
+
+void BodyNavigator::State::take_plan() {
+  std::optional<BodyPlan> made = planning.take();
+  if (!made || !goal_ || asked_number_ != goal_number_) return;
+  if (made->evasive) {
+    evades_ = false;
+    no_refuge_ = made->drive.rows.empty();
+    if (no_refuge_) return;
+  }
+  is_evading_ = made->evasive;
+  no_refuge_ = false;
+  // A robot that waits before an obstacle keeps its drive if there is none around it.
+  failures_ = made->drive.rows.empty() ? failures_ + 1 : 0;
+  const bool keeps = made->drive.rows.empty() && has_drive_ && avoids_moving_;
+  avoids_moving_ = false;
+  if (keeps) {
+    wants_plan_ = false;
+    return;
+  }
+  plan = shown_plan(*made);
+  has_drive_ = !made->drive.rows.empty();
+  wants_plan_ = false;
+  follows_new_plan = true;
+  if (!has_drive_) return;
+  follower.follow(DriveReference(robot.base, std::move(made->drive.rows), kDriveRowPeriod),
+                  made->evasive);
+  meet_zone_speeds();
+}
+
+}  // namespace fairway
