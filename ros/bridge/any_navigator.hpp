@@ -51,7 +51,6 @@ class AnyNavigator {
       }
     });
   }
-  /// Ignored by a BodyNavigator, which knows no zones.
   void set_zones(const Zones& zones) {
     visit([&](auto& navigator) {
       if constexpr (requires { navigator.set_zones(zones); }) navigator.set_zones(zones);

@@ -34,8 +34,6 @@ Expected<void> validate(const PilotOptions& options) {
     return fail("localisation_timeout: expected a positive number, found " +
                 std::to_string(options.localisation_timeout));
   }
-  if (options.body && !options.zones.empty())
-    return fail("zones: expected none for a robot with a body, found some");
   return {};
 }
 

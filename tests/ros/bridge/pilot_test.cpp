@@ -281,12 +281,29 @@ TEST(Pilot, DrivesEveryBodyOnAMapAndWithoutOne) {
   }
 }
 
-TEST(Pilot, ABodyHasNoZones) {
-  PilotOptions options;
-  options.body = RobotModel();
-  options.zones = {Zone{}};
-  EXPECT_EQ(validate(options).error().message,
-            "zones: expected none for a robot with a body, found some");
+// A keep-out on the straight line to the goal.
+TEST(Pilot, ABodyObeysTheZones) {
+  PilotOptions options{.plan_in_background = false};
+  options.body = test::robot_presets().front().model;
+  options.zones = {
+      Zone{.kind = ZoneKind::KeepOut, .polygon = {{2.2, 2.4}, {3.0, 2.4}, {3.0, 3.2}, {2.2, 3.2}}}};
+  ASSERT_TRUE(validate(options));
+  Scenario truth = room();
+  truth.robots[0].model = options.body;
+  Rig rig(options, truth);
+  rig.step();
+  rig.pilot.set_goal({.position = {3.6, 4.0}, .heading = {}});
+  const double until = rig.world.time() + 60.0;
+  PilotStep last;
+  double nearest = 10.0;  // distance of the reference point from the zone
+  while (rig.world.time() < until && last.end == GoalEnd::None) {
+    last = rig.step();
+    const Eigen::Vector2d from_centre =
+        (rig.world.robots()[0].pose.position - Eigen::Vector2d(2.6, 2.8)).cwiseAbs();
+    nearest = std::min(nearest, (from_centre.array() - 0.4).max(0.0).matrix().norm());
+  }
+  EXPECT_EQ(last.end, GoalEnd::Reached) << to_text(last.status) << ' ' << to_text(last.limit);
+  EXPECT_GT(nearest, 0.2);
 }
 
 }  // namespace

@@ -162,8 +162,6 @@ class DriveTest(DdsTest):
                 (["--set", "mpc.step_length=x"], "fairway: mpc.step_length: expected a number from"),
                 (["--body", SCENARIOS / "robots" / "car.yaml", "--max-deviation", "0.5"],
                  "fairway: --max-deviation: expected none with --body"),
-                (["--body", SCENARIOS / "robots" / "car.yaml", "--zones", SCENARIOS / "zones" / "workshop_pit.yaml"],
-                 "fairway: zones: expected none for a robot with a body"),
                 (["--no-map", "--no-scan"], "fairway: use_map, use_scan: expected one of them"),
                 (["--domain", "900"], "fairway: --domain: Value 900 not in range")):
             node = self.start("solo", "fairway_dds_node", *options)
