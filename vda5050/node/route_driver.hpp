@@ -90,7 +90,6 @@ class RouteDriver {
   std::vector<RouteLeg> known_legs_;  // of the route, to remember the last leg
   bool driving_ = false;
   bool arrived_ = false;
-  double speed_max_;           // now in force [m/s]
   double window_time_ = -1e9;  // of the last window [s]
   double moved_time_ = -1e9;   // when the robot last made progress [s]
   Pose2 moved_pose_{};         // and where
