@@ -119,6 +119,36 @@ TEST_F(SpaceTime, KeepsTheSideOfAPersonThatItHasChosen) {
   EXPECT_GT(planner().plan().at(2.0).pose.position.y() * side, 0.0);
 }
 
+// People come from all sides and meet on the path. The robot must not be among them then, which it
+// has to decide long before.
+TEST_F(SpaceTime, DoesNotEnterAPlaceThatPeopleWillClose) {
+  std::vector<MovingObstacle> people;
+  for (int i = 0; i < 8; ++i) {
+    const Vector2d from = direction(0.39 + 0.785 * i);
+    people.push_back(
+        {.position = Vector2d(4.0, 0.0) + 4.3 * from, .velocity = -1.0 * from, .radius = 0.3});
+  }
+  ASSERT_TRUE(plan(people));
+  for (const MovingObstacle& person : people)
+    EXPECT_GT(closest(person), robot_.radius + 0.3);
+}
+
+// A plan that is kept holds the speed that it has reached; it does not accelerate more and more
+// slowly.
+TEST_F(SpaceTime, AcceleratesAtTheLimit) {
+  robot_.linear_acceleration_max = 2.0;
+  const std::vector<MovingObstacle> people = {
+      {.position = {8, 0.05}, .velocity = {-1, 0}, .radius = 0.3}};
+  ASSERT_TRUE(planner().update({.time = 0.0,
+                                .pose = {},
+                                .speed = 0.0,
+                                .path = corridor_.reference_path(),
+                                .corridor = corridor_,
+                                .obstacles = people}));
+  EXPECT_NEAR(planner().plan().at(0.25).speed, 0.5, 1e-9);
+  EXPECT_NEAR(planner().plan().at(0.5).pose.position.norm(), 0.25, 0.01);
+}
+
 // Whatever the people do, a plan is within the limits and begins where the robot is.
 TEST_F(SpaceTime, EveryPlanInARandomCrowdCanBeDriven) {
   test::Random random(5);
