@@ -227,5 +227,41 @@ TEST(Feasibility, NoObstacleThatKeepsItsVelocityIsDrivenInto) {
   EXPECT_GT(driven, 50.0);
 }
 
+// Theorem 5: a faster obstacle that pursues the robot touches it, with the real solver and the plan
+// in space and time. A test that no contact happens needs an assumption about the obstacles.
+TEST(Feasibility, AFasterPursuerTouchesTheRobot) {
+  constexpr double kGain = 0.5;  // of the pursuer on the robot [m/s]
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Random random(seed);
+    Drive drive;
+    drive.settings.robot.radius = 0.3;
+    drive.settings.robot.linear_min = -0.5;
+    drive.map = PreparedMap(
+        BitGrid(GridFrame{.width = 400, .height = 400, .resolution = 0.1, .origin = {}}, false));
+    drive.robot.pose = {.position = {20.0, 20.0}, .heading = random.uniform(-3.0, 3.0)};
+    drive.robot.limits = limits_of(drive.settings.robot);
+    const double away = random.uniform(2.0, 5.0);
+    drive.obstacles = {
+        {.position = Vector2d(20.0, 20.0) + away * direction(random.uniform(-3.14, 3.14)),
+         .velocity = Vector2d::Zero(),
+         .radius = 0.3}};
+    drive.navigator.emplace(drive.settings);
+    drive.navigator->follow(Planner().plan(drive.map, {20.0, 20.0},
+                                           {.position = {36.0, 36.0}, .heading = {}},
+                                           planner_settings(drive.settings)));
+    MovingObstacle& pursuer = drive.obstacles.front();
+    bool touched = false;
+    while (!touched && drive.time < away / kGain + 1.0) {
+      const Vector2d to_robot = drive.robot.pose.position - pursuer.position;
+      pursuer.velocity = (drive.settings.robot.linear_max + kGain) * to_robot.normalized();
+      drive.cycle();
+      touched = (drive.robot.pose.position - pursuer.position).norm() <
+                pursuer.radius + drive.settings.robot.radius;
+    }
+    EXPECT_TRUE(touched);
+  }
+}
+
 }  // namespace
 }  // namespace fairway

@@ -145,7 +145,8 @@ void Navigator::plan_encounters(const NavigationInput& input) noexcept {
                                            .obstacles = input.obstacles,
                                            .age = input.time - input.obstacles_time + lead,
                                            .entrances = input.entrances});
-  if (planned) set_space_time_targets(encounters_.plan(), settings_.mpc, problem_);
+  if (planned)
+    set_space_time_targets(encounters_.plan(), input.time + lead, settings_.mpc, problem_);
 }
 
 }  // namespace fairway

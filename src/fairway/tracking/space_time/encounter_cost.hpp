@@ -93,6 +93,41 @@ class EncounterCost {
     return contact + kComfort * comfort;
   }
 
+  /// The cost around one obstacle at one sample, for a grid. Contact rises between two distances
+  /// from it, comfort between two distances from a place ahead of it.
+  struct Shape {
+    double reach = 0.0;        ///< beyond which it costs nothing [m]
+    double contact = 0.0;      ///< greatest cost [s/s]
+    double contact_far = 0.0;  ///< [m]
+    double contact_near = 0.0;
+    double comfort = 0.0;  ///< greatest cost [s/s]
+    double comfort_far = 0.0;
+    double comfort_near = 0.0;
+    double ahead_x = 0.0;  ///< from the obstacle to that place [m]
+    double ahead_y = 0.0;
+  };
+
+  [[nodiscard]] Shape shape(const Forecast& forecast,
+                            std::size_t sample,
+                            std::size_t i,
+                            double speed) const noexcept {
+    const double spread = kSpread * forecast.deviation[sample][i];
+    const double ahead = 0.5 * settings_.headway;
+    const double ahead_x = ahead * forecast.velocity_x[i];
+    const double ahead_y = ahead * forecast.velocity_y[i];
+    const double offset = std::hypot(ahead_x, ahead_y);
+    const double far = bodies_[i] + comfort_at(speed) + offset;
+    return {.reach = std::max(bodies_[i] + spread, far + offset),
+            .contact = 2.0 * spread * weight_[sample][i],
+            .contact_far = bodies_[i] + spread,
+            .contact_near = std::max(0.0, bodies_[i] - spread),
+            .comfort = kComfort,
+            .comfort_far = far,
+            .comfort_near = bodies_[i] + offset,
+            .ahead_x = ahead_x,
+            .ahead_y = ahead_y};
+  }
+
  private:
   static constexpr double kContact = 60.0;  // [s/s]
   static constexpr double kComfort = 1.5;   // [s/s]

@@ -5,16 +5,6 @@
 
 namespace fairway {
 
-Eigen::Vector2d position_in_stage(const SpaceTimePlan::State& from,
-                                  const SpaceTimePlan::State& to,
-                                  double stage,
-                                  double time) noexcept {
-  const double share = time / stage;
-  const double driven = time * (from.speed + 0.5 * share * (to.speed - from.speed));
-  const double along = from.pose.heading + 0.5 * share * (to.pose.heading - from.pose.heading);
-  return from.pose.position + driven * direction(along);
-}
-
 SpaceTimePlan::State SpaceTimePlan::at(double time) const noexcept {
   if (stages == 0 || time <= 0.0) return states[0];
   const auto k = static_cast<std::size_t>(time / stage);
@@ -22,10 +12,14 @@ SpaceTimePlan::State SpaceTimePlan::at(double time) const noexcept {
   const State& from = states[k];
   const State& to = states[k + 1];
   const double within = time - static_cast<double>(k) * stage;
-  const double share = within / stage;
-  return {.pose = {.position = position_in_stage(from, to, stage, within),
-                   .heading = from.pose.heading + share * (to.pose.heading - from.pose.heading)},
-          .speed = from.speed + share * (to.speed - from.speed)};
+  const double turned = within / stage * (to.pose.heading - from.pose.heading);
+  const double change =
+      std::clamp(to.speed - from.speed, -acceleration * within, acceleration * within);
+  const double driven = driven_in(within, from.speed, to.speed, acceleration);
+  return {.pose = {.position =
+                       from.pose.position + driven * direction(from.pose.heading + 0.5 * turned),
+                   .heading = from.pose.heading + turned},
+          .speed = from.speed + change};
 }
 
 }  // namespace fairway

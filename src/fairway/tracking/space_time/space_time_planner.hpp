@@ -8,6 +8,7 @@
 #include "fairway/prediction/entrances.hpp"
 #include "fairway/prediction/forecast.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
+#include "fairway/tracking/space_time/cost_to_go.hpp"
 #include "fairway/tracking/space_time/encounter_cost.hpp"
 #include "fairway/tracking/space_time/space_time_plan.hpp"
 
@@ -31,12 +32,14 @@ struct SpaceTimeInput {
 ///
 /// The motions form a tree: in every stage of 0.5 s a motion continues with several speeds and
 /// turns. Of the motions that end in the same cell of place, heading and speed the cheapest is
-/// kept, and then the cheapest kWidth. The cost is the time until the goal, estimated at the end,
-/// and what being near the predicted obstacles costs (EncounterCost). The work of a plan is bounded
-/// by kWidth, the number of stages and that of the obstacles; nothing is allocated.
+/// kept, and then the cheapest kWidth. The cost of a motion is its time, what being near the
+/// predicted obstacles costs (EncounterCost), and what the rest costs a point (CostToGo). The work
+/// of a plan is bounded by kWidth, the number of stages and that of the obstacles; nothing is
+/// allocated.
 ///
-/// The motion of the last plan is kept unless another one costs less by a margin. The robot then
-/// does not alternate between two sides of an obstacle.
+/// The last plan is kept as it is, unless another one costs less by a margin. The robot then does
+/// not alternate between two sides of an obstacle, and a new plan does not postpone what the last
+/// one began.
 class SpaceTimePlanner {
  public:
   SpaceTimePlanner(const RobotSettings& robot,
@@ -55,8 +58,8 @@ class SpaceTimePlanner {
   static constexpr std::size_t kTable = 4096;  ///< of cells in a stage; a power of two
 
  private:
-  static constexpr std::size_t kWidth = 40;
-  static constexpr std::size_t kLateWidth = 28;  // from stage kLate on
+  static constexpr std::size_t kWidth = 20;
+  static constexpr std::size_t kLateWidth = 16;  // from stage kLate on
   static constexpr std::size_t kLate = 6;
   static constexpr std::size_t kRectangles = 6;  // ahead, in which a motion may be
   static constexpr double kStage = 0.5;          // [s]
@@ -103,13 +106,18 @@ class SpaceTimePlanner {
                                std::size_t sample) const noexcept;
   [[nodiscard]] NearObstacles near_stage(const Node& from, std::size_t stage) const noexcept;
   [[nodiscard]] bool locate(double x, double y, std::uint8_t& rectangle) const noexcept;
-  [[nodiscard]] double time_left(const Node& node) const noexcept;
+  [[nodiscard]] double time_left(const Node& node, double left) const noexcept;
+  [[nodiscard]] double entrance_cost(double x, double y) const noexcept;
+  [[nodiscard]] double straight_time(const Eigen::Vector2d& place) const noexcept;
+  void find_costs_to_go() noexcept;
   [[nodiscard]] double bearing_of_path(const Node& node) const noexcept;
+  [[nodiscard]] bool is_goal(const Node& node) const noexcept;
+  [[nodiscard]] static double effort(const SpaceTimePlan::State& from,
+                                     const SpaceTimePlan::State& to,
+                                     double time) noexcept;
   [[nodiscard]] Node start_node() const noexcept;
-  [[nodiscard]] bool move(const Node& from,
-                          double speed,
-                          const Turn& turn,
-                          Node& to) const noexcept;
+  [[nodiscard]] bool move(
+      const Node& from, std::size_t stage, double speed, const Turn& turn, Node& to) const noexcept;
   void add_encounters(const NearObstacles& near,
                       const Node& from,
                       std::size_t stage,
@@ -121,7 +129,7 @@ class SpaceTimePlanner {
   void select(std::size_t stage) noexcept;
   void store(std::size_t leaf, SpaceTimePlan& plan) const noexcept;
   [[nodiscard]] double cost_of_reference() const noexcept;
-  [[nodiscard]] bool continue_last(SpaceTimePlan& continued) noexcept;
+  [[nodiscard]] bool evaluate(const SpaceTimePlan& plan, double& cost) const noexcept;
 
   RobotSettings robot_;
   double per_top_;  // 1 / robot_.linear_max [s/m]
@@ -133,6 +141,7 @@ class SpaceTimePlanner {
   PredictionSettings prediction_;
   Forecast forecast_;
   EncounterCost cost_;
+  CostToGo to_go_;
   const SpaceTimeInput* input_ = nullptr;  // during update
   std::array<Rectangle, kRectangles> rectangles_;
   std::size_t rectangle_count_ = 0;

@@ -6,11 +6,12 @@
 namespace fairway {
 
 void set_space_time_targets(const SpaceTimePlan& plan,
+                            double time,
                             const MpcSettings& mpc,
                             ControlProblem& problem) noexcept {
   double along = problem.start.heading;
   for (int k = 1; k <= problem.horizon; ++k) {
-    const SpaceTimePlan::State aim = plan.at(k * problem.dt);
+    const SpaceTimePlan::State aim = plan.at(time - plan.start + k * problem.dt);
     along += shortest_turn(along, aim.pose.heading);
     problem.targets[static_cast<std::size_t>(k)] = {
         .position = aim.pose.position,

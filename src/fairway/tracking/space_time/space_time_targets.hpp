@@ -7,8 +7,9 @@
 
 namespace fairway {
 
-/// Sets one target per step, moving along a space-time plan from the start of the problem on.
+/// Sets one target per step, moving along a space-time plan. The problem starts at `time` [s].
 void set_space_time_targets(const SpaceTimePlan& plan,
+                            double time,
                             const MpcSettings& mpc,
                             ControlProblem& problem) noexcept;
 

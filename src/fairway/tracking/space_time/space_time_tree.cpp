@@ -34,12 +34,25 @@ SpaceTimePlanner::Node SpaceTimePlanner::start_node() const noexcept {
           .speed = input_->speed};
 }
 
+bool SpaceTimePlanner::is_goal(const Node& node) const noexcept {
+  const ReferencePath& path = input_->path;
+  const Vector2d& end = path.points[static_cast<std::size_t>(path.count - 1)];
+  return path.ends_at_goal && (end - Vector2d(node.x, node.y)).squaredNorm() < kAtGoal * kAtGoal;
+}
+
+// Changes of speed and turning cost more than their time, so that motions are smooth.
+double SpaceTimePlanner::effort(const SpaceTimePlan::State& from,
+                                const SpaceTimePlan::State& to,
+                                double time) noexcept {
+  const double rate = (to.pose.heading - from.pose.heading) / time;
+  return time * kTurnEffort * rate * rate + kSpeedChange * std::abs(to.speed - from.speed) +
+         (to.speed + from.speed < 0.0 ? kReverse * time : 0.0);
+}
+
 // Where a motion of one stage ends, and what it costs without encounters.
-bool SpaceTimePlanner::move(const Node& from,
-                            double speed,
-                            const Turn& turn,
-                            Node& to) const noexcept {
-  const double whole = 0.5 * kStage * (from.speed + speed);
+bool SpaceTimePlanner::move(
+    const Node& from, std::size_t stage, double speed, const Turn& turn, Node& to) const noexcept {
+  const double whole = driven_in(kStage, from.speed, speed, acceleration_);
   const double end_cosine = from.cosine * turn.half_cosine - from.sine * turn.half_sine;
   const double end_sine = from.sine * turn.half_cosine + from.cosine * turn.half_sine;
   to = from;
@@ -54,11 +67,9 @@ bool SpaceTimePlanner::move(const Node& from,
   const double rate = turn.angle / kStage;
   to.risk += kStage * kTurnEffort * rate * rate + kSpeedChange * std::abs(speed - from.speed) +
              (speed + from.speed < 0.0 ? kReverse * kStage : 0.0);
-  to.arrived =
-      input_->path.ends_at_goal &&
-      (input_->path.points[static_cast<std::size_t>(input_->path.count - 1)] - Vector2d(to.x, to.y))
-              .squaredNorm() < kAtGoal * kAtGoal;
-  to.total = to.time + time_left(to) + to.risk;
+  to.arrived = is_goal(to);
+  const double left = to.arrived ? 0.0 : time_left(to, to_go_.at(to.x, to.y, stage + 1));
+  to.total = to.time + left + to.risk;
   return true;
 }
 
@@ -69,7 +80,7 @@ void SpaceTimePlanner::add_encounters(const NearObstacles& near,
                                       const Turn& turn,
                                       Node& to) const noexcept {
   if (near.count == 0 && input_->entrances == nullptr) return;
-  const double half = 0.5 * kStage * (from.speed + 0.25 * (to.speed - from.speed));
+  const double half = driven_in(0.5 * kStage, from.speed, to.speed, acceleration_);
   const double mid_cosine = from.cosine * turn.quarter_cosine - from.sine * turn.quarter_sine;
   const double mid_sine = from.sine * turn.quarter_cosine + from.cosine * turn.quarter_sine;
   const double cost = 0.5 * kStage *
@@ -139,7 +150,7 @@ void SpaceTimePlanner::grow(std::size_t stage) noexcept {
         const Turn& turn = t == 0 ? towards : turns_[t - 1];
         Node to;
         // Encounters only add to the cost: what costs too much without them is left out.
-        if (!move(from, speed, turn, to) || to.total > bound_) continue;
+        if (!move(from, stage, speed, turn, to) || to.total > bound_) continue;
         std::uint32_t& entry = find(to, key);
         if (entry != 0 && to.total >= children_[entry - 1].total) continue;
         add_encounters(near, from, stage, turn, to);
@@ -173,6 +184,7 @@ void SpaceTimePlanner::store(std::size_t leaf, SpaceTimePlan& plan) const noexce
   plan.start = input_->time;
   plan.stage = kStage;
   plan.stages = stages_;
+  plan.acceleration = acceleration_;
   plan.cost = layers_[stages_][leaf].total;
   std::size_t at = leaf;
   for (std::size_t k = stages_ + 1; k-- > 0;) {

@@ -119,6 +119,46 @@ TEST_F(SpaceTime, KeepsTheSideOfAPersonThatItHasChosen) {
   EXPECT_GT(planner().plan().at(2.0).pose.position.y() * side, 0.0);
 }
 
+// People cross a place from all sides. Only motions that wait or go around early keep clear of
+// them, and they cost time long before the others meet anybody.
+TEST_F(SpaceTime, DoesNotEnterAPlaceThatPeopleWillClose) {
+  test::Random random(11);
+  int met = 0;
+  for (int run = 0; run < 50; ++run) {
+    std::vector<MovingObstacle> people;
+    for (int i = 0; i < 14; ++i) {
+      const Vector2d from = direction(random.uniform(-3.14, 3.14));
+      const Vector2d beside(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+      people.push_back({.position = Vector2d(4.0, 0.0) + beside + 4.5 * from,
+                        .velocity = -random.uniform(0.9, 1.1) * from,
+                        .radius = 0.3});
+      if (people.back().position.norm() < 1.5) people.pop_back();
+    }
+    planner().reset();
+    if (!plan(people, run)) continue;
+    for (const MovingObstacle& person : people)
+      met += closest(person) < robot_.radius + 0.3 ? 1 : 0;
+  }
+  EXPECT_LE(met, 2);
+}
+
+// A new plan does not stretch the rest of a change of speed over a whole stage.
+TEST_F(SpaceTime, AcceleratesAtTheLimit) {
+  robot_.linear_acceleration_max = 2.0;
+  const std::vector<MovingObstacle> people = {
+      {.position = {8, 0.05}, .velocity = {-1, 0}, .radius = 0.3}};
+  ASSERT_TRUE(planner().update({.time = 0.0,
+                                .pose = {},
+                                .speed = 0.6,
+                                .path = corridor_.reference_path(),
+                                .corridor = corridor_,
+                                .obstacles = people}));
+  EXPECT_NEAR(planner().plan().at(0.1).speed, 0.8, 1e-9);
+  EXPECT_NEAR(planner().plan().at(0.2).speed, 1.0, 1e-9);
+  EXPECT_NEAR(planner().plan().at(0.5).speed, 1.0, 1e-9);
+  EXPECT_NEAR(planner().plan().at(0.5).pose.position.norm(), 0.46, 0.01);
+}
+
 // Whatever the people do, a plan is within the limits and begins where the robot is.
 TEST_F(SpaceTime, EveryPlanInARandomCrowdCanBeDriven) {
   test::Random random(5);
