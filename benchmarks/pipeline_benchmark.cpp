@@ -55,16 +55,62 @@ void prepare_map(benchmark::State& state) {
     benchmark::DoNotOptimize(fairway::PreparedMap(grid));
 }
 
+// A planner that is new to the map, like the tool's.
 void find_path(benchmark::State& state) {
   const Query q = query(state);
-  fairway::PathPlanner planner;
   fairway::PathResult result;
   for (auto _ : state) {
+    fairway::PathPlanner planner;
     result = planner.find(q.map.obstacles, q.map.distances, q.start, q.goal,
                           q.settings.robot.radius, q.settings.path);
   }
   if (result.status != fairway::PathStatus::Found) state.SkipWithError("no path");
   state.counters["metres"] = result.path.length();
+}
+
+// Points all over the map at which the robot has some space.
+std::vector<Eigen::Vector2d> goals_on(const Query& q) {
+  const fairway::GridFrame& frame = q.map.obstacles.frame();
+  const double side = frame.width * frame.resolution;
+  std::vector<Eigen::Vector2d> goals;
+  for (int i = 0; i < 64; ++i) {
+    // A grid of 8 x 8 points, visited in steps of 27, so that neighbours do not follow each other.
+    const int k = 27 * i % 64;
+    const Eigen::Vector2d p = side / 8.0 * Eigen::Vector2d(k % 8 + 0.5, k / 8 + 0.5);
+    if (fairway::is_free(q.map.obstacles, p, p, q.settings.robot.radius + 0.2)) goals.push_back(p);
+  }
+  return goals;
+}
+
+// Goals after the first one: from the same start, or each from the goal before. The time is that of
+// one goal.
+void find_further_paths(benchmark::State& state, bool same_start) {
+  const Query q = query(state);
+  const std::vector<Eigen::Vector2d> goals = goals_on(q);
+  double metres = 0.0;
+  std::unique_ptr<fairway::PathPlanner> planner;
+  Eigen::Vector2d start;
+  std::size_t i = goals.size();
+  int found = 0;
+  for (auto _ : state) {
+    if (i == goals.size()) {
+      state.PauseTiming();
+      planner = std::make_unique<fairway::PathPlanner>();
+      start = q.start;
+      benchmark::DoNotOptimize(planner->find(q.map.obstacles, q.map.distances, start, q.goal,
+                                             q.settings.robot.radius, q.settings.path));
+      i = 0;
+      state.ResumeTiming();
+    }
+    const fairway::PathResult result =
+        planner->find(q.map.obstacles, q.map.distances, start, goals[i], q.settings.robot.radius,
+                      q.settings.path);
+    if (!same_start) start = goals[i];
+    ++i;
+    ++found;
+    metres += result.path.length();
+  }
+  state.counters["metres"] = metres / found;
 }
 
 void build_corridor(benchmark::State& state) {
@@ -100,6 +146,14 @@ void solve_mpc(benchmark::State& state) {
 
 BENCHMARK(prepare_map)->ArgName("kind")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(find_path)->ArgName("kind")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find_further_paths, from_the_same_start, true)
+    ->ArgName("kind")
+    ->DenseRange(0, 2)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find_further_paths, from_the_goal_before, false)
+    ->ArgName("kind")
+    ->DenseRange(0, 2)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(build_corridor)->ArgName("kind")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(solve_mpc)->ArgName("horizon")->Arg(10)->Arg(20)->Arg(50)->Unit(benchmark::kMicrosecond);
 

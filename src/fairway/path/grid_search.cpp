@@ -88,7 +88,6 @@ bool GridSearch::find_on(Grid& grid,
     for (const Terminal& terminal : terminals)
       grid.prepare_rows(terminal.node.y - 1, terminal.node.y + 1, so_far_.data());
   }
-  if (is_pocket(grid, starts, goals)) return false;
   if (again) {
     enqueue_again(grid, goals);
   } else {
@@ -147,15 +146,13 @@ void GridSearch::enqueue(CellIndex node, std::uint32_t total) {
   ++queued_;
 }
 
-// Returns whether the goals lie in a small pocket that contains no start. Most failed searches fail
-// for this reason; the test finds it before the rest of the map is searched.
+// Returns whether the goals lie in a small pocket that the search has not reached. Most failed
+// searches fail for this reason; the test finds it before the rest of the map is searched.
 template <typename Grid>
-bool GridSearch::is_pocket(Grid& grid,
-                           std::span<const Terminal> starts,
-                           std::span<const Terminal> goals) {
+bool GridSearch::is_pocket(Grid& grid, std::span<const Terminal> goals) {
   constexpr std::size_t kBudget = 2048;
   flood_.clear();
-  bool reached = false;  // whether an earlier search from the same starts reached the pocket
+  bool reached = false;
   const auto visit = [&](CellIndex node) {
     const auto i = static_cast<std::size_t>(grid.index(node));
     if (grid.nodes()[i] == 0 || so_far_[i] == kFlooded) return;
@@ -175,13 +172,9 @@ bool GridSearch::is_pocket(Grid& grid,
       if (grid.nodes()[grid.index(next)] != 0 && grid.linked(next, (d + 4) % 8)) visit(next);
     }
   }
-  const bool is_small = flood_.size() <= kBudget && !reached;
-  const bool has_start = std::any_of(starts.begin(), starts.end(), [&](const Terminal& start) {
-    return so_far_[static_cast<std::size_t>(grid.index(start.node))] == kFlooded;
-  });
   for (const std::uint32_t packed : flood_)
     so_far_[static_cast<std::size_t>(grid.index(unpack(packed)))] = kUnreached;
-  return is_small && !has_start;
+  return flood_.size() <= kBudget && !reached;
 }
 
 // At an open node x, the search skips steps that cannot be on a cheapest path. Let p be the node
@@ -204,6 +197,7 @@ void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {
   std::array<int, 8> offsets{};
   for (std::size_t d = 0; d < 8; ++d)
     offsets[d] = kStepY[d] * stride + kStepX[d];
+  constexpr int kPocketAfter = 1000;  // expansions that cost about as much as the test
   std::size_t queued = queued_;
   int expanded = 0;
   // Goals that an earlier search reached.
@@ -225,6 +219,12 @@ void GridSearch::run(Grid& grid, std::span<const Terminal> goals) {
         buckets_[std::min(due, turn + kBuckets - 1) % kBuckets].push_back(pack(node.x, node.y));
         ++queued;
         continue;
+      }
+      if (expanded == kPocketAfter && best == kUnreached && is_pocket(grid, goals)) {
+        bucket.push_back(pack(node.x, node.y));
+        queued_ = queued + 1;
+        expanded_ = expanded;
+        return;
       }
       arrivals[index] = static_cast<std::uint8_t>(arrival | kClosed);
       ++expanded;

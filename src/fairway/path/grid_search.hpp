@@ -66,9 +66,7 @@ class GridSearch {
   [[nodiscard]] Terminal cheapest_goal(const SearchGrid& grid,
                                        std::span<const Terminal> goals) const noexcept;
   template <typename Grid>
-  [[nodiscard]] bool is_pocket(Grid& grid,
-                               std::span<const Terminal> starts,
-                               std::span<const Terminal> goals);
+  [[nodiscard]] bool is_pocket(Grid& grid, std::span<const Terminal> goals);
   template <typename Grid>
   void run(Grid& grid, std::span<const Terminal> goals);
   void collect_nodes(const CellGrid& grid, CellIndex node);

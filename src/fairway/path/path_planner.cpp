@@ -161,10 +161,7 @@ bool PathPlanner::search(const TravelCost& costs, bool any_angle, PathResult& re
     result.expanded = block_search_.expanded();
     if (!found) return false;
     const std::span<const CellIndex> blocks = block_search_.nodes();
-    // Where all metres cost the same, shortest paths touch obstacles, and only cells are fine
-    // enough.
-    if (any_angle && costs.rise() > 0.0F &&
-        chain_.find(costs, blocks, start_.terminals, goal_.terminals)) {
+    if (any_angle && chain_is_good(costs, blocks)) {
       points_.assign(chain_.points().begin(), chain_.points().end());
       result.cost = chain_.cost() * costs.frame().resolution;
       return true;
@@ -182,6 +179,19 @@ bool PathPlanner::search(const TravelCost& costs, bool any_angle, PathResult& re
   result.cost = search_.cost() * costs.frame().resolution / (GridSearch::kStep * cells_.unit());
   take_centres();
   return found;
+}
+
+// Finds a chain of points along the blocks. Returns whether it is as good as one of cells would be:
+// where it costs more than the blocks promise, the passage is too narrow for a choice per block.
+// Where all metres cost the same, shortest paths touch obstacles, and only cells are fine enough.
+bool PathPlanner::chain_is_good(const TravelCost& costs, std::span<const CellIndex> blocks) {
+  constexpr double kMostShare = 1.03;  // of the cost of the blocks
+  constexpr double kRounding = 2.0;    // of both ends to blocks [cells]
+  if (costs.rise() == 0.0F) return false;
+  if (!chain_.find(costs, blocks, start_.terminals, goal_.terminals)) return false;
+  const double promised = BlockGrid::kSide * block_search_.cost() /
+                          static_cast<double>(GridSearch::kStep * blocks_.unit());
+  return chain_.cost() <= kMostShare * promised + kRounding;
 }
 
 void PathPlanner::take_centres() {

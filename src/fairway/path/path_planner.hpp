@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fairway/map/bit_grid.hpp"
@@ -30,11 +31,11 @@ struct PathResult {
 /// waypoints: the first equals the start and the last equals the goal, to the bit.
 ///
 /// The search first covers blocks of 4 x 4 cells, and then passes through the best cells of the
-/// blocks found. Where that does not fit, it searches all cells along the blocks. It finds a path
-/// wherever neighbouring allowed cells (see TravelCost) connect start and goal; that
-/// path is nearly always a cheapest one. Where there is none, it also tries points between the
-/// centres of cells: the middle of a gap that is an even number of cells wide lies there. The
-/// planner is deterministic: the same map and query give the same bits.
+/// blocks found. Where that does not fit or costs more than expected, it searches all cells along
+/// the blocks. It finds a path wherever neighbouring allowed cells (see TravelCost) connect start
+/// and goal; that path is nearly always a cheapest one. Where there is none, it also tries points
+/// between the centres of cells: the middle of a gap that is an even number of cells wide lies
+/// there. The planner is deterministic: the same map and query give the same bits.
 ///
 /// On the map of the last call it uses what it knows of it, and from the same start it continues
 /// that search: further goals cost little, and give the same paths.
@@ -65,6 +66,7 @@ class PathPlanner {
   void join_grid(const TravelCost& costs, double robot_radius, End& end);
   bool add_ring(const TravelCost& costs, double clearance, int ring, End& end);
   [[nodiscard]] bool search(const TravelCost& costs, bool any_angle, PathResult& result);
+  [[nodiscard]] bool chain_is_good(const TravelCost& costs, std::span<const CellIndex> blocks);
   [[nodiscard]] bool search_between_centres(const TravelCost& costs,
                                             const PathSettings& settings,
                                             double robot_radius,

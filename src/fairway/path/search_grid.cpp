@@ -2,6 +2,7 @@
 #include "fairway/path/search_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fairway {
@@ -9,7 +10,6 @@ namespace fairway {
 namespace {
 
 constexpr int kMaxUnit = 32;
-constexpr float kLargeDistance = std::numeric_limits<float>::infinity();
 constexpr std::uint16_t kFull = 0xFFFF;
 
 }  // namespace
@@ -25,7 +25,7 @@ bool SearchGrid::is_gentle(int index) const noexcept {
       most = std::max(most, cost);
     }
   }
-  return 58 * most < 106 * least;
+  return is_gentle(least, most);
 }
 
 int SearchGrid::unit_for(const TravelCost& costs) noexcept {
@@ -51,8 +51,15 @@ bool BlockGrid::begin(const TravelCost& costs) {
   reach_ = costs.distances().reach();
   scale_ = costs.scale();
   masks_.resize(size());
-  column_distances_.resize(static_cast<std::size_t>(kSide * width()));
-  tightest_.resize(column_distances_.size());
+  const auto columns = static_cast<std::size_t>(kSide * width());
+  outside_.assign(columns, -1.0F);
+  greatest_.assign(columns, -1.0F);
+  tightest_.assign(columns, -1.0F);
+  block_greatest_.resize(columns / kSide);
+  block_tightest_.resize(columns / kSide);
+  column_masks_.resize(static_cast<std::size_t>(stride()));
+  column_least_.resize(static_cast<std::size_t>(stride()));
+  column_most_.resize(static_cast<std::size_t>(stride()));
   first_computed_ = 0;
   last_computed_ = -1;
   return false;
@@ -93,6 +100,7 @@ void BlockGrid::compute_rows(int first, int last) {
   }
 }
 
+// Short loops over whole rows without branches, which the compiler turns into vector instructions.
 void BlockGrid::fill_row(int y) {
   if (y < -1 || y > height()) return;
   std::uint8_t* const nodes = nodes_.data() + index({.x = 0, .y = y});
@@ -103,28 +111,46 @@ void BlockGrid::fill_row(int y) {
   const GridFrame& frame = costs_->frame();
   // Cells beyond the upper and the right edge of the map have no clearance.
   const int rows = std::min(kSide, frame.height - kSide * y);
-  std::fill(column_distances_.begin(), column_distances_.end(), -1.0F);
-  std::fill(tightest_.begin(), tightest_.end(), rows < kSide ? -1.0F : kLargeDistance);
-  std::fill(tightest_.begin() + frame.width, tightest_.end(), -1.0F);
-  const float* distances =
-      costs_->distances().cells().data() + static_cast<std::ptrdiff_t>(kSide * y) * frame.width;
-  float* const greatest = column_distances_.data();
-  float* const tightest = tightest_.data();
-  for (int row = 0; row < rows; ++row, distances += frame.width) {
-    for (int x = 0; x < frame.width; ++x) {
-      greatest[x] = std::max(greatest[x], distances[x]);
-      tightest[x] = std::min(tightest[x], distances[x]);
-    }
+  std::array<const float*, kSide> cells{};
+  for (int row = 0; row < kSide; ++row) {
+    cells[static_cast<std::size_t>(row)] =
+        row < rows ? costs_->distances().cells().data() +
+                         static_cast<std::ptrdiff_t>(kSide * y + row) * frame.width
+                   : outside_.data();
   }
-  const float least = costs_->least_distance();
+  float* const greatest = greatest_.data();
+  float* const tightest = tightest_.data();
+  for (int x = 0; x < frame.width; ++x) {
+    const float a = cells[0][x];
+    const float b = cells[1][x];
+    const float c = cells[2][x];
+    const float d = cells[3][x];
+    greatest[x] = std::max(std::max(a, b), std::max(c, d));
+    tightest[x] = std::min(std::min(a, b), std::min(c, d));
+  }
   for (int x = 0; x < width(); ++x) {
     const float* d = greatest + kSide * x;
-    const float* tight = tightest + kSide * x;
-    const float most = std::max(std::max(d[0], d[1]), std::max(d[2], d[3]));
-    if (most < least) continue;
-    nodes[x] = byte_at(most);
-    const bool full = std::min(std::min(tight[0], tight[1]), std::min(tight[2], tight[3])) >= least;
-    masks[x] = full ? kFull : allowed_cells({.x = x, .y = y});
+    block_greatest_[static_cast<std::size_t>(x)] =
+        std::max(std::max(d[0], d[1]), std::max(d[2], d[3]));
+  }
+  for (int x = 0; x < width(); ++x) {
+    const float* d = tightest + kSide * x;
+    block_tightest_[static_cast<std::size_t>(x)] =
+        std::min(std::min(d[0], d[1]), std::min(d[2], d[3]));
+  }
+  // Local copies, because a store to a byte may alias every member.
+  const TravelCost costs = *costs_;
+  const float least = costs.least_distance();
+  const auto unit = static_cast<float>(this->unit());
+  const float* const most = block_greatest_.data();
+  const float* const tight = block_tightest_.data();
+  const int count = width();
+  for (int x = 0; x < count; ++x)
+    nodes[x] = most[x] >= least ? to_byte(costs.at_distance(most[x]), unit) : std::uint8_t{0};
+  for (int x = 0; x < count; ++x)
+    masks[x] = tight[x] >= least ? kFull : std::uint16_t{0};
+  for (int x = 0; x < count; ++x) {
+    if (nodes[x] != 0 && masks[x] == 0) masks[x] = allowed_cells({.x = x, .y = y});
   }
 }
 
@@ -146,15 +172,29 @@ std::uint16_t BlockGrid::allowed_cells(CellIndex node) const noexcept {
 
 void BlockGrid::open_row(int y) {
   if (y < 0 || y >= height()) return;
-  for (int x = 0; x < width(); ++x) {
-    const int i = index({.x = x, .y = y});
-    const std::uint16_t* here = masks_.data() + i;
-    if (*here != kFull) continue;
-    const std::uint16_t* below = here - stride();
-    const std::uint16_t* above = here + stride();
-    const int all =
-        below[-1] & below[0] & below[1] & here[-1] & here[1] & above[-1] & above[0] & above[1];
-    if (all == kFull && is_gentle(i)) nodes_[static_cast<std::size_t>(i)] |= kOpen;
+  const int first = index({.x = -1, .y = y});
+  const int count = stride();
+  std::uint8_t* const nodes = nodes_.data() + first;
+  const std::uint16_t* const masks = masks_.data() + first;
+  // Over the three rows, and then over three columns each.
+  std::uint16_t* const all = column_masks_.data();
+  std::uint8_t* const least = column_least_.data();
+  std::uint8_t* const most = column_most_.data();
+  for (int x = 0; x < count; ++x)
+    all[x] = masks[x - count] & masks[x] & masks[x + count];
+  for (int x = 0; x < count; ++x) {
+    const std::uint8_t below = nodes[x - count] & kCost;
+    const std::uint8_t here = nodes[x] & kCost;
+    const std::uint8_t above = nodes[x + count] & kCost;
+    least[x] = std::min(std::min(below, here), above);
+    most[x] = std::max(std::max(below, here), above);
+  }
+  for (int x = 1; x + 1 < count; ++x) {
+    if ((all[x - 1] & all[x] & all[x + 1]) != kFull) continue;
+    if (is_gentle(std::min(std::min(least[x - 1], least[x]), least[x + 1]),
+                  std::max(std::max(most[x - 1], most[x]), most[x + 1]))) {
+      nodes[x] |= kOpen;
+    }
   }
 }
 

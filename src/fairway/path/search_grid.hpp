@@ -50,18 +50,21 @@ class SearchGrid {
     return static_cast<std::size_t>(stride()) * (static_cast<std::size_t>(height_) + 2);
   }
 
-  // Returns the byte of a node at `distance` [m] from the nearest obstacle; never 0.
-  [[nodiscard]] std::uint8_t byte_at(float distance) const noexcept {
-    return byte_of(costs_->at_distance(distance));
-  }
+  // Returns the byte of a node with a cost per metre; never 0.
   [[nodiscard]] std::uint8_t byte_of(float cost) const noexcept {
-    const int units = static_cast<int>(cost * static_cast<float>(unit_) + 0.5F);
+    return to_byte(cost, static_cast<float>(unit_));
+  }
+  [[nodiscard]] static std::uint8_t to_byte(float cost, float unit) noexcept {
+    const int units = static_cast<int>(cost * unit + 0.5F);
     return static_cast<std::uint8_t>(std::min(units, static_cast<int>(kCost)));
   }
 
   // Returns whether GridSearch may skip detours at a node (see GridSearch::run). The node and its
   // neighbours must all exist, and their costs must differ little.
   [[nodiscard]] bool is_gentle(int index) const noexcept;
+  [[nodiscard]] static constexpr bool is_gentle(int least_cost, int greatest_cost) noexcept {
+    return 58 * greatest_cost < 106 * least_cost;
+  }
 
   const TravelCost* costs_ = nullptr;
   std::vector<std::uint8_t> nodes_;
@@ -122,9 +125,17 @@ class BlockGrid : public SearchGrid {
   int last_computed_ = -1;
   // By index: bit 4 y + x is set if that cell of the block is allowed.
   std::vector<std::uint16_t> masks_;
-  // Greatest and least distance in the four cells of every column of a row of blocks [m].
-  std::vector<float> column_distances_;
+  // Greatest and least distance in the four cells of every column of a row of blocks, and in every
+  // block of that row [m].
+  std::vector<float> greatest_;
   std::vector<float> tightest_;
+  std::vector<float> block_greatest_;
+  std::vector<float> block_tightest_;
+  std::vector<float> outside_;  // a row of cells outside the map
+  // Cells that are allowed in three rows, and their least and greatest cost.
+  std::vector<std::uint16_t> column_masks_;
+  std::vector<std::uint8_t> column_least_;
+  std::vector<std::uint8_t> column_most_;
 };
 
 /// The cells of the map, or of some blocks of it: a node is an allowed cell.

@@ -50,14 +50,14 @@ void Straightening::connect_lines_of_sight(const TravelCost& costs,
   const std::size_t n = points.size();
   cost_to_.assign(n, 0.0);
   for (std::size_t i = 1; i < n; ++i)
-    cost_to_[i] = cost_to_[i - 1] + costs.line(points[i - 1], points[i]).cost;
+    cost_to_[i] = cost_to_[i - 1] + costs.fitting_line(points[i - 1], points[i]).cost;
   corners_.clear();
   corners_.push_back({.point = points.front()});
   for (std::size_t i = 0; i + 1 < n;) {
     double cost = cost_to_[i + 1] - cost_to_[i];
     const auto may_lead_to = [&](std::size_t j) {
       const TravelCost::Line line =
-          costs.line(points[i], points[j], cost_to_[j] - cost_to_[i] + kRounding);
+          costs.fitting_line(points[i], points[j], cost_to_[j] - cost_to_[i] + kRounding);
       if (std::isinf(line.cost) || !fits(costs, line, points[i], points[j])) return false;
       cost = line.cost;
       return true;
@@ -89,7 +89,7 @@ bool Straightening::move_corners(const TravelCost& costs) {
     if (corner.step >= kLastStep) {
       busy = true;
       const TravelCost::Line direct =
-          costs.line(before.point, after.point, corner.cost + after.cost + kRounding);
+          costs.fitting_line(before.point, after.point, corner.cost + after.cost + kRounding);
       if (!std::isinf(direct.cost) && fits(costs, direct, before.point, after.point)) {
         after.cost = direct.cost;
         after.step = std::max(after.step, kFirstStep);
@@ -120,9 +120,10 @@ bool Straightening::move_corner(const TravelCost& costs,
     const Vector2d to = from + offset;
     const double limit = corner.cost + after.cost - kLeastGain;
     // No metre costs less than 1, so the second line costs at least its length.
-    const TravelCost::Line first = costs.line(before, to, limit - (after.point - to).norm());
+    const TravelCost::Line first =
+        costs.fitting_line(before, to, limit - (after.point - to).norm());
     if (std::isinf(first.cost)) continue;
-    const TravelCost::Line second = costs.line(to, after.point, limit - first.cost);
+    const TravelCost::Line second = costs.fitting_line(to, after.point, limit - first.cost);
     if (std::isinf(second.cost) || !fits(costs, first, before, to) ||
         !fits(costs, second, to, after.point)) {
       continue;
@@ -160,10 +161,10 @@ bool Straightening::cut_corners(const TravelCost& costs) {
       if ((2.0 * size - (q - p).norm()) * static_cast<double>(costs.greatest_cost()) <
           kWorthACorner)
         break;
-      const TravelCost::Line first = costs.line(before, p);
-      const TravelCost::Line last = costs.line(q, after.point);
+      const TravelCost::Line first = costs.fitting_line(before, p);
+      const TravelCost::Line last = costs.fitting_line(q, after.point);
       const double limit = corner.cost + after.cost - kWorthACorner - first.cost - last.cost;
-      const TravelCost::Line middle = costs.line(p, q, limit);
+      const TravelCost::Line middle = costs.fitting_line(p, q, limit);
       if (std::isinf(middle.cost) || !fits(costs, middle, p, q)) continue;
       // The parts of the legs lie on pieces that fit, up to rounding; check them again.
       if (!fits(costs, first, before, p) || !fits(costs, last, q, after.point)) continue;

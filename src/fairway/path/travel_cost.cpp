@@ -41,6 +41,9 @@ TravelCost::TravelCost(const BitGrid& obstacles,
   const double allowed = (required + 2.0 * kFreeSpaceSkin) * (1.0 + 3e-7);
   allowed_ = static_cast<float>(allowed);
   surely_free_distance_ = static_cast<float>(allowed + frame.resolution * std::sqrt(0.5));
+  // No point of a cell is further from its centre than half a diagonal; a little less for rounding.
+  surely_blocked_distance_ =
+      static_cast<float>(required * (1.0 - 1e-6) - frame.resolution * std::sqrt(0.5));
   corner_ = critical_corner(required / frame.resolution, allowed / frame.resolution);
   const bool graded = settings.comfort_distance > 0.0 && settings.comfort_weight > 0.0;
   const double rise = graded ? settings.comfort_weight / settings.comfort_distance : 0.0;
@@ -56,6 +59,7 @@ TravelCost::TravelCost(const BitGrid& obstacles,
   if (zones == nullptr) return;
   // Zones are known within their reach only, so distances may differ by more than those of cells.
   easy_distance_ = std::numeric_limits<float>::infinity();
+  surely_blocked_distance_ = -1.0F;
   steps_need_checks_ = zones->forbids() || zones->has_costs();
   if (!zones->has_costs()) return;
   zone_costs_ = zones;
@@ -85,17 +89,31 @@ bool TravelCost::step_fits(CellIndex from, CellIndex to) const noexcept {
 TravelCost::Line TravelCost::line(const Eigen::Vector2d& a,
                                   const Eigen::Vector2d& b,
                                   double limit) const noexcept {
-  if (zone_costs_ == nullptr) return line_by_distance(a, b, limit);
+  return line_above(-1.0F, a, b, limit);
+}
+
+TravelCost::Line TravelCost::fitting_line(const Eigen::Vector2d& a,
+                                          const Eigen::Vector2d& b,
+                                          double limit) const noexcept {
+  return line_above(surely_blocked_distance_, a, b, limit);
+}
+
+TravelCost::Line TravelCost::line_above(float floor,
+                                        const Eigen::Vector2d& a,
+                                        const Eigen::Vector2d& b,
+                                        double limit) const noexcept {
+  if (zone_costs_ == nullptr) return line_by_distance(floor, a, b, limit);
   const double extra =
       zone_costs_->cost_along({.a = frame().to_world(a), .b = frame().to_world(b)}) /
       frame().resolution;
-  Line line = line_by_distance(a, b, limit - extra);
+  Line line = line_by_distance(floor, a, b, limit - extra);
   line.cost += extra;
   line.surely_free = line.surely_free && !goes_against_zone(a, b);
   return line;
 }
 
-TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
+TravelCost::Line TravelCost::line_by_distance(float floor,
+                                              const Eigen::Vector2d& a,
                                               const Eigen::Vector2d& b,
                                               double limit) const noexcept {
   const GridFrame& grid = frame();
@@ -120,12 +138,13 @@ TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
   const double v1 = to[1 - u_axis];
   const double length = (b - a).norm();
   if (length == 0.0) return {.cost = 0.0, .surely_free = false};
+  if (length > limit) return {};  // no cell costs less than 1
   const double slope = (v1 - v0) / (u1 - u0);
   const int v_last = static_cast<int>(v1);
   const double per_slope = slope != 0.0 ? 1.0 / std::abs(slope) : kFar;
   const double scale = length / (u1 - u0);  // of the line's length to its extent along u
-  const double bound = limit / scale;
-  const double extent = std::sqrt(1.0 + slope * slope);
+  const double per_extent = (u1 - u0) / length;
+  const double bound = limit * per_extent;
   double sum = 0.0;
   float least = std::numeric_limits<float>::infinity();
   double u = u0;
@@ -134,13 +153,14 @@ TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
   const int u_last = static_cast<int>(u1);
   for (int u_cell = static_cast<int>(u0); u_cell <= u_last; ++u_cell) {
     const float d0 = cells[u_cell * u_stride + v_cell * v_stride];
-    // Skips columns of which all cells near the line are easy. Their centres are within `extent`
-    // per column of this one's, and both are within a cell of the line.
+    // Skips columns of which all cells near the line are easy. Their centres are within 1 /
+    // per_extent per column of this one's, and both are within a cell of the line.
     if (d0 > easy_distance_) {
       constexpr double kAcross = 2.01;  // [cells]
-      const double far = static_cast<double>(d0 - easy_distance_) * cells_per_metre_ - kAcross;
-      if (far >= extent) {
-        const int columns = 1 + static_cast<int>(far / extent);
+      const double far =
+          (static_cast<double>(d0 - easy_distance_) * cells_per_metre_ - kAcross) * per_extent;
+      if (far >= 1.0) {
+        const int columns = 1 + static_cast<int>(far);
         const double u_next = std::min(static_cast<double>(u_cell + columns), u1);
         sum += u_next - u;
         least = std::min(least, easy_distance_);
@@ -166,7 +186,7 @@ TravelCost::Line TravelCost::line_by_distance(const Eigen::Vector2d& a,
     sum += in_first * static_cast<double>(at_distance(d0)) +
            (width - in_first) * static_cast<double>(at_distance(d1));
     least = std::min(least, std::min(d0, d1));
-    if (sum + (u1 - u_next) > bound) return {};  // no cell costs less than 1
+    if (sum + (u1 - u_next) > bound || least < floor) return {};
     u = u_next;
     v = v_next;
     v_cell = next_cell;

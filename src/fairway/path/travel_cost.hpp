@@ -107,12 +107,24 @@ class TravelCost {
                           const Eigen::Vector2d& b,
                           double limit = std::numeric_limits<double>::infinity()) const noexcept;
 
+  /// As `line`, but the cost is also infinite where a cell shows that the robot does not fit.
+  [[nodiscard]] Line fitting_line(
+      const Eigen::Vector2d& a,
+      const Eigen::Vector2d& b,
+      double limit = std::numeric_limits<double>::infinity()) const noexcept;
+
   /// Tests exactly whether the robot fits along a line from one point to another in grid
   /// coordinates.
   [[nodiscard]] bool fits(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const noexcept;
 
  private:
-  [[nodiscard]] Line line_by_distance(const Eigen::Vector2d& a,
+  // The cost is infinite, too, if a cell on the line is closer to an obstacle than `floor` [m].
+  [[nodiscard]] Line line_above(float floor,
+                                const Eigen::Vector2d& a,
+                                const Eigen::Vector2d& b,
+                                double limit) const noexcept;
+  [[nodiscard]] Line line_by_distance(float floor,
+                                      const Eigen::Vector2d& a,
                                       const Eigen::Vector2d& b,
                                       double limit) const noexcept;
   [[nodiscard]] float zone_cost(CellIndex cell) const noexcept;
@@ -122,7 +134,8 @@ class TravelCost {
   double required_;
   float allowed_;
   float surely_free_distance_;  // least distance at the centre of a cell that is free all over [m]
-  float easy_distance_;         // beyond it a metre costs 1 and is surely free [m]
+  float surely_blocked_distance_;  // of a centre, below which no point of its cell is free [m]
+  float easy_distance_;            // beyond it a metre costs 1 and is surely free [m]
   double cells_per_metre_;
   float at_zero_;  // cost that the linear increase extrapolates to at distance 0
   float rise_;
