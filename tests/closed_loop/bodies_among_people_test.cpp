@@ -177,7 +177,6 @@ TEST(BodiesAmongPeople, PeopleWhoWalkAnywhereAndStop) {
 // beside the person, so the robot moves out of the way.
 TEST(BodiesAmongPeople, GiveWayToAPersonWhoWalksStraightAtThem) {
   for (const test::NamedRobot& robot : test::robot_presets()) {
-    if (is_steered(robot.model.base)) continue;  // needs more space than there is
     SCOPED_TRACE(robot.name);
     Scenario scenario;
     scenario.map =

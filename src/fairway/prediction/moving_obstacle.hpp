@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "fairway/base/setting.hpp"
+#include "fairway/geometry/footprint.hpp"
 #include "fairway/geometry/pose2.hpp"
 
 namespace fairway {
@@ -55,6 +56,16 @@ struct UpcomingWaypoints {
   std::array<Eigen::Vector2d, kMaxPoints> points;
 };
 
+/// The outline of a robot that is no disc, for those who receive its motion: discs that cover it,
+/// and the headings with which they turn.
+struct SharedOutline {
+  static constexpr int kMaxDiscs = Footprint::kMaxDiscs;
+  int count = 0;  ///< number of discs; 0: the robot is the disc of its message
+  std::array<Footprint::Disc, kMaxDiscs> discs{};                  ///< in the frame of the robot
+  std::array<double, SampledMotion::kMaxSamples> plan_headings{};  ///< at the samples of `plan`
+  std::array<double, SampledMotion::kMaxSamples> stop_headings{};  ///< at the samples of `stop`
+};
+
 /// The message that a robot publishes to the other robots in every control cycle.
 struct SharedMotion {
   std::uint32_t robot = 0;  ///< number of the sender, unique in the fleet
@@ -75,6 +86,7 @@ struct SharedMotion {
   double retreat_length =
       0.0;                  ///< to a place where the others can pass; infinite if there is none [m]
   Roundabout roundabout{};  ///< roundabout that the robot follows
+  SharedOutline outline{};  ///< true outline; see BodyNavigator::share
 };
 
 /// Returns whether a message is plausible: every number is finite and within bounds that no robot

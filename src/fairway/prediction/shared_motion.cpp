@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
 
@@ -31,6 +33,17 @@ bool is_plausible(const SampledMotion& motion) noexcept {
          are_plausible(motion.positions, motion.count);
 }
 
+bool is_plausible(const SharedOutline& outline) noexcept {
+  if (outline.count < 0 || outline.count > SharedOutline::kMaxDiscs) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(outline.count); ++i) {
+    const Footprint::Disc& disc = outline.discs[i];
+    if (!is_within(disc.radius, 0.0, kLargest) || !(disc.center.norm() <= kLargest)) return false;
+  }
+  const auto finite = [](double heading) { return std::isfinite(heading); };
+  return std::all_of(outline.plan_headings.begin(), outline.plan_headings.end(), finite) &&
+         std::all_of(outline.stop_headings.begin(), outline.stop_headings.end(), finite);
+}
+
 bool is_plausible(const UpcomingWaypoints& way) noexcept {
   return way.count >= 0 && way.count <= UpcomingWaypoints::kMaxPoints &&
          are_plausible(way.points, way.count);
@@ -56,6 +69,8 @@ SharedMotion rounded(SharedMotion motion) noexcept {
   round_points(motion.stop.positions, motion.stop.count);
   round_points(motion.way.points, motion.way.count);
   motion.radius += kOff;
+  for (Footprint::Disc& disc : motion.outline.discs)
+    disc.radius += kOff;
   return motion;
 }
 
@@ -65,7 +80,7 @@ bool is_plausible(const SharedMotion& motion) noexcept {
          is_within(motion.speed_max, 0.0, kFastest) &&
          is_within(motion.turn_max, 0.0, kMostTurning) && motion.acceleration > 0.0 &&
          motion.acceleration <= kFastest && is_plausible(motion.plan) &&
-         is_plausible(motion.stop) && is_plausible(motion.way) &&
+         is_plausible(motion.stop) && is_plausible(motion.way) && is_plausible(motion.outline) &&
          !std::isnan(motion.distance_to_bottleneck) && !std::isnan(motion.retreat_length) &&
          is_plausible(motion.roundabout.center) &&
          is_within(motion.roundabout.radius, 0.0, kWidest);

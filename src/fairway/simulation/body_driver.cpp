@@ -35,6 +35,7 @@ class BodyDriver final : public RobotDriver {
     const BodyRobot& actual = *world.model_of(robot);
     navigator_.reset(actual.twist(), actual.input.turn);
     navigator_.lend_clock(context.clock);
+    tell(world);
   }
 
   [[nodiscard]] double next_measurement() const override {
@@ -45,7 +46,10 @@ class BodyDriver final : public RobotDriver {
   }
   [[nodiscard]] const Plan& plan() const override { return navigator_.plan(); }
   [[nodiscard]] LimitMark mark(const NavigationStep& /*step*/) const override { return {}; }
-  void tell_standing(const World& world) override { look_around(world.time()); }
+  void tell_standing(const World& world) override {
+    look_around(world.time());
+    tell(world);
+  }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
     const double begin = now();
@@ -56,6 +60,7 @@ class BodyDriver final : public RobotDriver {
     const NavigationStep step = navigator_.update(measured);
     const double seconds = now() - (lidar_ ? begin : before) - navigator_.planning_seconds();
     note_planning();
+    tell(world);
     NavigationInput input = input_of(measured);
     input.map = navigator_.obstacles();
     return {.input = input,
@@ -91,8 +96,26 @@ class BodyDriver final : public RobotDriver {
 
   [[nodiscard]] Measurements measurements(const World& world) {
     if (lidar_) return {.time = world.time(), .pose = senses_->pose()};
-    world.moving_around(robot_, seen_);
-    return {.time = world.time(), .pose = world.robots()[robot_].pose, .obstacles = seen_};
+    const Pose2& pose = world.robots()[robot_].pose;
+    const bool radio = context_.radio.model().on;
+    if (radio) {
+      world.moving_bodies(seen_);
+    } else {
+      world.moving_around(robot_, seen_);
+    }
+    Measurements measured{.time = world.time(),
+                          .pose = pose,
+                          .obstacles = seen_,
+                          .robot = static_cast<std::uint32_t>(robot_)};
+    if (radio) measured.fleet = context_.radio.hear(robot_, pose.position, world.time());
+    return measured;
+  }
+
+  // Robots that know the map publish their motion.
+  void tell(const World& world) {
+    if (lidar_ || !context_.radio.model().on) return;
+    context_.radio.tell(robot_, navigator_.share(static_cast<std::uint32_t>(robot_), world.time(),
+                                                 world.robots()[robot_].pose));
   }
 
   // Takes over the scans that have become available.

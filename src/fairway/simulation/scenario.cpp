@@ -21,7 +21,6 @@ void describe_models(Scenario& scenario) {
   const auto found = std::find_if(scenario.robots.begin(), scenario.robots.end(),
                                   [](const RobotTask& task) { return task.model.has_value(); });
   if (found == scenario.robots.end()) return;
-  scenario.radio.on = false;
   const BaseModel& base = found->model->base;
   const BodyShape& body = found->model->body;
   RobotSettings& robot = scenario.settings.robot;

@@ -66,7 +66,7 @@ struct Scenario {
 
 /// Sets the settings of the robots from the first model, as far as they can express it. These are
 /// speeds, accelerations, and discs that cover the outline, which pages and pictures draw. All
-/// robots then see each other as moving obstacles, without messages.
+/// robots publish their motion with their true outline.
 void describe_models(Scenario& scenario);
 
 }  // namespace fairway

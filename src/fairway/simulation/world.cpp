@@ -9,6 +9,7 @@
 #include "fairway/base/contract.hpp"
 #include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
+#include "fairway/map/polygon_separation.hpp"
 
 namespace fairway {
 
@@ -42,6 +43,25 @@ double approach(const BodyRobot& robot, bool standing, const Eigen::Vector2d& ot
   return (body.distance(inverse_transform(before, other)) -
           body.distance(inverse_transform(robot.pose, other))) /
          kShort;
+}
+
+// The distance between two robots; negative where their outlines overlap.
+double outline_distance(const BodyRobot& a, const BodyRobot& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ConvexPart& part : a.model.body.parts()) {
+    if (b.model.body.distance(inverse_transform(b.pose, transform(a.pose, part.vertex(0)))) <= 0.0)
+      return -part.radius - 1e-9;
+    for (const ConvexPart& other : b.model.body.parts()) {
+      const auto local = [&](int i) {
+        return inverse_transform(a.pose, transform(b.pose, other.vertex(i % other.count)));
+      };
+      for (int i = 0; i < other.count; ++i) {
+        const double apart = internal::separation(part, local(i), local(i + 1)).distance;
+        least = std::min(least, apart - part.radius - other.radius);
+      }
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -155,8 +175,8 @@ void World::visit_discs(std::size_t robot, const Visit& visit) const {
   }
 }
 
-// The distance from the robot's footprint to the nearest body or other robot. Another robot counts
-// as its circumscribed disc.
+// The distance from the robot's footprint to the nearest body or other robot. Two robots with a
+// model are measured by their outlines; otherwise another robot counts as its discs.
 World::Gap World::gap_to_moving(std::size_t robot) const {
   const Pose2& pose = robots_[robot].pose;
   Gap gap{.length = std::numeric_limits<double>::infinity(), .position = pose.position};
@@ -174,8 +194,13 @@ World::Gap World::gap_to_moving(std::size_t robot) const {
   }
   for (std::size_t other = 0; other < robots_.size(); ++other) {
     if (other == robot || encounters_[other].absent) continue;
+    const Gap before = gap;
     visit_discs(other,
                 [&](const MovingObstacle& disc) { look_at(disc, Contact::With::Robot, other); });
+    if (!models_[robot] || !models_[other] || gap.length >= before.length) continue;
+    // The discs cover more than the outline.
+    gap.length = outline_distance(*models_[robot], *models_[other]);
+    if (gap.length >= before.length) gap = before;
   }
   return gap;
 }

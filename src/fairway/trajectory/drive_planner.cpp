@@ -53,7 +53,7 @@ DrivePlan plan_one(const BodyClearance& clearance,
                    double period,
                    const DriveSettings& settings) {
   DrivePlan plan;
-  const BaseModel planned = with_reserve(base, settings.limit_share);
+  const BaseModel planned = with_reserve(base, settings.limit_share, settings.speed_share);
   plan.path = plan_body_path(clearance, planned, start, goal, settings.path);
   if (plan.path.status != BodyPathStatus::Found) return plan;
   plan.clearance = std::min(settings.clearance, 0.3 * plan.path.margin);

@@ -11,12 +11,13 @@ namespace fairway {
 /// How a drive is planned.
 struct DriveSettings {
   BodyPathSettings path{};
-  double limit_share =
-      0.98;                  ///< share of the base's limits that plans use; the rest is for control
-  double clearance = 0.005;  ///< proven for the whole drive, where the path has as much [m]
-  double knot_step = 0.25;   ///< greatest time between knots of the first trajectory [s]
-  int iterations = 40;       ///< of the optimisation, at most; 0: stops between all pieces
-  TrajectoryCost cost{};     ///< what is minimised besides time
+  /// Share of the base's accelerations and steering rate that plans use; the rest is for control.
+  double limit_share = 0.98;
+  double speed_share = 0.98;  ///< the same for its speeds
+  double clearance = 0.005;   ///< proven for the whole drive, where the path has as much [m]
+  double knot_step = 0.25;    ///< greatest time between knots of the first trajectory [s]
+  int iterations = 40;        ///< of the optimisation, at most; 0: stops between all pieces
+  TrajectoryCost cost{};      ///< what is minimised besides time
   /// Further searches with a higher cost of cusps; the drive of least cost is taken. Steered only.
   int alternatives = 0;
 };

@@ -64,18 +64,18 @@ Trajectory stopping_trajectory(const BaseModel& base, const MotionPath& path, do
   return trajectory;
 }
 
-BaseModel with_reserve(const BaseModel& base, double share) noexcept {
+BaseModel with_reserve(const BaseModel& base, double share, double speed_share) noexcept {
   BaseModel less = base;
-  less.linear_min *= share;
-  less.linear_max *= share;
-  less.lateral_max *= share;
-  less.angular_max *= share;
+  less.linear_min *= speed_share;
+  less.linear_max *= speed_share;
+  less.lateral_max *= speed_share;
+  less.angular_max *= speed_share;
   less.linear_acceleration *= share;
   less.lateral_acceleration *= share;
   less.angular_acceleration *= share;
   less.steering_rate_max *= share;
   less.steering_max *= 1.0 - 0.05 * (1.0 - share);
-  less.wheels.speed_max *= share;
+  less.wheels.speed_max *= speed_share;
   return less;
 }
 

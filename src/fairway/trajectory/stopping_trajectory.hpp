@@ -14,8 +14,10 @@ namespace fairway {
                                              const MotionPath& path,
                                              double longest_step);
 
-/// Returns the base with its speeds, accelerations and steering rate times `share`. Plans are made
-/// for it, so that a controller can still correct.
-[[nodiscard]] BaseModel with_reserve(const BaseModel& base, double share) noexcept;
+/// Returns the base with its speeds times `speed_share`, and its accelerations and steering rate
+/// times `share`. Plans are made for it, so that a controller can still correct.
+[[nodiscard]] BaseModel with_reserve(const BaseModel& base,
+                                     double share,
+                                     double speed_share) noexcept;
 
 }  // namespace fairway

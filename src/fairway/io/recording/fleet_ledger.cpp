@@ -30,30 +30,70 @@ SampledMotion samples_of(const json& from) {
   return motion;
 }
 
+json headings_json(const std::array<double, SampledMotion::kMaxSamples>& headings, int count) {
+  json list = json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    list.push_back(exact::to_json(headings[i]));
+  return list;
+}
+
+json outline_json(const SharedMotion& motion) {
+  const SharedOutline& outline = motion.outline;
+  json discs = json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(outline.count); ++i) {
+    discs.push_back({{"center", exact::to_json(outline.discs[i].center)},
+                     {"radius", exact::to_json(outline.discs[i].radius)}});
+  }
+  return {{"discs", std::move(discs)},
+          {"plan_headings", headings_json(outline.plan_headings, motion.plan.count)},
+          {"stop_headings", headings_json(outline.stop_headings, motion.stop.count)}};
+}
+
+void read_headings(const json& list, std::array<double, SampledMotion::kMaxSamples>& headings) {
+  if (list.size() > headings.size()) throw std::invalid_argument("headings: too long");
+  for (std::size_t i = 0; i < list.size(); ++i)
+    headings[i] = exact::to_number(list[i]);
+}
+
+SharedOutline outline_of(const json& from) {
+  SharedOutline outline;
+  for (const json& disc : from.at("discs")) {
+    if (outline.count == SharedOutline::kMaxDiscs) throw std::invalid_argument("discs: too many");
+    outline.discs[static_cast<std::size_t>(outline.count++)] = {
+        .center = exact::to_point(disc.at("center")),
+        .radius = exact::to_number(disc.at("radius"))};
+  }
+  read_headings(from.at("plan_headings"), outline.plan_headings);
+  read_headings(from.at("stop_headings"), outline.stop_headings);
+  return outline;
+}
+
 }  // namespace
 
 json motion_json(const SharedMotion& motion) {
   json way = json::array();
   for (std::size_t i = 0; i < static_cast<std::size_t>(motion.way.count); ++i)
     way.push_back(exact::to_json(motion.way.points[i]));
-  return {{"robot", motion.robot},
-          {"time", exact::to_json(motion.time)},
-          {"position", exact::to_json(motion.position)},
-          {"speed", exact::to_json(motion.speed)},
-          {"radius", exact::to_json(motion.radius)},
-          {"speed_max", exact::to_json(motion.speed_max)},
-          {"acceleration", exact::to_json(motion.acceleration)},
-          {"turn_max", exact::to_json(motion.turn_max)},
-          {"plan", samples_json(motion.plan)},
-          {"stop", samples_json(motion.stop)},
-          {"way", std::move(way)},
-          {"to_narrow", exact::to_json(motion.distance_to_bottleneck)},
-          {"can_step_aside", motion.can_step_aside},
-          {"way_back", exact::to_json(motion.retreat_length)},
-          {"under_way", motion.under_way},
-          {"roundabout",
-           {{"center", exact::to_json(motion.roundabout.center)},
-            {"radius", exact::to_json(motion.roundabout.radius)}}}};
+  json written{{"robot", motion.robot},
+               {"time", exact::to_json(motion.time)},
+               {"position", exact::to_json(motion.position)},
+               {"speed", exact::to_json(motion.speed)},
+               {"radius", exact::to_json(motion.radius)},
+               {"speed_max", exact::to_json(motion.speed_max)},
+               {"acceleration", exact::to_json(motion.acceleration)},
+               {"turn_max", exact::to_json(motion.turn_max)},
+               {"plan", samples_json(motion.plan)},
+               {"stop", samples_json(motion.stop)},
+               {"way", std::move(way)},
+               {"to_narrow", exact::to_json(motion.distance_to_bottleneck)},
+               {"can_step_aside", motion.can_step_aside},
+               {"way_back", exact::to_json(motion.retreat_length)},
+               {"under_way", motion.under_way},
+               {"roundabout",
+                {{"center", exact::to_json(motion.roundabout.center)},
+                 {"radius", exact::to_json(motion.roundabout.radius)}}}};
+  if (motion.outline.count > 0) written["outline"] = outline_json(motion);
+  return written;
 }
 
 SharedMotion motion_of(const json& from) {
@@ -77,6 +117,7 @@ SharedMotion motion_of(const json& from) {
       throw std::invalid_argument("way: too long");
     motion.way.points[static_cast<std::size_t>(motion.way.count++)] = exact::to_point(point);
   }
+  if (from.contains("outline")) motion.outline = outline_of(from.at("outline"));
   const json& roundabout = from.at("roundabout");
   motion.roundabout = {.center = exact::to_point(roundabout.at("center")),
                        .radius = exact::to_number(roundabout.at("radius"))};

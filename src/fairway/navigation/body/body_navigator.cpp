@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fairway/navigation/body/body_navigator_state.hpp"
+#include "fairway/navigation/body/body_report.hpp"
 
 namespace fairway {
 
@@ -69,6 +70,15 @@ void BodyNavigator::reset(const PlanarTwist& actual, double steering) noexcept {
 
 NavigationStep BodyNavigator::update(const Measurements& measurements) {
   return state_->update(measurements);
+}
+
+SharedMotion BodyNavigator::share(std::uint32_t robot,
+                                  double time,
+                                  const Pose2& pose) const noexcept {
+  SharedMotion motion = report_body(state_->robot.body, state_->follower, pose, time,
+                                    state_->settings.navigation.control_period, state_->drives());
+  motion.robot = robot;
+  return motion;
 }
 
 bool BodyNavigator::plan_now(const Measurements& measurements) {

@@ -86,6 +86,12 @@ class BodyNavigator {
   /// and `lateral` and `steering` of the step complete it.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);
 
+  /// Returns the message to the other robots: the motion of the last cycle, the stop after it, the
+  /// planned motion, each with the true outline. Call it after each cycle.
+  [[nodiscard]] SharedMotion share(std::uint32_t robot,
+                                   double time,
+                                   const Pose2& pose) const noexcept;
+
   /// Makes the plan that the robot needs now without driving. @return whether it follows another
   /// plan from now on.
   bool plan_now(const Measurements& measurements);

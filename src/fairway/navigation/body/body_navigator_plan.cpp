@@ -62,34 +62,62 @@ bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const
   return !just_tried;
 }
 
+namespace {
+
+// The discs of another robot where it stops, as obstacles at standstill.
+void add_discs_of(const SharedMotion& motion, std::vector<MovingObstacle>& standing) {
+  const auto last = static_cast<std::size_t>(motion.stop.count - 1);
+  const Pose2 pose{.position = motion.stop.positions[last],
+                   .heading = motion.outline.stop_headings[last]};
+  if (motion.outline.count <= 0)
+    standing.push_back({.position = pose.position, .radius = motion.radius});
+  for (std::size_t i = 0; i < static_cast<std::size_t>(motion.outline.count); ++i) {
+    const Footprint::Disc& disc = motion.outline.discs[i];
+    standing.push_back({.position = transform(pose, disc.center), .radius = disc.radius});
+  }
+}
+
+}  // namespace
+
 BodyPlanRequest BodyNavigator::State::request_for(const Measurements& m) const {
-  const bool mapless = around.mapless();
   BodyPlanRequest request{
       .start = m.pose,
-      .goal = mapless ? goal_inside(around.for_plans(), m.pose, *goal_) : *goal_,
+      .goal = *goal_,
+      .stays_inside = around.mapless(),
       .standing = {},
       .kept = settings.prediction.obstacle_margin,
       .or_without = !avoids_moving_,
       .evades = evades_,
       .prediction = settings.prediction,
       .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
+      .time = m.time,
+      .robot = m.robot,
       .more_margin = around.perception() != nullptr ? settings.perception.resolution : 0.0};
   for (const MovingObstacle& obstacle : m.obstacles) {
     if (!is_plausible(obstacle)) continue;
     if (evades_) request.coming.push_back(obstacle);
     if (avoids_moving_ || is_standing(obstacle)) request.standing.push_back(obstacle);
   }
+  for (const FleetMember& member : m.fleet) {
+    if (!is_plausible(*member.motion)) continue;
+    if (evades_) {
+      request.fleet.push_back(*member.motion);
+      request.unseen.push_back(member.unseen);
+    }
+    constexpr double kSlow = 0.1;  // [m/s]
+    if (avoids_moving_ || member.motion->speed < kSlow)
+      add_discs_of(*member.motion, request.standing);
+  }
   return request;
 }
 
 // Whether a robot at standstill is run into unless it gives way: nothing else moves it.
 bool BodyNavigator::State::must_evade(const Measurements& m) const noexcept {
-  constexpr double kAhead = 5.0;   // [s]
   constexpr double kRetry = 0.25;  // [s]
   if (!goal_ || !goal_valid_ || reached_ || is_evading_ || planning.busy()) return false;
-  if (!follower.at_rest() || m.obstacles.empty()) return false;
+  if (!follower.at_rest() || (m.obstacles.empty() && m.fleet.empty())) return false;
   if (m.time - evasion_time_ < kRetry && m.time >= evasion_time_) return false;
-  return is_run_into(robot.body, m.pose, moving_around(m), kAhead);
+  return is_run_into(robot.body, m.pose, moving_around(m), look_ahead_of(robot.base));
 }
 
 void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
@@ -110,8 +138,8 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   (evades ? evasion_time_ : plan_time_) = m.time;
   planned = true;
   const bool in_known_space = evades || std::exchange(in_known_space_, false);
-  if (in_known_space) {
-    planning.start(around.known_space(), std::move(request));
+  if (in_known_space && around.mapless()) {
+    planning.start(around.seen_free(), std::move(request));
   } else {
     planning.start(around.map_for_plans(), std::move(request));
   }

@@ -111,6 +111,9 @@ LimitingFactor BodyNavigator::State::check(const Measurements& m) noexcept {
   for (const MovingObstacle& obstacle : m.obstacles) {
     if (!is_plausible(obstacle)) return LimitingFactor::InvalidTracks;
   }
+  for (const FleetMember& member : m.fleet) {
+    if (!is_plausible(*member.motion)) return LimitingFactor::InvalidTracks;
+  }
   if ((m.obstacles_due || !m.obstacles.empty()) &&
       !fresh(m.obstacles_time, settings.safety.tracks_timeout))
     return LimitingFactor::StaleTracks;
@@ -161,14 +164,18 @@ void BodyNavigator::State::watch(const NavigationStep& step, double time) noexce
 MovingSurroundings BodyNavigator::State::moving_around(const Measurements& m) const noexcept {
   return {.obstacles = m.obstacles,
           .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
-          .prediction = settings.prediction};
+          .prediction = settings.prediction,
+          .fleet = m.fleet,
+          .time = m.time,
+          .robot = m.robot};
 }
 
 // A robot that has given way plans again once it is at rest and out of the way.
 void BodyNavigator::State::end_evasion(const Measurements& m) noexcept {
-  constexpr double kAhead = 2.0;  // [s]
   if (!is_evading_ || !follower.at_rest() || follower.progress().phase <= 0.0) return;
-  if (!follower.settled() && is_run_into(robot.body, m.pose, moving_around(m), kAhead)) return;
+  if (!follower.settled() &&
+      is_run_into(robot.body, m.pose, moving_around(m), look_ahead_of(robot.base)))
+    return;
   is_evading_ = false;
   wants_plan_ = true;
 }
@@ -219,6 +226,7 @@ Measurements BodyNavigator::State::merged(const Measurements& given) {
 
 NavigationStep BodyNavigator::State::update(const Measurements& given) {
   const Measurements m = merged(given);
+  follower.begin_cycle();
   const LimitingFactor wrong = check_cycle(m);
   if (wrong != LimitingFactor::None) {
     follows_new_plan = planned = false;

@@ -33,6 +33,7 @@ struct BodyNavigator::State {
   BodyPlanning planning;
   Plan plan;
   [[nodiscard]] bool has_drive() const noexcept { return has_drive_; }
+  [[nodiscard]] bool drives() const noexcept { return has_drive_ && goal_ && !reached_; }
   bool follows_new_plan = false;
   bool planned = false;
 

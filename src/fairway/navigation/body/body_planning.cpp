@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/navigation/body/body_surroundings.hpp"
 #include "fairway/navigation/body/evasion.hpp"
 #include "fairway/path/se2/goal_distance.hpp"
 
@@ -78,6 +79,9 @@ DriveSettings drive_settings_for(const BodyShape& body) noexcept {
   DriveSettings settings;
   constexpr double kReserve = 0.1;  // of the limits, for corrections
   settings.limit_share = 1.0 - kReserve;
+  // A robot that is behind its drive at full speed is only later.
+  constexpr double kSpeedShare = 0.98;
+  settings.speed_share = kSpeedShare;
   // Less than a second: a robot that finds no drive looks again when more is known.
   settings.path.total_states = 200000;
   settings.path.cell = std::clamp(0.045 * body.circumscribed_radius(), 0.04, 0.2);
@@ -167,10 +171,17 @@ BodyPlan plan_body_evasion(const PreparedMap& map,
                            double period) {
   constexpr double kReaction = 0.2;  // of planning, and of the base [s]
   const BodyClearance clearance(map.obstacles, map.distances, robot.body);
-  const EvasionTask task{
-      .start = request.start,
-      .moving = {.obstacles = request.coming, .age = request.age, .prediction = request.prediction},
-      .delay = kReaction + robot.base.response_time};
+  std::vector<FleetMember> fleet;
+  for (std::size_t k = 0; k < request.fleet.size(); ++k)
+    fleet.push_back({.motion = &request.fleet[k], .unseen = request.unseen[k]});
+  const EvasionTask task{.start = request.start,
+                         .moving = {.obstacles = request.coming,
+                                    .age = request.age,
+                                    .prediction = request.prediction,
+                                    .fleet = fleet,
+                                    .time = request.time,
+                                    .robot = request.robot},
+                         .delay = kReaction + robot.base.response_time};
   BodyPlan plan{.goal = request.goal, .goal_pose = request.start, .drive = {}, .evasive = true};
   if (auto rows = plan_evasion(clearance, robot.base, task, period)) {
     plan.drive.path.status = BodyPathStatus::Found;
@@ -213,8 +224,31 @@ void BodyPlanning::start(const PreparedMap& map, BodyPlanRequest request) {
   worker_.start([this] { make(copy_); });
 }
 
+void BodyPlanning::start(const BitGrid& bits, BodyPlanRequest request) {
+  request_ = std::move(request);
+  made_.reset();
+  bits_ = bits;
+  if (background_) {
+    worker_.start([this] { make_on_bits(); });
+  } else {
+    make_on_bits();
+  }
+}
+
+void BodyPlanning::make_on_bits() {
+  const double begin = clock_ ? clock_() : 0.0;
+  copy_ = PreparedMap(bits_);
+  const double prepared = clock_ ? clock_() : 0.0;
+  make(copy_);
+  seconds_ += prepared - begin;
+}
+
 void BodyPlanning::make(const PreparedMap& map) {
   const double begin = clock_ ? clock_() : 0.0;
+  if (request_.stays_inside) {
+    const BodyClearance clearance(map.obstacles, map.distances, robot_.body);
+    request_.goal = goal_inside(clearance, request_.start, request_.goal);
+  }
   DriveSettings settings = drive_settings_for(robot_.body);
   settings.path.margin += request_.more_margin;
   made_ = request_.evades ? plan_body_evasion(map, robot_, request_, row_period_)

@@ -19,6 +19,7 @@ namespace fairway {
 struct BodyPlanRequest {
   Pose2 start;
   Goal goal;
+  bool stays_inside = false;             ///< a goal outside the map is replaced by one inside
   std::vector<MovingObstacle> standing;  ///< obstacles to drive round as if they were of the map
   double kept = 0.1;                     ///< distance kept from these [m]
   /// Whether to plan as if they were not there where they leave no path: they may go away.
@@ -28,7 +29,11 @@ struct BodyPlanRequest {
   bool evades = false;
   std::vector<MovingObstacle> coming{};
   PredictionSettings prediction{};
-  double age = 0.0;          ///< of `coming` [s]
+  double age = 0.0;                   ///< of `coming` [s]
+  std::vector<SharedMotion> fleet{};  ///< motions of other robots
+  std::vector<double> unseen{};       ///< FleetMember::unseen of each [s]
+  double time = 0.0;                  ///< now, on the fleet's clock [s]
+  std::uint32_t robot = 0;            ///< number of the robot in the fleet
   double more_margin = 0.0;  ///< beyond what is tried first otherwise, for maps that flicker [m]
 };
 
@@ -78,6 +83,9 @@ class BodyPlanning {
   /// not busy.
   void start(const PreparedMap& map, BodyPlanRequest request);
 
+  /// The same on a map that is not prepared yet: the plan's job prepares it.
+  void start(const BitGrid& bits, BodyPlanRequest request);
+
   /// Returns the plan once it is made.
   [[nodiscard]] std::optional<BodyPlan> take();
 
@@ -89,6 +97,7 @@ class BodyPlanning {
 
  private:
   void make(const PreparedMap& map);
+  void make_on_bits();
 
   RobotModel robot_;
   double row_period_;
@@ -96,6 +105,7 @@ class BodyPlanning {
   // The worker's while it runs.
   BodyPlanRequest request_;
   PreparedMap copy_;
+  BitGrid bits_;
   std::optional<BodyPlan> made_;
   std::function<double()> clock_;
   double seconds_ = 0.0;

@@ -7,6 +7,76 @@
 
 namespace fairway {
 
+namespace {
+
+constexpr double kFleetMargin = 0.05;  // from motions that are published [m]
+
+// A robot with a lower number drives as it plans; the others let it pass.
+bool has_priority(const FleetMember& member, const MovingSurroundings& surroundings) noexcept {
+  return member.motion->under_way && member.motion->robot < surroundings.robot;
+}
+
+}  // namespace
+
+double fleet_separation(const BodyShape& body,
+                        const Pose2& pose,
+                        const FleetMember& member,
+                        bool committed,
+                        const MovingSurroundings& surroundings,
+                        double time) noexcept {
+  const SharedMotion& other = *member.motion;
+  const SampledMotion& track = committed ? other.stop : other.plan;
+  // Its samples are joined by straight lines; between them it leaves these by at most this.
+  const double sagitta = (other.acceleration + other.speed_max * other.turn_max) * track.interval *
+                         track.interval / 8.0;
+  const double kept = surroundings.prediction.obstacle_margin + sagitta +
+                      (committed ? reach_beyond_stop(other, member.unseen) : 0.0);
+  const double at = surroundings.time + time;
+  const Eigen::Vector2d position = track.at(at);
+  const Eigen::Vector2d way = position - pose.position;
+  if (other.outline.count <= 0)
+    return body.distance(rotated(way, -pose.heading)) - other.radius - kept;
+  const auto& headings = committed ? other.outline.stop_headings : other.outline.plan_headings;
+  const double steps = std::clamp((at - track.start) / track.interval, 0.0, track.count - 1.0);
+  const auto k = static_cast<std::size_t>(steps);
+  const std::size_t next = std::min(k + 1, static_cast<std::size_t>(track.count - 1));
+  const double share = steps - static_cast<double>(k);
+  const double heading = headings[k] + share * (headings[next] - headings[k]);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(other.outline.count); ++i) {
+    const Footprint::Disc& disc = other.outline.discs[i];
+    const Eigen::Vector2d center = way + rotated(disc.center, heading);
+    least = std::min(least, body.distance(rotated(center, -pose.heading)) - disc.radius - kept);
+  }
+  return least;
+}
+
+bool is_on_plan_of_fleet(const BodyShape& body,
+                         const Pose2& pose,
+                         const MovingSurroundings& surroundings) noexcept {
+  // More than what a robot with priority needs to drive past.
+  MovingSurroundings wide = surroundings;
+  wide.prediction.obstacle_margin = 3.0 * kFleetMargin;
+  for (const FleetMember& member : surroundings.fleet) {
+    if (!has_priority(member, surroundings)) continue;
+    const SampledMotion& plan = member.motion->plan;
+    for (int i = 0; i < plan.count; ++i) {
+      const double time = plan.start + i * plan.interval - surroundings.time;
+      if (fleet_separation(body, pose, member, false, wide, time) < 0.0) return true;
+    }
+  }
+  return false;
+}
+
+double fleet_stops_end(const MovingSurroundings& surroundings) noexcept {
+  double end = 0.0;
+  for (const FleetMember& member : surroundings.fleet) {
+    const SampledMotion& stop = member.motion->stop;
+    end = std::max(end, stop.start + (stop.count - 1) * stop.interval - surroundings.time);
+  }
+  return end;
+}
+
 double body_separation(const BodyShape& body,
                        const Pose2& pose,
                        const MovingSurroundings& surroundings,
@@ -30,6 +100,13 @@ double body_separation(const BodyShape& body,
     const Eigen::Vector2d local(along.dot(way), along.x() * way.y() - along.y() * way.x());
     least = std::min(least, body.distance(local) - obstacle.radius - kept);
   }
+  if (share != 1.0) return least;
+  MovingSurroundings others = surroundings;
+  others.prediction.obstacle_margin = std::min(kFleetMargin, prediction.obstacle_margin);
+  for (const FleetMember& member : surroundings.fleet) {
+    const bool committed = surroundings.commits || !has_priority(member, surroundings);
+    least = std::min(least, fleet_separation(body, pose, member, committed, others, time));
+  }
   return least;
 }
 
@@ -40,6 +117,13 @@ bool is_apart(const BodyShape& body,
               double horizon) noexcept {
   const PredictionSettings& prediction = surroundings.prediction;
   const double kept = prediction.obstacle_margin + prediction.obstacle_growth_max;
+  const auto is_far = [&](const FleetMember& member) {
+    const SharedMotion& other = *member.motion;
+    const double apart =
+        (other.position - pose.position).norm() - kept - other.radius - body.circumscribed_radius();
+    return apart > (speed + other.speed_max) * (horizon + member.unseen + 1.0);
+  };
+  if (!std::all_of(surroundings.fleet.begin(), surroundings.fleet.end(), is_far)) return false;
   return std::all_of(surroundings.obstacles.begin(), surroundings.obstacles.end(),
                      [&](const MovingObstacle& obstacle) {
                        const double apart = (obstacle.position - pose.position).norm() - kept -
@@ -62,6 +146,8 @@ RateOutlook look_ahead(const BodyShape& body,
   double closing = kOwn;
   for (const MovingObstacle& obstacle : surroundings.obstacles)
     closing = std::max(closing, kOwn + obstacle.velocity.norm());
+  for (const FleetMember& member : surroundings.fleet)
+    closing = std::max(closing, kOwn + member.motion->speed_max);
   DriveProgress now = progress;
   double step = kLongest;
   for (double time = step; time <= horizon; time += step) {

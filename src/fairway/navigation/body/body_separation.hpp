@@ -12,7 +12,32 @@ struct MovingSurroundings {
   MovingObstacles obstacles;
   double age = 0.0;  ///< how long ago they were measured [s]
   PredictionSettings prediction;
+  Fleet fleet{};            ///< other robots, which are not among the obstacles
+  double time = 0.0;        ///< now, on the fleet's clock [s]
+  std::uint32_t robot = 0;  ///< number of the robot in the fleet
+  /// Whether other robots are held to the stop that they published. Otherwise those with a lower
+  /// number, which have priority, are expected to follow their plan.
+  bool commits = false;
 };
+
+/// Returns the distance from the body at `pose` to the motion that another robot has published,
+/// `time` [s] from now. The distance kept is subtracted [m].
+/// @param committed  The motion is the stop that it has committed to; otherwise it is its plan.
+[[nodiscard]] double fleet_separation(const BodyShape& body,
+                                      const Pose2& pose,
+                                      const FleetMember& member,
+                                      bool committed,
+                                      const MovingSurroundings& surroundings,
+                                      double time) noexcept;
+
+/// Returns whether the body at `pose` lies on the plan of a robot with priority that is under way,
+/// at any time of that plan; see near_prediction for the distance.
+[[nodiscard]] bool is_on_plan_of_fleet(const BodyShape& body,
+                                       const Pose2& pose,
+                                       const MovingSurroundings& surroundings) noexcept;
+
+/// Time from now until the last of the stops that other robots have published ends [s].
+[[nodiscard]] double fleet_stops_end(const MovingSurroundings& surroundings) noexcept;
 
 /// Returns whether an obstacle is at standstill, so that a drive may lead around it: slower than
 /// 0.1 m/s.

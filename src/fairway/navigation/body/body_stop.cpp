@@ -33,16 +33,38 @@ void make_stop(const BaseModel& base,
 
 namespace {
 
+// Whether the body comes nearer to the stop of another robot than the distance to be kept. Robots
+// that are nearer already may not come nearer still.
+bool hits_fleet(const BodyShape& body,
+                const Pose2& pose,
+                const StopSurroundings& surroundings,
+                const Pose2& start,
+                double time) noexcept {
+  const Fleet fleet = surroundings.moving.fleet;
+  return std::any_of(fleet.begin(), fleet.end(), [&](const FleetMember& member) {
+    const auto apart = [&](const Pose2& at, double when) {
+      return fleet_separation(body, at, member, true, surroundings.moving, when);
+    };
+    constexpr double kSame = 1e-6;  // [m]
+    const double now = apart(pose, time);
+    return now < 0.0 && now < apart(start, 0.0) - kSame;
+  });
+}
+
 // That a person stops or turns back cannot be foreseen, so the stop has to fit that, too.
 bool hits_moving(const BodyShape& body,
                  const Pose2& pose,
                  const StopSurroundings& surroundings,
+                 const Pose2& start,
                  double time) noexcept {
+  if (hits_fleet(body, pose, surroundings, start, time)) return true;
+  MovingSurroundings moving = surroundings.moving;
+  moving.fleet = {};
   const auto hits = [&](double share) {
-    return body_separation(body, pose, surroundings.moving, time, share) < 0.0;
+    return body_separation(body, pose, moving, time, share) < 0.0;
   };
   const auto hits_standing = [&] {
-    MovingSurroundings one = surroundings.moving;
+    MovingSurroundings one = moving;
     for (const MovingObstacle& obstacle : surroundings.moving.obstacles) {
       one.obstacles = {&obstacle, 1};
       if (is_standing(obstacle) && body_separation(body, pose, one, time) < 0.0) return true;
@@ -119,7 +141,9 @@ StopVerdict check_stop(const BaseModel& base,
     time += duration;
     return StopVerdict::Free;
   };
-  const auto meets_moving = [&] { return hits_moving(clearance.body(), now, surroundings, time); };
+  const auto meets_moving = [&] {
+    return hits_moving(clearance.body(), now, surroundings, pose, time);
+  };
   BaseInput from = sent;
   if (base.response_time > 0.0 && !is_at_rest(base, sent)) {
     if (const StopVerdict verdict = drive(sent, sent, base.response_time);
@@ -147,6 +171,11 @@ StopVerdict check_stop(const BaseModel& base,
         return verdict;
       if (meets_moving()) return StopVerdict::HitsMoving;
     }
+  }
+  // At standstill: until the other robots have stopped, too.
+  const double end = fleet_stops_end(surroundings.moving);
+  for (; time < end + period; time += period) {
+    if (hits_fleet(clearance.body(), now, surroundings, pose, time)) return StopVerdict::HitsMoving;
   }
   return StopVerdict::Free;
 }

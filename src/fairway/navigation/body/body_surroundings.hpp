@@ -55,9 +55,10 @@ class BodySurroundings {
   [[nodiscard]] const PreparedMap& map_for_plans() const noexcept {
     return merged_ ? *merged_ : *map();
   }
-  /// A map for plans that lead only through what is known to be free. @pre known().
-  [[nodiscard]] PreparedMap known_space() const {
-    return mapless() ? PreparedMap(perception_->grid().not_seen_free()) : map_for_plans();
+  /// Obstacles and what was not seen, for plans that lead only through what is known to be free.
+  /// @pre mapless().
+  [[nodiscard]] const BitGrid& seen_free() const noexcept {
+    return perception_->grid().not_seen_free();
   }
   [[nodiscard]] const BodyClearance& for_plans() const noexcept { return *planned_; }
   [[nodiscard]] const BodyClearance& for_stops() const noexcept { return *proven_; }

@@ -22,7 +22,8 @@ bool DriveFollower::can_leave(const FollowerView& view, const Candidate& next) c
   constexpr double kStep = 0.1;   // [s]
   const BodyShape& body = view.clearance->body();
   MovingSurroundings moving = view.moving;
-  moving.prediction = near_prediction(moving.prediction);
+  moving.fleet = {};  // other robots stop
+  moving.prediction.obstacle_growth = 0.0;
   const double fastest = std::max(base_.linear_max, -base_.linear_min) + base_.lateral_max;
   if (is_apart(body, view.pose, moving, fastest, kAhead)) return true;
   const auto is_free = [&](double share, double target) {
@@ -46,12 +47,15 @@ bool DriveFollower::can_leave(const FollowerView& view, const Candidate& next) c
 // the way. Its stop need not be free of an obstacle that walks on into it. It is proven for
 // obstacles that stop or turn back, so that the robot itself never drives into them.
 bool DriveFollower::gives_way(const FollowerView& view, double target) noexcept {
-  if (target <= 0.0) return false;
+  if (target == 0.0) return false;
+  constexpr double kDistance = 0.02;  // [m]
   MovingSurroundings moving = view.moving;
-  moving.prediction = near_prediction(moving.prediction);
+  moving.fleet = {};
+  moving.prediction.obstacle_margin = kDistance;
+  moving.prediction.obstacle_growth = 0.0;
   const BodyShape& body = view.clearance->body();
   const auto separation = [&](double rate) {
-    return look_ahead(body, reference_, progress_, rate, moving, kLookAhead).separation;
+    return look_ahead(body, reference_, progress_, rate, moving, look_ahead_).separation;
   };
   if (separation(0.0) >= 0.0 || separation(target) < 0.0) return false;
   const Candidate next = candidate(view, target);
@@ -88,7 +92,7 @@ bool DriveFollower::escape(const FollowerView& view) noexcept {
   const BodyShape& body = view.clearance->body();
   for (const double rate : {1.0, 0.6, 0.0}) {
     const bool passes =
-        look_ahead(body, reference_, progress_, rate, moving, kLookAhead).separation > 0.0;
+        look_ahead(body, reference_, progress_, rate, moving, look_ahead_).separation > 0.0;
     if (!passes && rate > 0.0) continue;
     const Candidate next = candidate(view, rate);
     if (prove(fixed, next) != StopVerdict::Free) continue;

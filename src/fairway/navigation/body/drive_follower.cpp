@@ -46,33 +46,34 @@ DriveFollower::Choice DriveFollower::choose_rate(const FollowerView& view) const
   constexpr std::array<double, 4> kRates{1.0, 0.6, 0.3, 0.0};
   const double fastest = std::max(base_.linear_max, -base_.linear_min) + base_.lateral_max;
   const BodyShape& body = view.clearance->body();
-  if (is_apart(body, view.pose, view.moving, fastest, kLookAhead)) return {};
+  if (is_apart(body, view.pose, view.moving, fastest, look_ahead_)) return {};
   const auto look = [&](double rate, const MovingSurroundings& moving, double horizon) {
     return look_ahead(body, reference_, progress_, rate, moving, horizon).separation;
   };
   for (const double rate : kRates) {
-    if (look(rate, view.moving, kLookAhead) >= 0.0) return {.target = rate, .slowed = rate < 1.0};
+    if (look(rate, view.moving, look_ahead_) >= 0.0) return {.target = rate, .slowed = rate < 1.0};
   }
   MovingSurroundings near = view.moving;
   near.prediction = near_prediction(near.prediction);
-  const double stays = look(0.0, near, kLookAhead);
+  const double stays = look(0.0, near, look_ahead_);
   if (stays >= 0.0) return {.target = 0.0, .slowed = true};
   // Backing away from an obstacle that is faster only helps for a while; giving way does.
   constexpr double kLong = 2.0;
   const double back = backing_rate();
-  const double backs = back < 0.0 ? look(back, near, kLong * kLookAhead) : stays;
+  const double backs = back < 0.0 ? look(back, near, kLong * look_ahead_) : stays;
   if (backs >= 0.0) return {.target = back, .slowed = true};
   constexpr double kBetter = 0.05;  // [m]
   Choice best{.target = 0.0, .slowed = true};
   double most = stays + kBetter;
   for (const double rate : {1.0, 0.6, 0.3}) {
-    const double separation = look(rate, near, kLookAhead);
+    const double separation = look(rate, near, look_ahead_);
     if (separation <= most) continue;
     most = separation;
     best.target = rate;
     if (most >= 0.0) return best;
   }
-  if (view.no_refuge && backs > most) best.target = back;
+  constexpr double kTouching = -0.04;  // of a distance less what is kept [m]
+  if (backs > most && (view.no_refuge || backs > kTouching)) best.target = back;
   return best;
 }
 
@@ -132,6 +133,7 @@ StopSurroundings DriveFollower::surroundings(const FollowerView& view) const noe
   moving.prediction.obstacle_margin =
       std::min(safety_.moving_margin, moving.prediction.obstacle_margin);
   moving.prediction.obstacle_growth = 0.0;
+  moving.commits = true;
   return {.clearance = view.clearance, .margin = safety_.stop_margin, .moving = moving};
 }
 
@@ -173,7 +175,10 @@ bool DriveFollower::is_lost(const Pose2& pose) const noexcept {
 
 FollowerStep DriveFollower::update(const FollowerView& given) noexcept {
   FollowerView view = given;
-  if (evasive_) view.moving.prediction = near_prediction(view.moving.prediction);
+  if (evasive_) {
+    view.moving.prediction = near_prediction(view.moving.prediction);
+    view.moving.commits = true;
+  }
   if (steers_first()) return {.input = sent_};
   if (finished()) return settle(view);
   const Choice choice = choose_rate(view);

@@ -11,8 +11,10 @@
 
 namespace fairway {
 
-/// Time in which a follower looks at moving obstacles [s].
-inline constexpr double kLookAhead = 5.0;
+/// Time in which a robot looks at moving obstacles [s]: steered bases need longer to give way.
+[[nodiscard]] constexpr double look_ahead_of(const BaseModel& base) noexcept {
+  return is_steered(base) ? 8.0 : 5.0;
+}
 
 /// What a follower measures in a cycle.
 struct FollowerView {
@@ -40,6 +42,7 @@ class DriveFollower {
   DriveFollower(const BaseModel& base, double period, const SafetySettings& safety) noexcept
       : base_(base),
         period_(period),
+        look_ahead_(look_ahead_of(base)),
         safety_(safety) {}
 
   /// Takes over a drive, from its begin. @pre the robot is at rest at the drive's start.
@@ -61,6 +64,9 @@ class DriveFollower {
   /// One cycle of braking along the drive.
   [[nodiscard]] FollowerStep brake(const FollowerView& view) noexcept;
 
+  /// Begins a control cycle; see `sent_before`.
+  void begin_cycle() noexcept { sent_before_ = sent_; }
+
   [[nodiscard]] bool at_rest() const noexcept;
   /// Whether a robot at `pose` is too far from where the drive has it.
   [[nodiscard]] bool is_lost(const Pose2& pose) const noexcept;
@@ -70,6 +76,11 @@ class DriveFollower {
   [[nodiscard]] const DriveProgress& progress() const noexcept { return progress_; }
   [[nodiscard]] const DriveReference& reference() const noexcept { return reference_; }
   [[nodiscard]] const BaseInput& sent() const noexcept { return sent_; }
+  /// The input of the cycle before.
+  [[nodiscard]] const BaseInput& sent_before() const noexcept { return sent_before_; }
+  /// The stop after the last input.
+  [[nodiscard]] const BodyStop& proven_stop() const noexcept { return proven_; }
+  [[nodiscard]] const BaseModel& base() const noexcept { return base_; }
 
  private:
   struct Choice {
@@ -102,11 +113,13 @@ class DriveFollower {
 
   BaseModel base_;
   double period_;
+  double look_ahead_;  // [s]
   SafetySettings safety_;
   TrackingGains gains_{};
   DriveReference reference_;
   DriveProgress progress_;
   BaseInput sent_;
+  BaseInput sent_before_;
   bool evasive_ = false;
   bool settled_ = false;
   int settling_cycles_ = 0;

@@ -15,9 +15,9 @@ namespace fairway {
 
 namespace {
 
-constexpr double kEvasionHorizon = 8.0;  // [s]
-constexpr double kEvasionMargin = 0.03;  // kept from static obstacles [m]
-constexpr std::array<double, 6> kLengths{0.3, 0.6, 1.0, 1.5, 2.1, 2.8};  // [m]
+constexpr double kEvasionHorizon = 11.0;  // [s]
+constexpr double kEvasionMargin = 0.03;   // kept from static obstacles [m]
+constexpr std::array<double, 8> kLengths{0.3, 0.6, 1.0, 1.5, 2.1, 2.8, 3.6, 4.5};  // [m]
 
 // The least separation along a drive at its own pace, and at its end until the horizon.
 double outlook(const BodyShape& body,
@@ -114,6 +114,8 @@ bool is_run_into(const BodyShape& body,
   MovingSurroundings near = surroundings;
   near.prediction = near_prediction(near.prediction);
   if (is_apart(body, pose, near, 0.0, horizon)) return false;
+  if (is_on_plan_of_fleet(body, pose, near)) return true;
+  near.fleet = {};               // other robots stop
   constexpr double kStep = 0.1;  // [s]
   for (double time = 0.0; time <= horizon; time += kStep) {
     if (body_separation(body, pose, near, time) < 0.0) return true;
@@ -128,10 +130,11 @@ std::optional<std::vector<TrajectoryRow>> plan_evasion(const BodyClearance& clea
   constexpr double kShare = 0.9;  // of the limits; the rest is for control
   constexpr double kKnotStep = 0.25;
   constexpr double kPerMetre = 0.3;  // a long detour costs besides its time [s]
-  const BaseModel planned = with_reserve(base, kShare);
+  const BaseModel planned = with_reserve(base, kShare, kShare);
   const BodyShape& body = clearance.body();
   EvasionTask near = task;
   near.moving.prediction = near_prediction(near.moving.prediction);
+  near.moving.commits = true;
   std::optional<std::vector<TrajectoryRow>> best;
   double least = std::numeric_limits<double>::infinity();
   bool best_is_wide = false;
@@ -144,6 +147,7 @@ std::optional<std::vector<TrajectoryRow>> plan_evasion(const BodyClearance& clea
       const double cost = period * static_cast<double>(rows.size()) + kPerMetre * length;
       if (best_is_wide && cost >= least) break;
       if (!(outlook(body, rows, period, near, 0.0) >= 0.0)) continue;
+      if (is_on_plan_of_fleet(body, rows.back().pose, near.moving)) continue;
       const bool wide = outlook(body, rows, period, task, 0.0) >= 0.0;
       if (best && (best_is_wide ? !wide || cost >= least : !wide && cost >= least)) continue;
       if (!fairway::is_free(clearance, rows, period, 0.5 * kEvasionMargin)) continue;

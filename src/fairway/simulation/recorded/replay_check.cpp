@@ -125,7 +125,9 @@ NavigationStep ReplayCheck::replay_body(BodyNavigator& body, const NavigationInp
                       .obstacles = input.obstacles,
                       .obstacles_time = input.obstacles_time,
                       .obstacles_due = input.obstacles_due,
-                      .map_time = input.map_time});
+                      .map_time = input.map_time,
+                      .fleet = input.fleet,
+                      .robot = input.robot});
 }
 
 // Without a map the plans are computed again, too. Plans that a thread made arrive when they did in
