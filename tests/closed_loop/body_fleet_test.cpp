@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fleets of robots with their true outline, which publish their motion.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -53,15 +54,28 @@ RobotModel preset(std::string_view name) {
 }
 
 TEST(BodyFleet, FourEqualRobotsSwapPlaces) {
-  for (const char* const name : {"mecanum", "mir600"}) {
-    SCOPED_TRACE(name);
-    expect_swapped(swap_of(std::vector<RobotModel>(4, preset(name)), 6.0));
+  for (const test::NamedRobot& robot : test::robot_presets()) {
+    SCOPED_TRACE(robot.name);
+    expect_swapped(swap_of(std::vector<RobotModel>(4, robot.model), 6.0));
   }
 }
 
 TEST(BodyFleet, FourDifferentRobotsSwapPlaces) {
-  expect_swapped(swap_of(
-      {preset("platform_1200"), preset("car"), preset("mecanum"), preset("pallet_truck")}, 6.5));
+  const std::array<std::array<const char*, 4>, 3> fleets{
+      {{"car", "platform_1200", "mir600", "mecanum"},
+       {"pallet_truck", "mir250", "mecanum", "car"},
+       {"mir600", "jackal", "car", "platform_1200"}}};
+  for (const auto& names : fleets) {
+    SCOPED_TRACE(names[0]);
+    std::vector<RobotModel> models;
+    for (const char* const name : names)
+      models.push_back(preset(name));
+    expect_swapped(swap_of(models, 6.0));
+  }
+}
+
+TEST(BodyFleet, SixRobotsSwapPlaces) {
+  expect_swapped(swap_of(std::vector<RobotModel>(6, preset("platform_1200")), 7.0));
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include "fairway/base/setting.hpp"
-#include "fairway/geometry/footprint.hpp"
 #include "fairway/geometry/pose2.hpp"
 
 namespace fairway {
@@ -56,12 +55,12 @@ struct UpcomingWaypoints {
   std::array<Eigen::Vector2d, kMaxPoints> points;
 };
 
-/// The outline of a robot that is no disc, for those who receive its motion: discs that cover it,
-/// and the headings with which they turn.
+/// The outline of a robot that is no disc, for those who receive its motion: a box in its frame,
+/// and the headings with which it turns.
 struct SharedOutline {
-  static constexpr int kMaxDiscs = Footprint::kMaxDiscs;
-  int count = 0;  ///< number of discs; 0: the robot is the disc of its message
-  std::array<Footprint::Disc, kMaxDiscs> discs{};                  ///< in the frame of the robot
+  bool is_box = false;                             ///< otherwise the robot is a disc
+  Eigen::Vector2d low = Eigen::Vector2d::Zero();   ///< corner at the back and to the right [m]
+  Eigen::Vector2d high = Eigen::Vector2d::Zero();  ///< corner in front and to the left [m]
   std::array<double, SampledMotion::kMaxSamples> plan_headings{};  ///< at the samples of `plan`
   std::array<double, SampledMotion::kMaxSamples> stop_headings{};  ///< at the samples of `stop`
 };

@@ -34,11 +34,10 @@ bool is_plausible(const SampledMotion& motion) noexcept {
 }
 
 bool is_plausible(const SharedOutline& outline) noexcept {
-  if (outline.count < 0 || outline.count > SharedOutline::kMaxDiscs) return false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(outline.count); ++i) {
-    const Footprint::Disc& disc = outline.discs[i];
-    if (!is_within(disc.radius, 0.0, kLargest) || !(disc.center.norm() <= kLargest)) return false;
-  }
+  if (!(outline.low.cwiseAbs().maxCoeff() <= kLargest) ||
+      !(outline.high.cwiseAbs().maxCoeff() <= kLargest) ||
+      !(outline.low.x() <= outline.high.x() && outline.low.y() <= outline.high.y()))
+    return false;
   const auto finite = [](double heading) { return std::isfinite(heading); };
   return std::all_of(outline.plan_headings.begin(), outline.plan_headings.end(), finite) &&
          std::all_of(outline.stop_headings.begin(), outline.stop_headings.end(), finite);
@@ -69,8 +68,8 @@ SharedMotion rounded(SharedMotion motion) noexcept {
   round_points(motion.stop.positions, motion.stop.count);
   round_points(motion.way.points, motion.way.count);
   motion.radius += kOff;
-  for (Footprint::Disc& disc : motion.outline.discs)
-    disc.radius += kOff;
+  motion.outline.low.array() -= kOff;
+  motion.outline.high.array() += kOff;
   return motion;
 }
 

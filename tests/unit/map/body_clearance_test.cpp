@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/map/body_clearance.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 
@@ -274,6 +276,46 @@ TEST(BodyClearance, ObeysKeepOutsExactly) {
   }
   EXPECT_GT(free, 50);
   EXPECT_GT(blocked, 50);
+}
+
+TEST(BodyClearance, ContactsWithKeepOutsAreAsNearAsTheirEdges) {
+  int compared = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Random random(seed);
+    const test::Corners polygon = test::random_polygon(random, {5.0, 5.0}, 1.0);
+    BitGrid bits(OccupancyGrid({.width = 200, .height = 200, .resolution = 0.05, .origin = {}}));
+    bits.set_zones(std::make_shared<const ZoneMap>(Zones{{.polygon = polygon}}, 0.3));
+    DistanceField distances(bits);
+    const BodyShape body = random_body(random, random.uniform(0.2, 0.8));
+    const BodyClearance clearance(bits, distances, body);
+    const Pose2 pose{.position = {random.uniform(3.5, 6.5), random.uniform(3.5, 6.5)},
+                     .heading = random.uniform(-3, 3)};
+    constexpr int kPerEdge = 200;
+    double least = std::numeric_limits<double>::infinity();
+    for (const ConvexPart& part : body.parts()) {
+      for (std::size_t e = 0; e < polygon.size(); ++e) {
+        for (int k = 0; k < kPerEdge; ++k) {
+          const Vector2d& a = polygon[e];
+          const Vector2d point = a + (polygon[(e + 1) % polygon.size()] - a) * k / kPerEdge;
+          least = std::min(least, distance_to_part(part, inverse_transform(pose, point)));
+        }
+      }
+      if (test::winds_around(polygon, transform(pose, part.vertex(0)))) least = 0.0;
+    }
+    constexpr double kReach = 1.0;  // [m]
+    if (least <= 0.0 || least > 0.9 * kReach) continue;
+    std::array<BodyContact, BodyClearance::kMaxContacts> found;
+    const std::size_t count = clearance.contacts(pose, kReach, found);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < count; ++c)
+      nearest = std::min(nearest, found[c].distance);
+    constexpr double kSpacing = 0.012;  // between points of an edge [m]
+    EXPECT_LE(nearest, least + 5e-3);   // places further out come first
+    EXPECT_GT(nearest, least - kSpacing);
+    ++compared;
+  }
+  EXPECT_GT(compared, 50);
 }
 
 }  // namespace

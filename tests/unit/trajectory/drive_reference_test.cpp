@@ -95,5 +95,35 @@ TEST(DriveReference, StaysWithinTheDrive) {
   EXPECT_EQ(now.rate, 0.0);
 }
 
+// A drive whose rate is limited in its middle meets the limit there, and brakes in time.
+TEST(DriveReference, ALimitedRateIsMetInTime) {
+  for (const BaseKind kind : kDrivenKinds) {
+    const BaseModel base = reference_base(kind);
+    DriveReference drive = reference_of(base);
+    std::vector<double> most(drive.rows().size(), 1.0);
+    const std::size_t first = most.size() / 2;
+    const std::size_t last = most.size() * 2 / 3;
+    for (std::size_t k = first; k < last; ++k)
+      most[k] = 0.3;
+    drive.limit_rate(most);
+    DriveProgress now;
+    int steps = 0;
+    for (; now.phase < drive.duration() && steps < 5000; ++steps) {
+      const PlanarTwist before = twist_of(base, drive.input_at(now));
+      now = drive.advanced(now, 1.0, kRowStep);
+      const auto row = static_cast<std::size_t>(now.phase / kRowStep);
+      if (row > first && row + 1 < last) {
+        EXPECT_LE(now.rate, 0.3 + 0.02);
+      }
+      if (now.phase >= drive.duration()) break;
+      const PlanarTwist after = twist_of(base, drive.input_at(now));
+      EXPECT_LE(std::abs(after.linear - before.linear) / kRowStep,
+                1.1 * base.linear_acceleration + 0.05);
+    }
+    EXPECT_GE(now.phase, drive.duration());
+    EXPECT_GT(steps, static_cast<int>(most.size()) + 20);
+  }
+}
+
 }  // namespace
 }  // namespace fairway

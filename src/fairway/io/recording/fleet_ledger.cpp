@@ -39,12 +39,8 @@ json headings_json(const std::array<double, SampledMotion::kMaxSamples>& heading
 
 json outline_json(const SharedMotion& motion) {
   const SharedOutline& outline = motion.outline;
-  json discs = json::array();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(outline.count); ++i) {
-    discs.push_back({{"center", exact::to_json(outline.discs[i].center)},
-                     {"radius", exact::to_json(outline.discs[i].radius)}});
-  }
-  return {{"discs", std::move(discs)},
+  return {{"low", exact::to_json(outline.low)},
+          {"high", exact::to_json(outline.high)},
           {"plan_headings", headings_json(outline.plan_headings, motion.plan.count)},
           {"stop_headings", headings_json(outline.stop_headings, motion.stop.count)}};
 }
@@ -57,12 +53,9 @@ void read_headings(const json& list, std::array<double, SampledMotion::kMaxSampl
 
 SharedOutline outline_of(const json& from) {
   SharedOutline outline;
-  for (const json& disc : from.at("discs")) {
-    if (outline.count == SharedOutline::kMaxDiscs) throw std::invalid_argument("discs: too many");
-    outline.discs[static_cast<std::size_t>(outline.count++)] = {
-        .center = exact::to_point(disc.at("center")),
-        .radius = exact::to_number(disc.at("radius"))};
-  }
+  outline.is_box = true;
+  outline.low = exact::to_point(from.at("low"));
+  outline.high = exact::to_point(from.at("high"));
   read_headings(from.at("plan_headings"), outline.plan_headings);
   read_headings(from.at("stop_headings"), outline.stop_headings);
   return outline;
@@ -92,7 +85,7 @@ json motion_json(const SharedMotion& motion) {
                {"roundabout",
                 {{"center", exact::to_json(motion.roundabout.center)},
                  {"radius", exact::to_json(motion.roundabout.radius)}}}};
-  if (motion.outline.count > 0) written["outline"] = outline_json(motion);
+  if (motion.outline.is_box) written["outline"] = outline_json(motion);
   return written;
 }
 

@@ -82,6 +82,7 @@ SharedMotion BodyNavigator::share(std::uint32_t robot,
 }
 
 bool BodyNavigator::plan_now(const Measurements& measurements) {
+  state_->around.prepare();
   state_->plan_if_needed(measurements, true);
   return state_->follows_new_plan;
 }

@@ -64,16 +64,27 @@ bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const
 
 namespace {
 
-// The discs of another robot where it stops, as obstacles at standstill.
+// Discs that cover another robot where it stops, as obstacles at standstill.
 void add_discs_of(const SharedMotion& motion, std::vector<MovingObstacle>& standing) {
   const auto last = static_cast<std::size_t>(motion.stop.count - 1);
   const Pose2 pose{.position = motion.stop.positions[last],
                    .heading = motion.outline.stop_headings[last]};
-  if (motion.outline.count <= 0)
+  if (!motion.outline.is_box) {
     standing.push_back({.position = pose.position, .radius = motion.radius});
-  for (std::size_t i = 0; i < static_cast<std::size_t>(motion.outline.count); ++i) {
-    const Footprint::Disc& disc = motion.outline.discs[i];
-    standing.push_back({.position = transform(pose, disc.center), .radius = disc.radius});
+    return;
+  }
+  // Discs of a third of the narrow side cover little more than the box.
+  const Eigen::Vector2d size = motion.outline.high - motion.outline.low;
+  const double side = std::max(0.05, size.minCoeff() / 3.0);
+  const int along = std::max(1, static_cast<int>(std::ceil(size.x() / side)));
+  const int across = std::max(1, static_cast<int>(std::ceil(size.y() / side)));
+  const Eigen::Vector2d step(size.x() / along, size.y() / across);
+  for (int i = 0; i < along; ++i) {
+    for (int k = 0; k < across; ++k) {
+      const Eigen::Vector2d center =
+          motion.outline.low + Eigen::Vector2d((i + 0.5) * step.x(), (k + 0.5) * step.y());
+      standing.push_back({.position = transform(pose, center), .radius = 0.5 * step.norm()});
+    }
   }
 }
 

@@ -10,16 +10,6 @@ namespace {
 
 double speed_of(const BaseInput& input) noexcept { return std::hypot(input.linear, input.lateral); }
 
-// The discs that cover a body; one about the reference where they are too many for a message.
-void describe(const BodyShape& body, SharedOutline& outline) noexcept {
-  const auto cover = body.cover();
-  outline.count = 1;
-  outline.discs[0] = {.center = Eigen::Vector2d::Zero(), .radius = body.circumscribed_radius()};
-  if (cover.size() > outline.discs.size()) return;
-  outline.count = static_cast<int>(cover.size());
-  std::copy(cover.begin(), cover.end(), outline.discs.begin());
-}
-
 // Adds poses at even intervals to a motion with headings.
 class Track {
  public:
@@ -65,7 +55,9 @@ SharedMotion report_body(const BodyShape& body,
       .acceleration = omni ? std::min(base.linear_acceleration, base.lateral_acceleration)
                            : base.linear_acceleration,
       .turn_max = base.angular_max};
-  describe(body, motion.outline);
+  motion.outline.is_box = true;
+  motion.outline.low = body.low();
+  motion.outline.high = body.high();
   motion.under_way = under_way;
   // The stop: the response, the command, and its inputs, in as many periods per sample as fit.
   const BodyStop& stop = follower.proven_stop();

@@ -2,18 +2,50 @@
 #include "fairway/navigation/body/body_separation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "fairway/map/polygon_separation.hpp"
 
 namespace fairway {
 
 namespace {
 
+constexpr double kFar = 1.0;           // at which a bound is enough [m]
 constexpr double kFleetMargin = 0.05;  // from motions that are published [m]
 
 // A robot with a lower number drives as it plans; the others let it pass.
 bool has_priority(const FleetMember& member, const MovingSurroundings& surroundings) noexcept {
   return member.motion->under_way && member.motion->robot < surroundings.robot;
+}
+
+}  // namespace
+
+namespace {
+
+// The distance from a body to the box of another robot; negative where they overlap.
+double box_distance(const BodyShape& body,
+                    const Pose2& pose,
+                    const SharedOutline& box,
+                    const Pose2& other) noexcept {
+  const Eigen::Vector2d way = rotated(other.position - pose.position, -pose.heading);
+  const double turn = other.heading - pose.heading;
+  const std::array<Eigen::Vector2d, 4> corners{
+      way + rotated(box.low, turn), way + rotated(Eigen::Vector2d(box.high.x(), box.low.y()), turn),
+      way + rotated(box.high, turn),
+      way + rotated(Eigen::Vector2d(box.low.x(), box.high.y()), turn)};
+  double least = std::numeric_limits<double>::infinity();
+  for (const ConvexPart& part : body.parts()) {
+    const Eigen::Vector2d inside = rotated(part.vertex(0) - way, -turn);
+    if ((inside.array() >= box.low.array()).all() && (inside.array() <= box.high.array()).all())
+      return -part.radius;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Eigen::Vector2d& next = corners[(i + 1) % corners.size()];
+      least = std::min(least, internal::separation(part, corners[i], next).distance - part.radius);
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -34,7 +66,10 @@ double fleet_separation(const BodyShape& body,
   const double at = surroundings.time + time;
   const Eigen::Vector2d position = track.at(at);
   const Eigen::Vector2d way = position - pose.position;
-  if (other.outline.count <= 0)
+  // Discs about both references give a bound that is quick to test.
+  const double far = way.norm() - body.circumscribed_radius() - other.radius - kept;
+  if (far > kFar) return far;
+  if (!other.outline.is_box)
     return body.distance(rotated(way, -pose.heading)) - other.radius - kept;
   const auto& headings = committed ? other.outline.stop_headings : other.outline.plan_headings;
   const double steps = std::clamp((at - track.start) / track.interval, 0.0, track.count - 1.0);
@@ -42,13 +77,7 @@ double fleet_separation(const BodyShape& body,
   const std::size_t next = std::min(k + 1, static_cast<std::size_t>(track.count - 1));
   const double share = steps - static_cast<double>(k);
   const double heading = headings[k] + share * (headings[next] - headings[k]);
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(other.outline.count); ++i) {
-    const Footprint::Disc& disc = other.outline.discs[i];
-    const Eigen::Vector2d center = way + rotated(disc.center, heading);
-    least = std::min(least, body.distance(rotated(center, -pose.heading)) - disc.radius - kept);
-  }
-  return least;
+  return box_distance(body, pose, other.outline, {.position = position, .heading = heading}) - kept;
 }
 
 bool is_on_plan_of_fleet(const BodyShape& body,

@@ -64,7 +64,7 @@ bool BodySurroundings::observe(const LidarScan& scan, const Vector2d& position) 
   }
   perception_->observe(scan, position, 0.0);
   center_ = position;
-  refresh();
+  stale_ = true;
   return true;
 }
 
@@ -78,6 +78,7 @@ void BodySurroundings::claim(const Pose2& pose) {
 // Prepares what plans and stops read.
 void BodySurroundings::refresh() {
   changed_ = true;
+  stale_ = false;
   if (perception_ && map() != nullptr) {
     drawn_ = map()->obstacles;
     add_obstacles(perception_->grid().occupied(), drawn_);

@@ -43,6 +43,11 @@ class BodySurroundings {
   /// Processes one scan. @return whether it was taken in, as MapNavigator::observe.
   bool observe(const LidarScan& scan, const Eigen::Vector2d& position);
 
+  /// Prepares the obstacles of the scans since the last call: once per cycle.
+  void prepare() {
+    if (stale_) refresh();
+  }
+
   /// Treats what was not seen as free where the body is: a lidar does not see through it.
   void claim(const Pose2& pose);
 
@@ -94,6 +99,7 @@ class BodySurroundings {
   std::optional<BodyClearance> planned_;
   std::optional<BodyClearance> proven_;
   bool changed_ = false;
+  bool stale_ = false;  // there are scans that are not prepared
   bool scan_refused_ = false;
 };
 

@@ -129,7 +129,9 @@ std::optional<std::vector<TrajectoryRow>> plan_evasion(const BodyClearance& clea
                                                        double period) {
   constexpr double kShare = 0.9;  // of the limits; the rest is for control
   constexpr double kKnotStep = 0.25;
-  constexpr double kPerMetre = 0.3;  // a long detour costs besides its time [s]
+  constexpr double kPerMetre = 0.3;          // a long detour costs besides its time [s]
+  constexpr double kSpace = 0.5;             // around the place [m]
+  constexpr double kPerMetreOfSpace = 10.0;  // of it that is missing [s/m]
   const BaseModel planned = with_reserve(base, kShare, kShare);
   const BodyShape& body = clearance.body();
   EvasionTask near = task;
@@ -144,7 +146,10 @@ std::optional<std::vector<TrajectoryRow>> plan_evasion(const BodyClearance& clea
       if (!is_free(clearance, path)) break;
       std::vector<TrajectoryRow> rows =
           sampled(base, stopping_trajectory(planned, path, kKnotStep), period);
-      const double cost = period * static_cast<double>(rows.size()) + kPerMetre * length;
+      // A robot also has to leave the place again.
+      const double space = clearance.distance_bound(rows.back().pose);
+      const double cost = period * static_cast<double>(rows.size()) + kPerMetre * length +
+                          kPerMetreOfSpace * std::max(0.0, kSpace - space);
       if (best_is_wide && cost >= least) break;
       if (!(outlook(body, rows, period, near, 0.0) >= 0.0)) continue;
       if (is_on_plan_of_fleet(body, rows.back().pose, near.moving)) continue;

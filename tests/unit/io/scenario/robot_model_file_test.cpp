@@ -47,7 +47,7 @@ TEST(RobotModelFile, ReadsTheBodyAndTheBaseOfARobot) {
   EXPECT_EQ(robots[1].model->base.wheels.kind, WheelKind::Mecanum);
   EXPECT_EQ(robots[1].model->body.parts()[0].count, 5);
   EXPECT_EQ(scenario->settings.robot.linear_max, 1.2);  // pages show the first robot
-  EXPECT_FALSE(scenario->radio.on);
+  EXPECT_TRUE(scenario->radio.on);
   EXPECT_NE(std::find(notes.files.begin(), notes.files.end(), folder.path("mecanum.yaml")),
             notes.files.end());
 }
@@ -95,8 +95,9 @@ TEST(RobotModelFile, RefusesABodyThatIsNone) {
   EXPECT_NE(refused("{file: nowhere.yaml}").find("nowhere.yaml"), std::string::npos);
   const std::string plain = "{kind: unicycle, length: 1, width: 0.5, " + base + "}";
   EXPECT_EQ(refused(plain, "sensing: lidar\n"), "");
-  EXPECT_NE(refused(plain, "zones:\n  - {kind: keep_out, polygon: [[2, 0], [3, 0], [3, 1]]}\n")
-                .find("zones: expected none"),
+  EXPECT_EQ(refused(plain, "zones:\n  - {kind: keep_out, polygon: [[2, 0], [3, 0], [3, 1]]}\n"),
+            "");
+  EXPECT_NE(refused(plain, "physics: mujoco\n").find("physics: expected unicycle"),
             std::string::npos);
 }
 
