@@ -96,7 +96,7 @@ def picture(results):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("tracks", nargs="+")
-    parser.add_argument("--growth", type=float, default=0.12)
+    parser.add_argument("--growth", type=float, default=0.18)
     parser.add_argument("--svg")
     options = parser.parse_args()
     results = {}

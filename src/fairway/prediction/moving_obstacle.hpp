@@ -160,7 +160,7 @@ struct PredictionSettings {
   double obstacle_growth_max = 0.2;  ///< greatest growth of that distance [m], 0 to 10
   double comfort_distance = 0.3;     ///< distance that the robot prefers to keep beyond that [m]
   double time_headway = 0.3;  ///< time by which it prefers to stay out of an obstacle's path [s]
-  double deviation_growth = 0.12;  ///< growth of the standard deviation of a prediction [m/s]
+  double deviation_growth = 0.18;  ///< growth of the standard deviation of a prediction [m/s]
 };
 
 template <typename Settings, typename Visitor>

@@ -8,10 +8,10 @@ namespace fairway {
 
 namespace {
 
-constexpr float kOutside = 1000.0F;  // [s]
+constexpr float kOutsideOfGrid = 1000.0F;  // [s]
 
-float least(float a, float b) noexcept { return a < b ? a : b; }
-float greatest(float a, float b) noexcept { return a > b ? a : b; }
+float smaller_of(float a, float b) noexcept { return a < b ? a : b; }
+float greater_of(float a, float b) noexcept { return a > b ? a : b; }
 
 }  // namespace
 
@@ -21,10 +21,10 @@ CostToGo::CostToGo(std::size_t stages, double stage, double speed)
       cell_(0.5 * stage * speed),
       speed_(speed),
       last_(stages * kCells),
-      values_((stages + 1) * kCells, kOutside),
-      arrival_(kCells, kOutside),
-      entered_(kCells, kOutside),
-      row_(kCells, kOutside) {}
+      values_((stages + 1) * kCells, kOutsideOfGrid),
+      arrival_(kCells, kOutsideOfGrid),
+      entered_(kCells, kOutsideOfGrid),
+      row_(kCells, kOutsideOfGrid) {}
 
 // The grid moves by whole cells. Otherwise its values would change slightly in every cycle.
 void CostToGo::begin(const Eigen::Vector2d& center) noexcept {
@@ -70,9 +70,9 @@ void CostToGo::add_obstacle(const Forecast& forecast,
       const float contact = (contact_far - (dx * dx + dy * dy)) * contact_per;
       const float comfort =
           (comfort_far - (from_ahead * from_ahead + ahead_y * ahead_y)) * comfort_per;
-      const float near_by = least(1.0F, greatest(0.0F, comfort));
-      cells[c] +=
-          contact_cost * least(1.0F, greatest(0.0F, contact)) + comfort_cost * near_by * near_by;
+      const float near_by = smaller_of(1.0F, greater_of(0.0F, comfort));
+      cells[c] += contact_cost * smaller_of(1.0F, greater_of(0.0F, contact)) +
+                  comfort_cost * near_by * near_by;
     }
   }
 }
@@ -80,12 +80,12 @@ void CostToGo::add_obstacle(const Forecast& forecast,
 // The least over the cells that a stage can come from: three by three, and then a cross.
 void CostToGo::step_back(float* earlier) noexcept {
   for (std::size_t i = 1; i + 1 < kCells; ++i)
-    row_[i] = least(least(entered_[i - 1], entered_[i]), entered_[i + 1]);
+    row_[i] = smaller_of(smaller_of(entered_[i - 1], entered_[i]), entered_[i + 1]);
   for (std::size_t i = kPitch; i + kPitch < kCells; ++i)
-    entered_[i] = least(least(row_[i - kPitch], row_[i]), row_[i + kPitch]);
+    entered_[i] = smaller_of(smaller_of(row_[i - kPitch], row_[i]), row_[i + kPitch]);
   for (std::size_t i = kPitch; i + kPitch < kCells; ++i) {
-    earlier[i] = least(least(least(entered_[i - 1], entered_[i]), entered_[i + 1]),
-                       least(entered_[i - kPitch], entered_[i + kPitch]));
+    earlier[i] = smaller_of(smaller_of(smaller_of(entered_[i - 1], entered_[i]), entered_[i + 1]),
+                            smaller_of(entered_[i - kPitch], entered_[i + kPitch]));
   }
 }
 

@@ -120,7 +120,7 @@ TEST_F(SpaceTime, KeepsTheSideOfAPersonThatItHasChosen) {
 }
 
 // People cross a place from all sides. Only motions that wait or go around early keep clear of
-// them, and they cost time long before the others meet anybody.
+// them, and they cost time long before the others meet a person.
 TEST_F(SpaceTime, DoesNotEnterAPlaceThatPeopleWillClose) {
   test::Random random(11);
   int met = 0;
