@@ -2,7 +2,7 @@
 // Drives random robots through random worlds and counts the contacts, as the simulator judges them.
 //
 //   safety_campaign [--runs N] [--seed S] [--shard I/N] [--sensing map|lidar] [--mujoco SHARE]
-//                   [--json FILE] [--run K]
+//                   [--bodies SHARE] [--json FILE] [--run K]
 //
 // Each run is drawn from its number and the seed: limits, footprint, period and jitter, map and
 // people. --run K repeats one of them and prints its cycles. How contacts are classified is written
@@ -69,6 +69,8 @@ Options read_options(int argc, char** argv) {
 #ifndef FAIRWAY_WITH_MUJOCO
       bad_usage("--mujoco: this build has no MuJoCo");
 #endif
+    } else if (name == "--bodies") {
+      options.draw.body_share = std::atof(value.c_str());
     } else if (name == "--json") {
       options.json = value;
     } else if (name == "--run") {

@@ -29,6 +29,7 @@ struct DrawOptions {
   std::uint64_t seed = 1;
   Sensing sensing = Sensing::Map;
   double mujoco_share = 0.0;
+  double body_share = 0.0;  ///< of robots with their true outline on a base of any kind
 };
 
 class Draw {
@@ -49,6 +50,7 @@ class Draw {
     s.engine = chance(options.mujoco_share) ? Engine::Mujoco : Engine::Unicycle;
     s.radio.on = false;
     s.time_limit = 30.0;
+    if (chance(options.body_share)) draw_body(s);
     if (const Expected<void> valid = validate(s.settings); !valid) {
       drawn.valid = false;
       drawn.refused = valid.error().message;
@@ -97,6 +99,32 @@ class Draw {
       robot.discs.discs[1] = {.center = {-half, 0.0}, .radius = 0.2};
       robot.radius = half + 0.2 + 1e-3;
     }
+  }
+
+  // Replaces the robot by one with its own base, which fits where the other one does. Its base
+  // follows each command as hard as its limits allow, without delay.
+  void draw_body(Scenario& s) {
+    RobotSettings& robot = s.settings.robot;
+    RobotModel model;
+    model.base.kind = static_cast<BaseKind>(integer(0, 3));
+    const bool steered = is_steered(model.base);
+    const double length = noise_.uniform(1.0, 1.6) * (robot.radius + 0.15);
+    model.body = BodyShape::rectangle(length, noise_.uniform(0.5, 0.9) * length,
+                                      (steered ? 0.75 : noise_.uniform(0.4, 0.6)) * length);
+    BaseModel& base = model.base;
+    base.linear_max = robot.linear_max;
+    base.linear_min = -noise_.uniform(0.2, 0.5);
+    base.lateral_max = noise_.uniform(0.2, 0.5);
+    base.angular_max = robot.angular_max;
+    base.linear_acceleration = robot.linear_acceleration_max;
+    base.lateral_acceleration = log_uniform(0.3, 3.0);
+    base.angular_acceleration = robot.angular_acceleration_max;
+    base.wheelbase = 0.5 * length;
+    base.steering_max = noise_.uniform(0.4, 0.8);
+    base.steering_rate_max = noise_.uniform(0.5, 2.0);
+    robot = RobotSettings();
+    s.robots.front().model = model;
+    describe_models(s);
   }
 
   void draw_cycles(Run& drawn) {

@@ -202,6 +202,12 @@ using Watch = std::function<void(const World&, const DrivenCycle&, bool good)>;
       break;
     }
     commands.front() = step.command;
+    if (const BodyRobot* robot = world.model_of(0); robot != nullptr) {
+      const bool steered = is_steered(robot->model.base);
+      world.send(0, {.linear = step.command.linear,
+                     .lateral = step.lateral,
+                     .turn = steered ? step.steering : step.command.angular});
+    }
     interval = settings.navigation.control_period * (1.0 + noise.uniform(-run.jitter, run.jitter));
     if (noise.uniform(0.0, 1.0) < run.lost_share) interval += settings.navigation.control_period;
     for (const double end = world.time() + interval; world.time() < end - 1e-9;) {

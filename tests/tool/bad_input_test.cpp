@@ -165,6 +165,10 @@ TEST_F(BadInput, OutputsThatCollideAreRefusedBeforeTheWork) {
   expect_refused(folder_, run + "--report s.yaml", "other than the input, found s.yaml");
   expect_refused(folder_, run + "--log room.pgm", "other than the input");
   expect_refused(folder_, run + "--json - --trace -", "standard output for both");
+  folder_.write("a.json", "{\"a\": 1}");
+  for (const char* command : {"merge a.json ", "compare a.json a.json "})
+    expect_refused(folder_, std::string(command) + "--json ./a.json", "other than the input");
+  EXPECT_EQ(content_of(folder_.path("a.json")), "{\"a\": 1}");
   EXPECT_TRUE(content_of(folder_.path("room.yaml")).starts_with("image: room.pgm"));
 }
 

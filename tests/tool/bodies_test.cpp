@@ -38,6 +38,14 @@ class Bodies : public testing::Test {
     EXPECT_NE(result.err.find(expected), std::string::npos) << result.err;
   }
 
+  void expect_refused_output(const std::string& content, const std::string& arguments) {
+    folder_.write("task.json", content);
+    const ToolRun result = run_tool(folder_, "bodies " + arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_NE(result.err.find("--json: expected a file other than the input"), std::string::npos)
+        << result.err;
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -52,6 +60,14 @@ TEST_F(Bodies, DrivesATaskAndWritesResultAndTrace) {
   EXPECT_GT(row.at("min_clearance"), 0.0);
   const std::string trace = content_of(folder_.path("traces/task.csv"));
   EXPECT_EQ(trace.rfind("time,robot,x,y,heading,linear,angular\n0.00,robot,1.5", 0), 0U);
+}
+
+TEST_F(Bodies, NoOutputReplacesATaskOrItsMap) {
+  const std::string content = task({{"time_limit", 1.0}});
+  expect_refused_output(content, "task.json --json task.json");
+  expect_refused_output(content, "task.json --json room.pgm");
+  expect_refused_output(content, ". --json ./task.json");
+  EXPECT_EQ(content_of(folder_.path("task.json")), content);
 }
 
 TEST_F(Bodies, DrivesOneShardOfItsTasks) {

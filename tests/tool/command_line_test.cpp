@@ -69,6 +69,8 @@ TEST(CommandLine, ReportsWhatItExpectedAndWhatItFound) {
   refused({"ride", "--animal", "cow"}, "--animal: expected horse or camel, found 'cow'");
   refused({"ride", "--legs", "9"}, "--legs: expected an integer from 1 to 8, found '9'");
   refused({"ride", "--legs", "2.5"}, "--legs: expected an integer from 1 to 8, found '2.5'");
+  refused({"ride", "--animal", ""}, "--animal: expected a value, found an empty one");
+  refused({"call", ""}, "NAME: expected a value, found an empty one");
   refused({"ride", "--seed", "-1"}, "--seed: expected an integer from 0 on, found '-1'");
   refused({"ride", "--seed", "nan"}, "--seed: expected an integer from 0 on, found 'nan'");
   refused({"ride", "--saddle", "red"},

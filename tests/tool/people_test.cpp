@@ -29,6 +29,14 @@ class People : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(People, NoOutputReplacesCasesOrTracks) {
+  const std::string cases = content_of(folder_.path("cases.csv"));
+  for (const char* output : {"--json cases.csv", "--trace ./cases.csv", "--json tracks_park.csv",
+                             "--trace crowdnav_cases.csv"})
+    expect_refused(std::string("recorded . ") + output, "other than the input");
+  EXPECT_EQ(content_of(folder_.path("cases.csv")), cases);
+}
+
 TEST_F(People, DriveRecordedCasesAndWriteResultAndTrace) {
   const ToolRun run = run_tool(folder_, "people recorded . --json all.json --trace all.csv");
   EXPECT_EQ(run.code, 1) << run.err << run.out;  // case 301 has too little time

@@ -57,6 +57,12 @@ std::string problem_of(const CLI::ParseError& error, const CLI::App& tool) {
   return text;
 }
 
+// An empty value is usually that of a variable which was not set. Taken as if the option were not
+// there, it would lose a recording, or settings.
+std::string problem_of_value(const std::string& text) {
+  return text.empty() ? "expected a value, found an empty one" : "";
+}
+
 // Of the one command that a process carries out.
 std::vector<std::string>& command_line_words() {
   static std::vector<std::string> words;
@@ -117,11 +123,11 @@ Argument Argument::one_at_a_time() const {
 }
 
 Argument Options::add(const char* name, std::string& value, const char* help) const {
-  return Argument(*command_->add_option(name, value, help));
+  return Argument(*command_->add_option(name, value, help)).check(problem_of_value, "");
 }
 
 Argument Options::add(const char* name, std::vector<std::string>& values, const char* help) const {
-  return Argument(*command_->add_option(name, values, help));
+  return Argument(*command_->add_option(name, values, help)).check(problem_of_value, "");
 }
 
 Argument Options::add(const char* name, int& value, const char* help) const {

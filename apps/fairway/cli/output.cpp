@@ -60,6 +60,15 @@ void note(const io::FileNotes& notes) {
 
 void note_input(const std::string& file) { add_new({file}, noted().files); }
 
+void note_input_folder(const std::string& folder,
+                       const std::function<bool(std::string_view)>& is_input) {
+  std::error_code error;
+  fs::directory_iterator files(folder, error);
+  for (; !error && files != fs::directory_iterator(); files.increment(error)) {
+    if (is_input(files->path().filename().string())) note_input(files->path().string());
+  }
+}
+
 void print_warnings() {
   for (const std::string& text : noted().warnings)
     print_error("warning: " + text);

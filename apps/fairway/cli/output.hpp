@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,10 @@ void note(const io::FileNotes& notes);
 
 /// Notes a file that the command reads, for `check_apart`.
 void note_input(const std::string& file);
+
+/// Notes those files of an input folder whose name `is_input` accepts.
+void note_input_folder(const std::string& folder,
+                       const std::function<bool(std::string_view)>& is_input);
 
 /// Prints a line per warning, and one with all old names, if any were noted.
 void print_warnings();

@@ -177,6 +177,8 @@ Expected<int> BarnCommand::run() {
   if (!all) return tl::unexpected(all.error());
   note_input(source);
   note_input(source + "/barn.json");
+  for (const char* part : {"/circles", "/maps"})
+    note_input_folder(source + part, [](std::string_view) { return true; });
   if (const auto apart =
           check_apart({{"--json", json}, {"--log", outputs.log}, {"--report", outputs.report}});
       !apart) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
+#include <string_view>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +37,7 @@ struct BodiesCommand {
   std::string json;
 
   [[nodiscard]] Expected<int> run() const;
+  [[nodiscard]] Expected<void> check_outputs_apart(const std::vector<BodyTask>& all) const;
 };
 
 std::vector<std::string> names_of(const std::string& list) {
@@ -70,12 +73,36 @@ Json drive_json(const BodyDrive& drive, bool parking) {
   return row;
 }
 
+// A result or a trace must not replace a task, a map or a parking case.
+Expected<void> BodiesCommand::check_outputs_apart(const std::vector<BodyTask>& all) const {
+  const auto ends = [](std::string_view name, std::initializer_list<const char*> endings) {
+    return std::any_of(endings.begin(), endings.end(),
+                       [&](const char* ending) { return name.ends_with(ending); });
+  };
+  std::error_code none;
+  const bool whole = std::filesystem::is_directory(source, none);
+  const std::string folder =
+      whole ? source : std::filesystem::absolute(source, none).parent_path().string();
+  note_input(source);
+  note_input_folder(folder, [&](std::string_view name) {
+    if (parking) return whole && name.ends_with(".csv");
+    return ends(name, {".yaml", ".pgm", ".png"}) || (whole && name.ends_with(".json"));
+  });
+  std::vector<NamedOutput> outputs{{"--json", json}};
+  for (const BodyTask& task : all) {
+    if (!trace_dir.empty())
+      outputs.push_back({"--trace-dir", trace_dir + "/" + task.name + ".csv"});
+  }
+  return check_apart(outputs);
+}
+
 Expected<int> BodiesCommand::run() const {
   const Expected<BodyPlantMaker> plant = choose_body_plant(physics);
   if (!plant) return tl::unexpected(plant.error());
   if (const auto checked = check_output(json); !checked) return tl::unexpected(checked.error());
   const Expected<std::vector<BodyTask>> all = read(source, names_of(tasks));
   if (!all) return tl::unexpected(all.error());
+  if (const auto apart = check_outputs_apart(*all); !apart) return tl::unexpected(apart.error());
   if (!trace_dir.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(trace_dir, failed);

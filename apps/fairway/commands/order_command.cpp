@@ -40,6 +40,8 @@ Expected<int> OrderCommand::run() {
   const Expected<Json> message = read_json_object(file);
   if (!message) return tl::unexpected(message.error());
   if (const auto output = check_output(json); !output) return tl::unexpected(output.error());
+  if (const auto apart = check_apart({{"--json", json}}); !apart)
+    return tl::unexpected(apart.error());
   request.message = nlohmann::json(*message);
   if (!vda5050::topic_of(request.message))
     return fail(file + ": expected an order, instant actions, a zone set or responses");

@@ -24,6 +24,10 @@ struct CompareCommand {
 
   [[nodiscard]] Expected<int> run() const {
     if (const auto checked = check_output(json); !checked) return tl::unexpected(checked.error());
+    for (const std::string& file : {a, b})
+      note_input(file);
+    if (const auto apart = check_apart({{"--json", json}}); !apart)
+      return tl::unexpected(apart.error());
     const Expected<Json> first = read_json_object(a);
     if (!first) return tl::unexpected(first.error());
     const Expected<Json> second = read_json_object(b);

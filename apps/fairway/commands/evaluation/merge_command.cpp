@@ -18,6 +18,10 @@ struct MergeCommand {
 
   [[nodiscard]] Expected<int> run() const {
     if (const auto checked = check_output(json); !checked) return tl::unexpected(checked.error());
+    for (const std::string& file : files)
+      note_input(file);
+    if (const auto apart = check_apart({{"--json", json}}); !apart)
+      return tl::unexpected(apart.error());
     std::vector<ShardResult> shards;
     for (const std::string& file : files) {
       Expected<Json> result = read_json_object(file);

@@ -180,7 +180,9 @@ Expected<int> PeopleCommand::run() const {
   for (const std::string& file : {json, trace}) {
     if (const auto checked = check_output(file); !checked) return tl::unexpected(checked.error());
   }
-  note_input(folder);
+  note_input_folder(folder, [](std::string_view name) {
+    return name.starts_with("tracks_") || name == "cases.csv" || name.ends_with("_cases.csv");
+  });
   if (const auto apart = check_apart({{"--json", json}, {"--trace", trace}}); !apart)
     return tl::unexpected(apart.error());
   const Expected<PeopleOptions> used = options();

@@ -118,6 +118,10 @@ double BodyNavigator::planning_seconds() const noexcept {
 LimitingFactor BodyNavigator::State::check_cycle(const Measurements& m) noexcept {
   const double period = settings.navigation.control_period;
   const CycleTiming timing = timer_.next(m.time, period, settings.safety.longest_hold * period);
+  follower.begin_cycle({.elapsed = timing.elapsed,
+                        .longest = timer_.longest_late(),
+                        .shortest = timer_.shortest(period),
+                        .irregular = timer_.irregular()});
   const LimitingFactor bad = check(m);
   if (bad != LimitingFactor::None) return bad;
   if (timing.punctuality == Punctuality::Invalid) return LimitingFactor::InvalidTime;

@@ -227,7 +227,6 @@ Measurements BodyNavigator::State::merged(const Measurements& given) {
 NavigationStep BodyNavigator::State::update(const Measurements& given) {
   const Measurements m = merged(given);
   around.prepare();
-  follower.begin_cycle();
   const LimitingFactor wrong = check_cycle(m);
   if (wrong != LimitingFactor::None) {
     follows_new_plan = planned = false;

@@ -61,9 +61,10 @@ SharedMotion report_body(const BodyShape& body,
   motion.under_way = under_way;
   // The stop: the response, the command, and its inputs, in as many periods per sample as fit.
   const BodyStop& stop = follower.proven_stop();
-  const int left = stop.count - stop.next;
+  const double sent_since = follower.periods_of_stop();
+  const int left = std::max(0, static_cast<int>(std::ceil(stop.count - sent_since - 1e-6)));
   const int waiting = static_cast<int>(std::ceil(base.response_time / period));
-  const int periods = waiting + 1 + std::max(0, left);
+  const int periods = waiting + 1 + left;
   const int every = (periods + SampledMotion::kMaxSamples - 2) / (SampledMotion::kMaxSamples - 1);
   Track stops(motion.stop, motion.outline.stop_headings, time, every * period);
   Pose2 now = pose;
@@ -73,7 +74,7 @@ SharedMotion report_body(const BodyShape& body,
     const int i = k - waiting - 1;
     const BaseInput to = i < -1     ? from
                          : i == -1  ? follower.sent()
-                         : i < left ? stop.inputs[static_cast<std::size_t>(stop.next + i)]
+                         : i < left ? stop.at(sent_since + i + 1)
                                     : resting_input(base, from);
     now = driven(base, now, from, to, period);
     from = to;

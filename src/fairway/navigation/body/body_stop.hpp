@@ -4,6 +4,7 @@
 #include <array>
 
 #include "fairway/map/body_clearance.hpp"
+#include "fairway/navigation/body/body_deviation.hpp"
 #include "fairway/navigation/body/body_separation.hpp"
 #include "fairway/safety/stop_check.hpp"
 #include "fairway/trajectory/drive_reference.hpp"
@@ -14,11 +15,13 @@ namespace fairway {
 struct BodyStop {
   static constexpr int kMostInputs = 256;
 
+  BaseInput first;  ///< sent before `inputs`
   int count = 0;
-  int next = 0;  ///< the first one that has not been sent yet
   std::array<BaseInput, kMostInputs> inputs{};
 
-  [[nodiscard]] bool at_rest() const noexcept { return next >= count; }
+  /// The input `periods` after `first` was sent, linear between those of whole periods; the last
+  /// one stays.
+  [[nodiscard]] BaseInput at(double periods) const noexcept;
 };
 
 /// Makes the stop along a drive: after `sent`, the rate falls to 0 as fast as the base allows. A
@@ -42,18 +45,13 @@ struct StopSurroundings {
   bool may_exceed_zone_speed = false;
 };
 
-/// Returns whether the body stays free from `sent` over `input` through the stop. The inputs are
-/// linear between control periods. Static obstacles are tested along the whole motion, moving ones
-/// at its periods and their middles. Zones of the map count.
-///
-/// @param held  Time by which the stop begins later than a period from now: `input` stays [s].
+/// Returns whether the body of every base of the family stays free over the manoeuvre and the stop
+/// after it (docs/safety.md). Static obstacles and zones of the map are tested along the whole
+/// motion, moving ones at half periods.
 [[nodiscard]] StopVerdict check_stop(const BaseModel& base,
                                      const Pose2& pose,
-                                     const BaseInput& sent,
-                                     const BaseInput& input,
+                                     const BodyManoeuvre& manoeuvre,
                                      const BodyStop& stop,
-                                     double period,
-                                     const StopSurroundings& surroundings,
-                                     double held = 0.0) noexcept;
+                                     const StopSurroundings& surroundings) noexcept;
 
 }  // namespace fairway

@@ -67,16 +67,15 @@ bool DriveFollower::gives_way(const FollowerView& view, double target) noexcept 
 // Whether the rest of the last proven stop still is free of moving obstacles. Then it is executed:
 // nothing else is as safe.
 bool DriveFollower::stop_is_free(const FollowerView& view) noexcept {
-  if (proven_.at_rest()) return false;
-  trial_ = proven_;
-  const auto first = trial_.inputs.begin() + trial_.next;
-  const BaseInput input = *first;
-  trial_.count = static_cast<int>(
-      std::copy(first + 1, trial_.inputs.begin() + trial_.count, trial_.inputs.begin()) -
-      trial_.inputs.begin());
-  trial_.next = 0;
-  if (trial_.count == 0) trial_.inputs[static_cast<std::size_t>(trial_.count++)] = input;
-  return check_stop(base_, view.pose, sent_, input, trial_, period_, surroundings(view)) ==
+  const double now = since_ / period_;
+  if (now >= proven_.count) return false;
+  trial_.first = proven_.at(now);
+  trial_.count = 0;
+  do {
+    trial_.inputs[static_cast<std::size_t>(trial_.count)] = proven_.at(now + trial_.count + 1);
+    ++trial_.count;
+  } while (now + trial_.count < proven_.count);
+  return check_stop(base_, view.pose, manoeuvre(trial_.first), trial_, surroundings(view)) ==
          StopVerdict::Free;
 }
 

@@ -26,7 +26,8 @@ void DriveFollower::reset(const BaseInput& actual) noexcept {
   reference_ = DriveReference();
   progress_ = {};
   proven_ = {};
-  sent_ = actual;
+  sent_ = current_ = quick_ = actual;
+  ramp_ = period_;
 }
 
 bool DriveFollower::at_rest() const noexcept { return is_at_rest(base_, sent_); }
@@ -107,40 +108,8 @@ DriveFollower::Candidate DriveFollower::candidate(const FollowerView& view,
       next.progress.rate == 0.0
           ? resting_input(base_, planned)
           : corrected_input(base_, gains_, reference_.pose_at(progress_.phase), planned, pose);
-  next.input = limited_input(base_, sent_, within_zones(view, wanted), period_);
+  next.input = limited_input(base_, sent_, within_zones(view, wanted), step_);
   return next;
-}
-
-StopVerdict DriveFollower::prove(const FollowerView& view,
-                                 const Candidate& next,
-                                 Excuse excuse) noexcept {
-  make_stop(base_, reference_, next.sent_for, next.input, period_, trial_);
-  StopSurroundings all = surroundings(view);
-  all.may_turn = true;
-  all.may_exceed_zone_speed = excuse == Excuse::BrakesInZone;
-  all.goes_on = excuse != Excuse::GivesWay;
-  // The next cycle may be a period later, or as late as is promised.
-  for (const double held : {0.0, (safety_.longest_hold - 1.0) * period_}) {
-    const StopVerdict verdict =
-        check_stop(base_, view.pose, sent_, next.input, trial_, period_, all, held);
-    if (verdict != StopVerdict::Free) return verdict;
-  }
-  return StopVerdict::Free;
-}
-
-StopSurroundings DriveFollower::surroundings(const FollowerView& view) const noexcept {
-  MovingSurroundings moving = view.moving;
-  moving.prediction.obstacle_margin =
-      std::min(safety_.moving_margin, moving.prediction.obstacle_margin);
-  moving.prediction.obstacle_growth = 0.0;
-  moving.commits = true;
-  return {.clearance = view.clearance, .margin = safety_.stop_margin, .moving = moving};
-}
-
-void DriveFollower::take(const Candidate& next) noexcept {
-  progress_ = next.progress;
-  sent_ = next.input;
-  proven_ = trial_;
 }
 
 // A steered wheel is turned to where the drive begins before the base moves.
@@ -149,7 +118,7 @@ bool DriveFollower::steers_first() noexcept {
   constexpr double kAligned = 0.02;  // [rad]
   const double wanted = reference_.input_at(progress_).turn;
   if (std::abs(wanted - sent_.turn) < kAligned) return false;
-  sent_ = limited_input(base_, sent_, {.linear = 0.0, .lateral = 0.0, .turn = wanted}, period_);
+  send(limited_input(base_, sent_, {.linear = 0.0, .lateral = 0.0, .turn = wanted}, step_));
   return true;
 }
 
@@ -238,7 +207,7 @@ FollowerStep DriveFollower::settle(const FollowerView& view) noexcept {
   settled_ = is_at_rest(base_, wanted);
   const Candidate next{.progress = progress_,
                        .sent_for = progress_,
-                       .input = limited_input(base_, sent_, wanted, period_)};
+                       .input = limited_input(base_, sent_, wanted, step_)};
   if (prove(view, next) == StopVerdict::Free) {
     take(next);
     return {.input = sent_};
@@ -253,16 +222,6 @@ FollowerStep DriveFollower::brake(const FollowerView& view) noexcept {
     return {.input = stop(), .status = NavigationStatus::Stopping};
   take(next);
   return {.input = sent_, .status = NavigationStatus::Stopping};
-}
-
-BaseInput DriveFollower::stop() noexcept {
-  progress_ = reference_.advanced(progress_, 0.0, period_);
-  if (!proven_.at_rest()) {
-    sent_ = proven_.inputs[static_cast<std::size_t>(proven_.next++)];
-  } else {
-    sent_ = limited_input(base_, sent_, resting_input(base_, sent_), period_);
-  }
-  return sent_;
 }
 
 }  // namespace fairway

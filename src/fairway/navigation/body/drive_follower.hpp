@@ -31,6 +31,14 @@ struct FollowerStep {
   LimitingFactor limit = LimitingFactor::None;
 };
 
+/// How a cycle lies in time, and how the cycles of the last seconds did.
+struct FollowerCycle {
+  double elapsed = 0.1;    ///< since the cycle before [s]
+  double longest = 0.0;    ///< longest time to the next cycle that is promised, or occurred [s]
+  double shortest = 0.1;   ///< shortest one that occurred, or a period [s]
+  bool irregular = false;  ///< whether cycles were noticeably early or late
+};
+
 /// Drives a robot of any base along a planned drive, as fast as it is planned or slower.
 ///
 /// In every cycle the follower selects the rate of the drive so that moving obstacles are avoided.
@@ -43,7 +51,10 @@ class DriveFollower {
       : base_(base),
         period_(period),
         look_ahead_(look_ahead_of(base)),
-        safety_(safety) {}
+        safety_(safety),
+        cycle_({.elapsed = period, .longest = period, .shortest = period}),
+        step_(period),
+        ramp_(period) {}
 
   /// Takes over a drive, from its begin. @pre the robot is at rest at the drive's start.
   /// @param evasive  It leads out of the predicted motion of obstacles; see `gives_way`.
@@ -58,14 +69,15 @@ class DriveFollower {
   /// One cycle along the drive.
   [[nodiscard]] FollowerStep update(const FollowerView& view) noexcept;
 
-  /// One cycle of the last proven stop, without any measurement. Without a stop it brakes.
+  /// One cycle of the last proven stop, without any measurement. Without a stop it brakes. The stop
+  /// is a function of time: late cycles do not make it longer.
   [[nodiscard]] BaseInput stop() noexcept;
 
   /// One cycle of braking along the drive.
   [[nodiscard]] FollowerStep brake(const FollowerView& view) noexcept;
 
-  /// Begins a control cycle; see `sent_before`.
-  void begin_cycle() noexcept { sent_before_ = sent_; }
+  /// Begins a control cycle: the base has followed what it was sent. Call it before the others.
+  void begin_cycle(const FollowerCycle& cycle) noexcept;
 
   [[nodiscard]] bool at_rest() const noexcept;
   /// Whether a robot at `pose` is too far from where the drive has it.
@@ -78,8 +90,9 @@ class DriveFollower {
   [[nodiscard]] const BaseInput& sent() const noexcept { return sent_; }
   /// The input of the cycle before.
   [[nodiscard]] const BaseInput& sent_before() const noexcept { return sent_before_; }
-  /// The stop after the last input.
+  /// The last stop that was proven, and the periods since its first input was sent.
   [[nodiscard]] const BodyStop& proven_stop() const noexcept { return proven_; }
+  [[nodiscard]] double periods_of_stop() const noexcept { return since_ / period_; }
   [[nodiscard]] const BaseModel& base() const noexcept { return base_; }
 
  private:
@@ -109,7 +122,9 @@ class DriveFollower {
   [[nodiscard]] double backing_rate() const noexcept;
   [[nodiscard]] bool can_leave(const FollowerView& view, const Candidate& next) const noexcept;
   [[nodiscard]] bool gives_way(const FollowerView& view, double target) noexcept;
+  [[nodiscard]] BodyManoeuvre manoeuvre(const BaseInput& input) const noexcept;
   void take(const Candidate& next) noexcept;
+  void send(const BaseInput& input) noexcept;
 
   BaseModel base_;
   double period_;
@@ -118,8 +133,14 @@ class DriveFollower {
   TrackingGains gains_{};
   DriveReference reference_;
   DriveProgress progress_;
+  FollowerCycle cycle_;
+  double step_;         // in which the input may change in this cycle [s]
+  double ramp_;         // in which the base ramps to what was sent [s]
+  double since_ = 0.0;  // the time since the first input of the proven stop was sent [s]
   BaseInput sent_;
   BaseInput sent_before_;
+  BaseInput current_;  // of a base that ramps evenly
+  BaseInput quick_;    // of one that changes as hard as it can
   bool evasive_ = false;
   bool settled_ = false;
   int settling_cycles_ = 0;

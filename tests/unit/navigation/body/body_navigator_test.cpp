@@ -67,10 +67,11 @@ class BodyRun {
       sent_.back() = command;
     }
     constexpr int kFine = 20;
+    const double interval = stretch_ * period_;
     for (int i = 0; i < kFine; ++i) {
-      robot_.advance(period_ / kFine);
+      robot_.advance(interval / kFine);
       for (MovingObstacle& obstacle : moving_)
-        obstacle.position += period_ / kFine * obstacle.velocity;
+        obstacle.position += interval / kFine * obstacle.velocity;
       touched_ = touched_ || !clearance_.is_free(robot_.pose, 0.0);
       for (const MovingObstacle& obstacle : moving_) {
         const double gap =
@@ -80,7 +81,7 @@ class BodyRun {
         separation_ = std::min(separation_, gap);
       }
     }
-    time_ += period_;
+    time_ += interval;
     return step;
   }
 
@@ -108,6 +109,7 @@ class BodyRun {
   std::vector<MovingObstacle> moving_;
   double time_ = 0.0;
   double separation_ = std::numeric_limits<double>::infinity();
+  double stretch_ = 1.0;  // periods from one cycle to the next
   bool lost_pose_ = false;
   bool touched_ = false;
   bool hit_ = false;
@@ -257,6 +259,33 @@ TEST(BodyNavigator, ALateCycleBrakesAndSaysWhy) {
     EXPECT_EQ(late.status, NavigationStatus::Stale) << to_text(kind);
     EXPECT_LT(std::abs(late.command.linear), before) << to_text(kind);
     EXPECT_NE(run.cycle().limit, LimitingFactor::LateCycle) << "the next one is on time";
+  }
+}
+
+// The proven stop is a function of time: cycles that are late, each within what is promised, do not
+// add up to a longer one.
+TEST(BodyNavigator, AStopOfLateCyclesIsNoLonger) {
+  for (const BaseKind kind : kKinds) {
+    const auto braking_distance = [&](double stretch) {
+      BodyRun run(kind);
+      run.navigator_.set_goal({.position = {9.5, 5.5}, .heading = 1.0});
+      while (run.time_ < 2.5)
+        run.cycle();
+      EXPECT_GT(std::hypot(run.robot_.twist().linear, run.robot_.twist().lateral), 0.5);
+      run.lost_pose_ = true;
+      run.stretch_ = stretch;
+      double driven = 0.0;
+      constexpr int kCycles = 40;
+      for (int i = 0; i < kCycles; ++i) {
+        const Eigen::Vector2d before = run.robot_.pose.position;
+        run.cycle();
+        driven += (run.robot_.pose.position - before).norm();
+      }
+      EXPECT_LT(std::abs(run.robot_.twist().linear), 1e-6) << "still moves";
+      return driven;
+    };
+    constexpr double kHeld = 0.06;  // 0.45 periods at 1 m/s, and rounding [m]
+    EXPECT_LT(braking_distance(1.45), braking_distance(1.0) + kHeld) << to_text(kind);
   }
 }
 

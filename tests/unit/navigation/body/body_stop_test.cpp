@@ -30,8 +30,9 @@ class StopBeforeAWall : public testing::Test {
     const double braking = 0.1 + 0.5;  // a period at 1 m/s, and 1 m/s at 1 m/s2
     const Pose2 pose{.position = {5.0 - 0.6 - braking - distance, 1.5}, .heading = 0.0};
     const BaseInput input{.linear = 1.0};
-    return check_stop(BaseModel{}, pose, input, input, stop_, 0.1, {.clearance = &clearance_},
-                      held);
+    return check_stop(BaseModel{}, pose,
+                      {.current = input, .quick = input, .input = input, .hold = 0.1 + held}, stop_,
+                      {.clearance = &clearance_});
   }
 
   PreparedMap map_{wall_at_5_m()};
