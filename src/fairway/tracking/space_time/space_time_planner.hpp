@@ -58,8 +58,8 @@ class SpaceTimePlanner {
   static constexpr std::size_t kTable = 4096;  ///< of cells in a stage; a power of two
 
  private:
-  static constexpr std::size_t kWidth = 20;
-  static constexpr std::size_t kLateWidth = 16;  // from stage kLate on
+  static constexpr std::size_t kWidth = 28;
+  static constexpr std::size_t kLateWidth = 20;  // from stage kLate on
   static constexpr std::size_t kLate = 6;
   static constexpr std::size_t kRectangles = 6;  // ahead, in which a motion may be
   static constexpr double kStage = 0.5;          // [s]
