@@ -143,6 +143,8 @@ void MovingObjectTracker::count_from_here(MovingTrack& track) const noexcept {
 // not: it stays at 0.5 m/s, so that a person who walks at 0.4 m/s would never count.
 bool MovingObjectTracker::walks_steadily(const MovingTrack& track) const noexcept {
   constexpr double kSameDirection = 0.8;  // cosine
+  constexpr double kManyFits = 3.0;       // good circles: a part of a wall is none
+  if (track.radius_weight < kManyFits) return false;
   const Vector2d moved = track.position() - track.born_at;
   const double mean = moved.norm() / std::max(time_ - track.born_time, 1e-3);
   return mean > settings_.moving_speed &&
