@@ -87,7 +87,9 @@ class RollingGrid {
   struct Cell {
     std::int8_t evidence = 0;
     std::uint8_t newness = 0;  // kNewScans once surely free; each hit subtracts one
-    std::uint16_t scan = 0;    // the last scan that touched it; kNever if unknown
+    // The last scan that touched it; kNever if unknown. Of surely free cells, the last that
+    // changed it.
+    std::uint16_t scan = 0;
   };
   static constexpr std::uint16_t kNever = 0xFFFF;
 
@@ -98,6 +100,13 @@ class RollingGrid {
   void clear(const Beam& beam, double known) noexcept;
   void claim_body(const Eigen::Vector2d& robot, double radius) noexcept;
   void add(CellIndex cell, Cell& value, int evidence) noexcept;
+  [[nodiscard]] bool is_surely_free(CellIndex cell) const noexcept {
+    return (surely_free_[word_of(cell)] >> (cell.x % kBlock) & 1U) != 0;
+  }
+  [[nodiscard]] std::size_t word_of(CellIndex cell) const noexcept {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(side_ / kBlock) +
+           static_cast<std::size_t>(cell.x / kBlock);
+  }
   [[nodiscard]] Cell& cell_of(CellIndex cell) noexcept {
     return cells_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(side_) +
                   static_cast<std::size_t>(cell.x)];
@@ -110,6 +119,9 @@ class RollingGrid {
   PerceptionSettings settings_;
   int side_;  // [cells]
   std::vector<Cell> cells_;
+  // One bit per cell: known, with the least evidence. Most cells that beams cross are, and their
+  // bits fit into the fastest memory.
+  std::vector<std::uint64_t> surely_free_;
   BitGrid occupied_;
   BitGrid not_seen_free_;
   std::uint16_t scan_ = 0;  // number of the present scan, 0..kNever - 1
