@@ -78,14 +78,28 @@ CellState RollingGrid::at(CellIndex cell) const noexcept {
 }
 
 bool RollingGrid::would_be_new(CellIndex cell) const noexcept {
-  return frame().contains(cell) && cell_of(cell).newness > 0;
+  if (!frame().contains(cell)) return false;
+  const std::uint8_t newness = cell_of(cell).newness;
+  return newness > 0 && newness < kUnproven;
 }
 
 bool RollingGrid::is_static_near(CellIndex cell, int reach) const noexcept {
   for (int y = std::max(0, cell.y - reach); y <= std::min(side_ - 1, cell.y + reach); ++y) {
     for (int x = std::max(0, cell.x - reach); x <= std::min(side_ - 1, cell.x + reach); ++x) {
       const Cell& value = cell_of({.x = x, .y = y});
-      if (value.scan != kNever && value.evidence > 0 && value.newness == 0) return true;
+      const bool never_free = value.newness == 0 || value.newness >= kUnproven;
+      if (value.scan != kNever && value.evidence > 0 && never_free) return true;
+    }
+  }
+  return false;
+}
+
+bool RollingGrid::is_proven_static(CellIndex cell) const noexcept {
+  for (int y = std::max(0, cell.y - 1); y <= std::min(side_ - 1, cell.y + 1); ++y) {
+    for (int x = std::max(0, cell.x - 1); x <= std::min(side_ - 1, cell.x + 1); ++x) {
+      const Cell& value = cell_of({.x = x, .y = y});
+      const bool proven = value.newness == 0 || value.newness == kUnproven;
+      if (value.scan != kNever && value.evidence > 0 && proven) return true;
     }
   }
   return false;
@@ -198,7 +212,9 @@ void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
   free = value.evidence == settings_.least_evidence ? free | bit : free & ~bit;
   if (2 * value.evidence <= settings_.least_evidence) {
     value.newness = kNewScans;
-  } else if (evidence > 0 && value.newness > 0) {
+  } else if (evidence > 0 && value.newness == 0) {
+    if (!was_occupied) value.newness = kUnproven + kProofScans;
+  } else if (evidence > 0 && value.newness != kUnproven) {
     --value.newness;
   }
   if (!known || is_occupied != was_occupied) not_seen_free_.set(cell, is_occupied);
