@@ -14,4 +14,5 @@
 #include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
+#include "fairway/perception/map_localization.hpp"
 #include "fairway/planning/planner.hpp"

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -20,11 +22,12 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // Errors of the odometry, as standard deviations.
-constexpr double kPerMetre = 0.03;       // [m/m]
-constexpr double kTurnPerMetre = 0.012;  // [rad/m]
-constexpr double kPerTurn = 0.02;        // [rad/rad]
-constexpr double kLeastShift = 5e-4;     // [m]
-constexpr double kLeastTurn = 3e-4;      // [rad]
+constexpr double kPerMetre = 0.03;          // [m/m]
+constexpr double kTurnPerMetre = 0.012;     // [rad/m]
+constexpr double kPerTurn = 0.02;           // [rad/rad]
+constexpr double kPerMeasuredTurn = 0.005;  // [rad/rad], of a gyroscope
+constexpr double kLeastShift = 5e-4;        // [m]
+constexpr double kLeastTurn = 3e-4;         // [rad]
 
 // Returns the direction in which the points of a match say little about the position, or none. The
 // information of a point across its surface is compared with what is left of it along the weakest
@@ -65,13 +68,24 @@ Pose2 PoseCorrection::corrected(const Pose2& odometry) const noexcept {
           .heading = wrap_to_pi(odometry.heading + correction_.heading)};
 }
 
+void PoseCorrection::use_turn(const Pose2& odometry, double turn) noexcept {
+  if (!started_) return;
+  const double more = turn - shortest_turn(last_odometry_.heading, odometry.heading);
+  const Vector2d center = corrected(odometry).position;
+  correction_.position = moved(correction_.position, center, {0.0, 0.0, more});
+  correction_.heading = wrap_to_pi(correction_.heading + more);
+  turned_ = turn;
+}
+
 void PoseCorrection::predict(const Pose2& odometry) noexcept {
   const double driven = (odometry.position - last_odometry_.position).norm();
   const double turned = std::abs(shortest_turn(last_odometry_.heading, odometry.heading));
+  const std::optional<double> measured = std::exchange(turned_, std::nullopt);
   last_odometry_ = odometry;
   if (!started_) return;
   const double shift = kPerMetre * driven + kLeastShift;
-  const double turn = kTurnPerMetre * driven + kPerTurn * turned + kLeastTurn;
+  const double turn = measured ? kPerMeasuredTurn * std::abs(*measured) + kLeastTurn
+                               : kTurnPerMetre * driven + kPerTurn * turned + kLeastTurn;
   certainty_.covariance.diagonal() += Vector3d(shift * shift, shift * shift, turn * turn);
 }
 
@@ -103,7 +117,9 @@ ScanMotion PoseCorrection::match(std::span<const Vector2d> ends, const Pose2& od
     constexpr double kFixed = 1e10;  // [1/m^2]
     certainty_.weak_direction = weak;
     prior.topLeftCorner<2, 2>() += kFixed * weak * weak.transpose();
-    match = match_scan(surfaces_, scan_, center, prior);
+    ScanMotion across_weak = match.motion;
+    across_weak.head<2>() -= weak * weak.dot(match.motion.head<2>());
+    match = match_scan(surfaces_, scan_, center, prior, across_weak);
     // Neither does it become more certain.
     Matrix3d across = Matrix3d::Identity();
     across.topLeftCorner<2, 2>() -= weak * weak.transpose();
@@ -120,9 +136,10 @@ void PoseCorrection::correct(const ScanMatch& match, const Vector2d& center) noe
   correction_.heading = wrap_to_pi(correction_.heading + match.motion.z());
   const Matrix3d prior = (certainty_.covariance + kLeastVariance * Matrix3d::Identity()).inverse();
   certainty_.covariance = (prior + match.information).inverse();
+  const MotionAbout move(center, match.motion);
   for (SurfacePoint& point : scan_) {
-    point.position = moved(point.position, center, match.motion);
-    point.normal = rotated(point.normal, match.motion.z());
+    point.position = move(point.position);
+    point.normal = move.turned(point.normal);
   }
 }
 

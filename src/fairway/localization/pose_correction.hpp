@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,10 @@ class PoseCorrection {
   /// Returns the corrected pose for a pose by odometry.
   [[nodiscard]] Pose2 corrected(const Pose2& odometry) const noexcept;
 
+  /// Replaces the turn by odometry since the last match by one that a gyroscope measured [rad].
+  /// @param odometry  Pose of the sensor at the end of the scan that is matched next.
+  void use_turn(const Pose2& odometry, double turn) noexcept;
+
   /// Matches a scan and updates the correction.
   /// @param ends      Ends of the beams by the correction so far; beams without a hit are NaN.
   /// @param odometry  Pose of the sensor at the end of the scan, by odometry.
@@ -75,8 +80,9 @@ class PoseCorrection {
   bool known_map_ = false;
   bool remembers_ = true;  // the points of the last scan
   bool started_ = false;
-  Pose2 correction_;     // from the frame of the odometry to that of the map
-  Pose2 last_odometry_;  // of the sensor
+  std::optional<double> turned_;  // since the last match, by a gyroscope [rad]
+  Pose2 correction_;              // from the frame of the odometry to that of the map
+  Pose2 last_odometry_;           // of the sensor
   PoseCertainty certainty_;
   std::vector<SurfacePoint> scan_;
   std::vector<std::size_t> beams_;  // of the points of the scan

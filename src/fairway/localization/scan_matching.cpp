@@ -27,49 +27,68 @@ constexpr double kMatched = 0.05;     // [m]; nearer points lie on the surface
 constexpr std::array kMatchReach = {0.15, 0.15, 0.12, 0.1, 0.1, 0.1};
 constexpr std::array kScale = {0.10, 0.06, 0.04, 0.03, 0.03, 0.03};
 
+// The residual of a point at `position`, which is `arm` from the moved centre, and a line through
+// `on_line`.
+LineResidual residual_of(const Vector2d& arm,
+                         const Vector2d& position,
+                         const Vector2d& on_line,
+                         const Vector2d& normal) noexcept {
+  // d/da R(a) v = J R(a) v, where J turns by 90 degrees.
+  return {.value = normal.dot(position - on_line),
+          .jacobian = {normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y()}};
+}
+
 }  // namespace
 
 Vector2d moved(const Vector2d& point, const Vector2d& center, const ScanMotion& motion) noexcept {
   return rotated(point - center, motion.z()) + center + motion.head<2>();
 }
 
+MotionAbout::MotionAbout(const Vector2d& center, const ScanMotion& motion) noexcept
+    : center_(center),
+      moved_center_(center + motion.head<2>()),
+      turn_(direction(motion.z())) {}
+
 LineResidual line_residual(const Vector2d& point,
                            const Vector2d& center,
                            const SurfacePoint& line,
                            const ScanMotion& motion) noexcept {
   const Vector2d arm = rotated(point - center, motion.z());
-  const Vector2d off = arm + center + motion.head<2>() - line.position;
-  // d/da R(a) v = J R(a) v, where J turns by 90 degrees.
-  return {.value = line.normal.dot(off),
-          .jacobian = {line.normal.x(), line.normal.y(),
-                       line.normal.y() * arm.x() - line.normal.x() * arm.y()}};
+  return residual_of(arm, arm + center + motion.head<2>(), line.position, line.normal);
 }
 
 ScanMatch match_scan(const SurfacePoints& map,
                      std::span<const SurfacePoint> scan,
                      const Vector2d& center,
-                     const Matrix3d& prior) noexcept {
-  constexpr double kSmallStep = 1e-5;  // [m], [rad]; then the motion has converged
+                     const Matrix3d& prior,
+                     const ScanMotion& start) noexcept {
+  constexpr double kSmallStep = 3e-5;  // [m], [rad]; then the motion has converged
+  constexpr std::size_t kFewest = 2;   // steps before the last one
   ScanMatch match;
-  const std::size_t stride = std::max<std::size_t>(1, scan.size() / kMostPoints);
-  for (std::size_t step = 0; step < kMatchReach.size(); ++step) {
+  match.motion = start;
+  const std::size_t stride = (scan.size() + kMostPoints - 1) / kMostPoints;
+  // Nearly converged motions begin with the narrower reach.
+  const std::size_t first = start.isZero(0.0) ? 0 : kFewest;
+  for (std::size_t step = first; step < kMatchReach.size(); ++step) {
     Matrix3d points = Matrix3d::Zero();
     Vector3d pull = Vector3d::Zero();
     double square = 0.0;
     match.used = 0;
     match.matched = 0;
+    const MotionAbout move(center, match.motion);
+    const double inverse_scale = 1.0 / kScale[step];
     for (std::size_t i = 0; i < scan.size(); i += stride) {
       ++match.used;
-      const SurfacePoint now{.position = moved(scan[i].position, center, match.motion),
-                             .normal = rotated(scan[i].normal, match.motion.z())};
+      const Vector2d arm = move.turned(scan[i].position - center);
+      const SurfacePoint now{.position = move.moved_center() + arm,
+                             .normal = move.turned(scan[i].normal)};
       const SurfacePoint* const near = map.nearest(now, kMatchReach[step]);
       if (near == nullptr) continue;
-      const SurfacePoint line{.position = near->position,
-                              .normal = (near->normal + now.normal).normalized()};
-      const LineResidual residual = line_residual(scan[i].position, center, line, match.motion);
-      const double share = residual.value / kScale[step];
+      const LineResidual residual =
+          residual_of(arm, now.position, near->position, (near->normal + now.normal).normalized());
+      const double share = residual.value * inverse_scale;
       const double weight = kIndependent / (kSigma * kSigma * (1.0 + share * share));
-      points += weight * residual.jacobian.transpose() * residual.jacobian;
+      points.noalias() += weight * residual.jacobian.transpose() * residual.jacobian;
       pull -= weight * residual.value * residual.jacobian.transpose();
       if (std::abs(residual.value) > kMatched) continue;
       ++match.matched;
@@ -80,7 +99,7 @@ ScanMatch match_scan(const SurfacePoints& map,
     const Vector3d change = (points + prior).ldlt().solve(Vector3d(pull - prior * match.motion));
     if (!change.allFinite()) return {};
     match.motion += change;
-    if (step >= 2 && change.cwiseAbs().maxCoeff() < kSmallStep) break;
+    if (step >= kFewest && change.cwiseAbs().maxCoeff() < kSmallStep) break;
   }
   return match;
 }

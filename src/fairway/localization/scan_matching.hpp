@@ -19,6 +19,25 @@ using ScanMotion = Eigen::Vector3d;
                                     const Eigen::Vector2d& center,
                                     const ScanMotion& motion) noexcept;
 
+/// Moves many points by the same motion about the same centre.
+class MotionAbout {
+ public:
+  MotionAbout(const Eigen::Vector2d& center, const ScanMotion& motion) noexcept;
+  [[nodiscard]] Eigen::Vector2d operator()(const Eigen::Vector2d& point) const noexcept {
+    return moved_center_ + turned(point - center_);
+  }
+  /// Turns a vector that has no place, such as a normal.
+  [[nodiscard]] Eigen::Vector2d turned(const Eigen::Vector2d& v) const noexcept {
+    return {turn_.x() * v.x() - turn_.y() * v.y(), turn_.y() * v.x() + turn_.x() * v.y()};
+  }
+  [[nodiscard]] const Eigen::Vector2d& moved_center() const noexcept { return moved_center_; }
+
+ private:
+  Eigen::Vector2d center_;
+  Eigen::Vector2d moved_center_;
+  Eigen::Vector2d turn_;
+};
+
 /// The distance of a moved point from a line, and its derivative by the motion.
 struct LineResidual {
   double value = 0.0;                                        ///< [m]
@@ -48,9 +67,11 @@ struct ScanMatch {
 /// The weights are Cauchy weights whose scale becomes smaller, and there is a prior of mean zero.
 /// The normal of a line is the mean of those of both points.
 /// @param prior  Information about the motion before the match, positive definite.
+/// @param start  A motion close to the result, if one is known; it saves steps.
 [[nodiscard]] ScanMatch match_scan(const SurfacePoints& map,
                                    std::span<const SurfacePoint> scan,
                                    const Eigen::Vector2d& center,
-                                   const Eigen::Matrix3d& prior) noexcept;
+                                   const Eigen::Matrix3d& prior,
+                                   const ScanMotion& start = ScanMotion::Zero()) noexcept;
 
 }  // namespace fairway

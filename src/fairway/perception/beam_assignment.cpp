@@ -10,7 +10,10 @@ namespace fairway {
 
 namespace {
 
-constexpr double kGate = 0.25;  // [m]; kGateSigmas standard deviations are added
+using Eigen::Vector2d;
+
+constexpr double kGate = 0.25;     // [m]; kGateSigmas standard deviations are added
+constexpr double kPostGate = 0.1;  // [m], of what may be a post: no points of others beside it
 constexpr double kGateSigmas = 2.0;
 constexpr double kWidestGate = 0.8;  // [m]
 
@@ -20,16 +23,23 @@ struct Likelihood {
   Likelihood() = default;
   explicit Likelihood(const MovingTrack& track) noexcept {
     const double sigma = track.position_sigma();
-    gate = std::min(kWidestGate, kGate + kGateSigmas * sigma);
+    const double least = track.may_be_post ? kPostGate : kGate;
+    const double gate = std::min(kWidestGate, least + kGateSigmas * sigma);
     inverse_variance = 1.0 / (kPointSigma * kPointSigma + sigma * sigma);
     offset = -std::log(inverse_variance);
+    center = track.position();
+    const double inner = track.radius - gate;
+    inner_square = inner > 0.0 ? inner * inner : -1.0;
+    outer_square = (track.radius + gate) * (track.radius + gate);
   }
 
   [[nodiscard]] double of(double distance) const noexcept {
     return distance * distance * inverse_variance + offset;
   }
 
-  double gate = 0.0;  // [m]
+  Vector2d center = Vector2d::Zero();
+  double inner_square = 0.0;  // of the ring around the outline in which points are taken [m^2]
+  double outer_square = 0.0;
   double inverse_variance = 0.0;
   double offset = 0.0;
 };
@@ -49,14 +59,19 @@ void assign_beams(std::span<const Beam> beams,
     if (beams[b].end != BeamEnd::Hit) continue;
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) {
-      const double off = std::abs((beams[b].to - tracks[i].position()).norm() - tracks[i].radius);
-      if (off >= likelihoods[i].gate) continue;
+      const double square = (beams[b].to - likelihoods[i].center).squaredNorm();
+      if (square >= likelihoods[i].outer_square || square <= likelihoods[i].inner_square) continue;
+      const double off = std::abs(std::sqrt(square) - tracks[i].radius);
       const double unlikely = likelihoods[i].of(off);
       if (unlikely >= best) continue;
       best = unlikely;
       owner[b] = static_cast<int>(i);
     }
-    if (owner[b] >= 0 && grid.is_static_near(grid.frame().cell_at(beams[b].to))) owner[b] = -1;
+    if (owner[b] < 0) continue;
+    // What may be a post takes points of obstacles that are not proven to be static yet.
+    const CellIndex cell = grid.frame().cell_at(beams[b].to);
+    const bool may_be_post = tracks[static_cast<std::size_t>(owner[b])].may_be_post;
+    if (may_be_post ? grid.is_proven_static(cell) : grid.is_static_near(cell)) owner[b] = -1;
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,12 @@ namespace fairway {
 
 /// One revolution of a planar lidar (a LaserScan in ROS), with the poses from which it was taken.
 struct LidarScan {
-  double time = 0.0;         ///< time of the last beam [s]
-  Pose2 first_pose;          ///< of the sensor at the first beam, in the frame of the grid
-  Pose2 last_pose;           ///< of the sensor at the last beam
+  double time = 0.0;  ///< time of the last beam [s]
+  Pose2 first_pose;   ///< of the sensor at the first beam, in the frame of the grid
+  Pose2 last_pose;    ///< of the sensor at the last beam
+  /// Mean rate of turn since the scan before, from a gyroscope [rad/s]; none without one. It takes
+  /// the place of the turn by odometry where scans are matched.
+  std::optional<double> yaw_rate{};
   double first_angle = 0.0;  ///< of beam 0, relative to the sensor's heading [rad]
   double angle_step = 0.0;   ///< angle between consecutive beams [rad]
   double min_range = 0.0;    ///< smaller ranges are invalid [m]

@@ -7,6 +7,7 @@
 
 #include "fairway/perception/beam_assignment.hpp"
 #include "fairway/perception/circle_fit.hpp"
+#include "fairway/perception/object_disc.hpp"
 
 namespace fairway {
 
@@ -14,11 +15,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSmallestRadius = 0.1;  // [m]
+constexpr double kSmallestRadius = 0.1;  // [m], of an object
 constexpr std::size_t kFewestPoints = 3;
 constexpr double kSeenThroughFor = 0.25;  // [s]; after this the object is gone
-constexpr double kStoppedFor = 1.0;       // [s]; after this the object no longer counts as moving
-constexpr int kFewestSightings = 4;
 
 }  // namespace
 
@@ -27,6 +26,7 @@ MovingObjectTracker::MovingObjectTracker(const PerceptionSettings& settings, std
   tracks_.reserve(kMaxTracks);
   obstacles_.reserve(kMaxTracks);
   owner_.reserve(max_beams);
+  hits_.reserve(kMaxTracks);
   cluster_.reserve(max_beams);
 }
 
@@ -39,15 +39,27 @@ void MovingObjectTracker::update(double time,
     track.predict(dt, settings_.acceleration_noise);
   owner_.resize(beams.size());
   assign_beams(beams, tracks_, grid, owner_);
+  note_hits();
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     correct(i, time, beams);
     judge_unseen(tracks_[i], dt, beams);
-    judge_motion(tracks_[i], dt, beams);
+    judge_motion(i, dt, beams, grid);
   }
   begin_tracks(time, beams, grid);
+  begin_round_tracks(time, beams, grid);
   mark_moving(beams);
   drop_lost(time);
   emit();
+}
+
+void MovingObjectTracker::note_hits() noexcept {
+  hits_.assign(tracks_.size(), {.first = owner_.size(), .end = 0});
+  for (std::size_t b = 0; b < owner_.size(); ++b) {
+    if (owner_[b] < 0) continue;
+    BeamRange& range = hits_[static_cast<std::size_t>(owner_[b])];
+    range.first = std::min(range.first, b);
+    range.end = b + 1;
+  }
 }
 
 void MovingObjectTracker::correct(std::size_t index,
@@ -56,11 +68,10 @@ void MovingObjectTracker::correct(std::size_t index,
   MovingTrack& track = tracks_[index];
   cluster_.clear();
   Vector2d sensor = Vector2d::Zero();
-  for (std::size_t b = 0; b < beams.size(); ++b) {
-    if (owner_[b] != static_cast<int>(index)) continue;
-    cluster_.push_back(beams[b].to);
-    sensor = beams[b].from;
-  }
+  for_hits(index, beams, [&](const Beam& beam) {
+    cluster_.push_back(beam.to);
+    sensor = beam.from;
+  });
   if (cluster_.size() < kFewestPoints) return;
   // A well-fitting circle gives the size. The estimate is kept, so that a half hidden disc keeps
   // its size.
@@ -71,7 +82,7 @@ void MovingObjectTracker::correct(std::size_t index,
       circle->radius > kSmallestRadius) {
     constexpr double kMostWeight = 20.0;  // [scans]; the size changes by at most 1/20 per scan
     const double share = 1.0 / (track.radius_weight + 1.0);
-    track.radius += share * (circle->radius - track.radius);
+    track.resize(track.radius + share * (circle->radius - track.radius), sensor);
     track.radius_weight = std::min(kMostWeight, track.radius_weight + 1.0);
   }
   const double guess_sigma = std::max(0.05, track.position_sigma());
@@ -80,8 +91,15 @@ void MovingObjectTracker::correct(std::size_t index,
   if (fit.deviation > 3.0 * kPointSigma && !behind) return;
   // The errors of the points of a scan are correlated, so they do not average out. The object is
   // not a perfect disc.
+  constexpr int kFewSightings = 4;      // before, its velocity is not known
+  constexpr double kShapeSigma = 0.02;  // [m]
   const Eigen::Matrix2d noise =
-      fit.covariance + kPointSigma * kPointSigma * Eigen::Matrix2d::Identity();
+      fit.covariance + kShapeSigma * kShapeSigma * Eigen::Matrix2d::Identity();
+  // An object that turns back changes its velocity by more than the noise of its acceleration.
+  if (track.moving && track.is_surprised_by(fit.center, noise))
+    track.allow_jump(time - track.last_seen);
+  // Other improbable centres come from points of something else.
+  if (track.sightings >= kFewSightings && track.is_surprised_by(fit.center, noise)) return;
   track.correct(fit.center, noise);
   track.last_seen = time;
   ++track.sightings;
@@ -111,72 +129,15 @@ void MovingObjectTracker::judge_unseen(MovingTrack& track,
   track.seen_through = through >= kEnough ? track.seen_through + dt : 0.0;
 }
 
-// Returns whether a track may be a part of a wall. An object that is not a disc can be a part of a
-// wall that gradually comes into view, or that appears at a new place because the pose drifted.
-// Beams then still end where the track was first seen; a moving object leaves that place.
-bool MovingObjectTracker::slides_along_a_wall(const MovingTrack& track,
-                                              std::span<const Beam> beams) noexcept {
-  constexpr double kFewFits = 3.0;  // after this many good circles the track is no part of a wall
-  constexpr int kFewest = 2;        // number of beams
-  constexpr double kNear = 0.05;    // [m] around the first position of the disc
-  constexpr double kOff = 0.1;      // [m] outside its present outline
-  if (track.radius_weight >= kFewFits) return false;
-  int remain = 0;
-  for (const Beam& beam : beams) {
-    if (beam.end != BeamEnd::Hit) continue;
-    if ((beam.to - track.born_at).norm() < track.radius + kNear &&
-        (beam.to - track.position()).norm() > track.radius + kOff) {
-      ++remain;
-    }
-  }
-  return remain >= kFewest;
-}
-
-// Moves are counted from the present position on.
-void MovingObjectTracker::count_from_here(MovingTrack& track) const noexcept {
-  track.born_at = track.position();
-  track.born_time = time_;
-}
-
-// Whether the mean velocity since the first sighting is that of a moving object, and the present
-// one agrees with it. The error of a mean shrinks with time. That of the filter's velocity does
-// not: it stays at 0.5 m/s, so that a person who walks at 0.4 m/s would never count.
-bool MovingObjectTracker::walks_steadily(const MovingTrack& track) const noexcept {
-  constexpr double kSameDirection = 0.8;  // cosine
-  constexpr double kManyFits = 3.0;       // good circles: a part of a wall is none
-  if (track.radius_weight < kManyFits) return false;
-  const Vector2d moved = track.position() - track.born_at;
-  const double mean = moved.norm() / std::max(time_ - track.born_time, 1e-3);
-  return mean > settings_.moving_speed &&
-         moved.dot(track.velocity()) > kSameDirection * moved.norm() * track.velocity().norm();
-}
-
-void MovingObjectTracker::judge_motion(MovingTrack& track,
-                                       double dt,
-                                       std::span<const Beam> beams) const noexcept {
-  const double speed = track.velocity().norm();
-  const bool fast = speed > settings_.moving_speed;
-  track.slow_for = fast ? 0.0 : track.slow_for + dt;
-  if (track.moving) {
-    track.moving = track.slow_for < kStoppedFor;
-    if (!track.moving) count_from_here(track);
-    return;
-  }
-  const double moved = (track.position() - track.born_at).norm();
-  const bool may_move = track.sightings >= kFewestSightings && track.last_seen >= time_ && fast &&
-                        moved > settings_.moving_distance && moved > 3.0 * track.position_sigma() &&
-                        (speed > track.velocity_sigma() || walks_steadily(track));
-  if (!may_move) return;
-  track.moving = !slides_along_a_wall(track, beams);
-  if (!track.moving) count_from_here(track);
-}
-
 void MovingObjectTracker::drop_lost(double time) noexcept {
   const auto lost = [&](const MovingTrack& track) {
     constexpr double kForgetUnproven = 0.3;  // [s]
+    constexpr double kPostAfter = 1.0;  // [s]; what has not left its place until then is a post
+    if (track.may_be_post && time - track.born_time > kPostAfter) return true;
     const double hidden = time - track.last_seen;
+    const double patience = std::min(settings_.forget_after, kForgetUnproven + track.moving_for);
     return !track.state.allFinite() || track.seen_through > kSeenThroughFor ||
-           hidden > (track.moving ? settings_.forget_after : kForgetUnproven);
+           hidden > (track.moving ? patience : std::min(kForgetUnproven, settings_.forget_after));
   };
   std::erase_if(tracks_, lost);
   // Of two tracks on the same object, keep the one with more evidence. Two objects that pass
@@ -197,62 +158,6 @@ void MovingObjectTracker::drop_lost(double time) noexcept {
   }
 }
 
-// Whether a hit can belong to a new object. Where the pose drifts, a wall appears in front of its
-// own cells, so a new object has to be further from every static obstacle than that.
-bool MovingObjectTracker::is_new(const Beam& beam, const RollingGrid& grid) const noexcept {
-  constexpr double kDrift = 0.2;          // [m]
-  constexpr double kMatchedDrift = 0.15;  // [m], of poses corrected by scans
-  const double drift = settings_.match_scans ? kMatchedDrift : kDrift;
-  const CellIndex cell = grid.frame().cell_at(beam.to);
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (!grid.would_be_new({.x = cell.x + dx, .y = cell.y + dy})) return false;
-    }
-  }
-  return !grid.is_static_near(cell, static_cast<int>(drift / grid.frame().resolution + 0.5));
-}
-
-void MovingObjectTracker::begin_tracks(double time,
-                                       std::span<const Beam> beams,
-                                       const RollingGrid& grid) noexcept {
-  constexpr int kMostMissing = 4;  // invalid beams between two beams of one cluster
-  cluster_.clear();
-  int missing = 0;
-  Vector2d sensor = Vector2d::Zero();
-  for (std::size_t b = 0; b < beams.size(); ++b) {
-    const Beam& beam = beams[b];
-    const bool fits = beam.end == BeamEnd::Hit && owner_[b] < 0 && is_new(beam, grid);
-    const bool continues = fits && missing <= kMostMissing && !cluster_.empty() &&
-                           (beam.to - cluster_.back()).norm() < settings_.cluster_gap;
-    if (fits && !continues) {
-      begin_track(time, sensor);
-      cluster_.clear();
-    }
-    missing = fits ? 0 : missing + 1;
-    if (!fits) continue;
-    cluster_.push_back(beam.to);
-    sensor = beam.from;
-  }
-  begin_track(time, sensor);
-}
-
-void MovingObjectTracker::begin_track(double time, const Vector2d& sensor) noexcept {
-  if (cluster_.size() < kFewestPoints || tracks_.size() >= kMaxTracks) return;
-  const Vector2d chord = cluster_.back() - cluster_.front();
-  if (chord.norm() > settings_.object_size) return;
-  const std::optional<CircleFit> circle = fit_circle(cluster_);
-  const Vector2d middle = 0.5 * (cluster_.front() + cluster_.back());
-  double radius = std::max(kSmallestRadius, 0.5 * chord.norm());
-  Vector2d center = middle + 0.5 * radius * (middle - sensor).normalized();
-  if (circle && circle->deviation < kPointSigma && circle->radius > kSmallestRadius &&
-      circle->radius < 0.5 * settings_.object_size &&
-      (circle->center - sensor).norm() > (middle - sensor).norm()) {
-    radius = circle->radius;
-    center = circle->center;
-  }
-  tracks_.push_back(new_track(next_id_++, time, center, 2.0 * kPointSigma, radius));
-}
-
 // Marks the beams that end on a moving disc, or slightly inside or outside of it.
 void MovingObjectTracker::mark_moving(std::span<Beam> beams) const noexcept {
   for (std::size_t b = 0; b < beams.size(); ++b) {
@@ -262,11 +167,13 @@ void MovingObjectTracker::mark_moving(std::span<Beam> beams) const noexcept {
 
 void MovingObjectTracker::emit() noexcept {
   constexpr double kMostGrowth = 0.5;  // [m]
+  constexpr double kReaction = 0.2;    // [s]; until the next scans have corrected the velocity
   obstacles_.clear();
   for (const MovingTrack& track : tracks_) {
     if (!track.moving) continue;
-    const double growth =
-        std::min(kMostGrowth, settings_.uncertainty_share * track.position_sigma());
+    const double growth = std::min(
+        kMostGrowth, settings_.uncertainty_share *
+                         std::hypot(track.position_sigma(), kReaction * track.velocity_sigma()));
     obstacles_.push_back({.position = track.position(),
                           .velocity = track.velocity(),
                           .radius = track.radius + growth});

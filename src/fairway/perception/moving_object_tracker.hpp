@@ -18,6 +18,13 @@ namespace fairway {
 /// Without beams it continues at its velocity while it may be hidden. It ends if it is hidden for
 /// too long, or if beams pass through its position.
 ///
+/// A round object that was there when it came into view starts a track too. It may be a post: it
+/// counts as moving only after it has left its first place, into cells that were free before. Two
+/// such objects that overlap are split at their waist.
+///
+/// A velocity that jumps, as of a person who turns back, is noticed by the first improbable
+/// position. What is not known of the velocity makes the obstacle larger.
+///
 /// A track counts as moving once it has moved. Before that, and after it stops, its beams belong to
 /// the grid like all others. Beams at known static obstacles belong to no track, and begin none
 /// near them: a wall stays a wall where the pose drifts, and a person who stands for long becomes
@@ -35,27 +42,58 @@ class MovingObjectTracker {
   [[nodiscard]] std::span<const MovingTrack> tracks() const noexcept { return tracks_; }
 
   /// The moving obstacles at the time of the last scan; each radius includes the uncertainty of the
-  /// position.
+  /// position and of the velocity.
   [[nodiscard]] MovingObstacles obstacles() const noexcept { return obstacles_; }
 
  private:
   void correct(std::size_t track, double time, std::span<const Beam> beams) noexcept;
   void judge_unseen(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
-  void judge_motion(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
   void count_from_here(MovingTrack& track) const noexcept;
   [[nodiscard]] bool walks_steadily(const MovingTrack& track) const noexcept;
+  [[nodiscard]] bool has_jumped(const MovingTrack& track, double moved) const noexcept;
+  void judge_motion(std::size_t track,
+                    double dt,
+                    std::span<const Beam> beams,
+                    const RollingGrid& grid) noexcept;
+  void note_changes(std::size_t track,
+                    std::span<const Beam> beams,
+                    const RollingGrid& grid) noexcept;
+  [[nodiscard]] bool has_left_its_place(std::size_t track,
+                                        std::span<const Beam> beams,
+                                        const RollingGrid& grid) const noexcept;
   [[nodiscard]] static bool slides_along_a_wall(const MovingTrack& track,
                                                 std::span<const Beam> beams) noexcept;
   void drop_lost(double time) noexcept;
   void begin_tracks(double time, std::span<const Beam> beams, const RollingGrid& grid) noexcept;
   void begin_track(double time, const Eigen::Vector2d& sensor) noexcept;
+  void begin_round_tracks(double time,
+                          std::span<const Beam> beams,
+                          const RollingGrid& grid) noexcept;
+  void begin_round_track(double time,
+                         const Eigen::Vector2d& sensor,
+                         const RollingGrid& grid) noexcept;
   void mark_moving(std::span<Beam> beams) const noexcept;
   void emit() noexcept;
   [[nodiscard]] bool is_new(const Beam& beam, const RollingGrid& grid) const noexcept;
 
+  // Calls visit(beam) for the beams of a track.
+  template <typename Visit>
+  void for_hits(std::size_t track, std::span<const Beam> beams, Visit&& visit) const {
+    for (std::size_t b = hits_[track].first; b < hits_[track].end; ++b) {
+      if (owner_[b] == static_cast<int>(track)) visit(beams[b]);
+    }
+  }
+  void note_hits() noexcept;
+
+  struct BeamRange {
+    std::size_t first = 0;
+    std::size_t end = 0;  // one past the last
+  };
+
   PerceptionSettings settings_;
   std::vector<MovingTrack> tracks_;
   std::vector<int> owner_;                // track of each beam; -1 for none
+  std::vector<BeamRange> hits_;           // beams among which those of each track are
   std::vector<Eigen::Vector2d> cluster_;  // points of the cluster being processed
   std::vector<MovingObstacle> obstacles_;
   double time_ = -1.0;  // time of the last scan [s]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/moving_track.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -10,6 +11,12 @@ namespace fairway {
 using Eigen::Matrix2d;
 using Eigen::Matrix4d;
 using Eigen::Vector2d;
+
+namespace {
+
+constexpr double kSpeedSigma = 1.5;  // of a velocity of which nothing is known [m/s]
+
+}  // namespace
 
 double MovingTrack::position_sigma() const noexcept {
   return std::sqrt(0.5 * covariance.topLeftCorner<2, 2>().trace());
@@ -33,6 +40,34 @@ void MovingTrack::predict(double dt, double acceleration_noise) noexcept {
   covariance = (transition * covariance * transition.transpose() + noise).eval();
 }
 
+void MovingTrack::resize(double new_radius, const Vector2d& sensor) noexcept {
+  const Vector2d shift = (new_radius - radius) * (position() - sensor).normalized();
+  state.head<2>() += shift;
+  born_at += shift;
+  born_radius += new_radius - radius;
+  stayed_at += shift;
+  radius = new_radius;
+}
+
+bool MovingTrack::is_surprised_by(const Vector2d& center,
+                                  const Matrix2d& covariance_of_center) const noexcept {
+  constexpr double kSurprise =
+      9.2;  // 99 % of a chi-squared distribution with two degrees of freedom
+  const Matrix2d innovation = covariance.topLeftCorner<2, 2>() + covariance_of_center;
+  const Vector2d off = center - position();
+  return off.dot(innovation.inverse() * off) > kSurprise;
+}
+
+void MovingTrack::allow_jump(double dt) noexcept {
+  constexpr double kLongest = 0.2;  // [s]
+  const double t = std::clamp(dt, 0.0, kLongest);
+  const double variance = kSpeedSigma * kSpeedSigma;
+  covariance.topLeftCorner<2, 2>() += t * t * variance * Matrix2d::Identity();
+  covariance.topRightCorner<2, 2>() += t * variance * Matrix2d::Identity();
+  covariance.bottomLeftCorner<2, 2>() += t * variance * Matrix2d::Identity();
+  covariance.bottomRightCorner<2, 2>() += variance * Matrix2d::Identity();
+}
+
 void MovingTrack::correct(const Vector2d& center, const Matrix2d& covariance_of_center) noexcept {
   const Matrix2d innovation = covariance.topLeftCorner<2, 2>() + covariance_of_center;
   const Eigen::Matrix<double, 4, 2> gain = covariance.leftCols<2>() * innovation.inverse();
@@ -47,15 +82,17 @@ void MovingTrack::correct(const Vector2d& center, const Matrix2d& covariance_of_
 
 MovingTrack new_track(
     int id, double time, const Vector2d& center, double center_sigma, double radius) noexcept {
-  constexpr double kFirstSpeedSigma = 1.5;  // [m/s]
   MovingTrack track;
   track.id = id;
   track.state.head<2>() = center;
   track.covariance.topLeftCorner<2, 2>() *= center_sigma * center_sigma;
-  track.covariance.bottomRightCorner<2, 2>() *= kFirstSpeedSigma * kFirstSpeedSigma;
+  track.covariance.bottomRightCorner<2, 2>() *= kSpeedSigma * kSpeedSigma;
   track.radius = radius;
   track.born_at = center;
+  track.stayed_at = center;
+  track.stayed_since = time;
   track.born_time = time;
+  track.born_radius = radius;
   track.sightings = 1;
   track.last_seen = time;
   return track;

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "fairway/localization/pose_correction.hpp"
 #include "fairway/perception/moving_object_tracker.hpp"
 #include "fairway/perception/rolling_grid.hpp"
+#include "fairway/perception/scan_alignment.hpp"
 
 namespace fairway {
 
@@ -46,30 +46,27 @@ class Perception {
   /// Returns the pose in the frame of the grid for a pose in the frame of the scans' poses. Both
   /// are the same unless `match_scans` is set.
   [[nodiscard]] Pose2 corrected(const Pose2& odometry) const noexcept {
-    return correction_ ? correction_->corrected(odometry) : odometry;
+    return alignment_ ? alignment_->correction.corrected(odometry) : odometry;
   }
 
   /// Takes over the correction of an older perception, whose map is not taken over.
   void keep_correction(const Perception& older) noexcept {
-    if (correction_ && older.correction_)
-      correction_->set_pose({}, older.corrected({}), older.certainty()->covariance);
+    if (alignment_ && older.alignment_)
+      alignment_->correction.set_pose({}, older.corrected({}), older.certainty()->covariance);
   }
 
   /// The certainty of corrected poses; null unless `match_scans` is set.
   [[nodiscard]] const PoseCertainty* certainty() const noexcept {
-    return correction_ ? &correction_->certainty() : nullptr;
+    return alignment_ ? &alignment_->correction.certainty() : nullptr;
   }
 
  private:
-  void match(const Pose2& odometry) noexcept;
-
   PerceptionSettings settings_;
   std::size_t max_beams_;
   RollingGrid grid_;
   MovingObjectTracker tracker_;
   std::vector<Beam> beams_;
-  std::optional<PoseCorrection> correction_;
-  std::vector<Eigen::Vector2d> ends_;
+  std::optional<ScanAlignment> alignment_;
   double time_;
 };
 

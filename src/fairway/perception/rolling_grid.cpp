@@ -68,6 +68,7 @@ RollingGrid::RollingGrid(const PerceptionSettings& settings, const Vector2d& cen
       side_(side_in_cells(settings)),
       cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_),
              Cell{.evidence = 0, .newness = 0, .scan = kNever}),
+      surely_free_(cells_.size() / kBlock, 0),
       occupied_(window_around(center, side_, settings.resolution), false),
       not_seen_free_(occupied_.frame(), true) {}
 
@@ -77,14 +78,28 @@ CellState RollingGrid::at(CellIndex cell) const noexcept {
 }
 
 bool RollingGrid::would_be_new(CellIndex cell) const noexcept {
-  return frame().contains(cell) && cell_of(cell).newness > 0;
+  if (!frame().contains(cell)) return false;
+  const std::uint8_t newness = cell_of(cell).newness;
+  return newness > 0 && newness < kUnproven;
 }
 
 bool RollingGrid::is_static_near(CellIndex cell, int reach) const noexcept {
   for (int y = std::max(0, cell.y - reach); y <= std::min(side_ - 1, cell.y + reach); ++y) {
     for (int x = std::max(0, cell.x - reach); x <= std::min(side_ - 1, cell.x + reach); ++x) {
       const Cell& value = cell_of({.x = x, .y = y});
-      if (value.scan != kNever && value.evidence > 0 && value.newness == 0) return true;
+      const bool never_free = value.newness == 0 || value.newness >= kUnproven;
+      if (value.scan != kNever && value.evidence > 0 && never_free) return true;
+    }
+  }
+  return false;
+}
+
+bool RollingGrid::is_proven_static(CellIndex cell) const noexcept {
+  for (int y = std::max(0, cell.y - 1); y <= std::min(side_ - 1, cell.y + 1); ++y) {
+    for (int x = std::max(0, cell.x - 1); x <= std::min(side_ - 1, cell.x + 1); ++x) {
+      const Cell& value = cell_of({.x = x, .y = y});
+      const bool proven = value.newness == 0 || value.newness == kUnproven;
+      if (value.scan != kNever && value.evidence > 0 && proven) return true;
     }
   }
   return false;
@@ -154,6 +169,8 @@ void RollingGrid::roll(int blocks_x, int blocks_y) noexcept {
     return cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(side_);
   };
   move_rows(cells_of, cells_of, kBlock, Cell{.evidence = 0, .newness = 0, .scan = kNever});
+  const auto free_of = [&](int y) { return surely_free_.data() + word_of({.x = 0, .y = y}); };
+  move_rows(free_of, free_of, 1, std::uint64_t{0});
   const auto move_bits = [&](BitGrid& grid, std::uint64_t fill) {
     grid.rewrite([&](const auto& words_of_row) {
       move_rows([&](int y) { return words_of_row(y).data(); },
@@ -190,9 +207,14 @@ void RollingGrid::add(CellIndex cell, Cell& value, int evidence) noexcept {
   value.evidence = static_cast<std::int8_t>(
       std::clamp(value.evidence + evidence, settings_.least_evidence, settings_.most_evidence));
   const bool is_occupied = value.evidence > 0;
+  const std::uint64_t bit = std::uint64_t{1} << (cell.x % kBlock);
+  std::uint64_t& free = surely_free_[word_of(cell)];
+  free = value.evidence == settings_.least_evidence ? free | bit : free & ~bit;
   if (2 * value.evidence <= settings_.least_evidence) {
     value.newness = kNewScans;
-  } else if (evidence > 0 && value.newness > 0) {
+  } else if (evidence > 0 && value.newness == 0) {
+    if (!was_occupied) value.newness = kUnproven + kProofScans;
+  } else if (evidence > 0 && value.newness != kUnproven) {
     --value.newness;
   }
   if (!known || is_occupied != was_occupied) not_seen_free_.set(cell, is_occupied);
@@ -241,20 +263,15 @@ void RollingGrid::clear(const Beam& beam, double known) noexcept {
   Vector2d from = frame().to_grid(beam.from + known / length * ray);
   Vector2d to = frame().to_grid(beam.to);
   if (!clip(frame(), from, to)) return;
-  const auto least = static_cast<std::int8_t>(settings_.least_evidence);
   // Under a moving object there may be anything, such as the wall beside its path.
   const CellIndex covered = beam.moving && beam.end == BeamEnd::Hit ? frame().cell_at(beam.to)
                                                                     : CellIndex{.x = -1, .y = -1};
-  walk_cells(from, to, [this, least, covered](CellIndex cell, double) {
+  walk_cells(from, to, [this, covered](CellIndex cell, double) {
+    if (is_surely_free(cell)) return true;
     Cell& value = cell_of(cell);
     if (cell == covered && value.scan == kNever) return true;
-    // Cells that were hit already have this scan's number. Most others have the least evidence.
-    if (value.scan == scan_) return true;
-    if (value.evidence == least && value.scan != kNever) {
-      value.scan = scan_;
-    } else {
-      add(cell, value, -settings_.miss_evidence);
-    }
+    // Cells that were hit already have this scan's number.
+    if (value.scan != scan_) add(cell, value, -settings_.miss_evidence);
     return true;
   });
 }

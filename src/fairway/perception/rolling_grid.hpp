@@ -33,6 +33,7 @@ class RollingGrid {
   /// Step by which the window moves [cells]: one word of a BitGrid.
   static constexpr int kBlock = 64;
   static constexpr int kNewScans = 20;
+  static constexpr int kProofScans = 20;
 
   /// @param settings  Valid settings; the window is rounded up to an odd number of blocks.
   /// @param center  Initial centre of the window [m].
@@ -79,6 +80,10 @@ class RollingGrid {
   /// occupied, and either was never surely free, or has been hit in kNewScans scans since.
   [[nodiscard]] bool is_static_near(CellIndex cell, int reach = 1) const noexcept;
 
+  /// Returns whether this cell or a neighbour is static by evidence: as is_static_near, and hit in
+  /// kProofScans scans. An object that was there when it came into view may still move away.
+  [[nodiscard]] bool is_proven_static(CellIndex cell) const noexcept;
+
   /// Doubts every occupied cell that none of the last `scans` scans has touched.
   /// @return the cells where `occupied` changed; may be empty.
   CellWindow doubt_unseen(int scans) noexcept;
@@ -86,10 +91,16 @@ class RollingGrid {
  private:
   struct Cell {
     std::int8_t evidence = 0;
-    std::uint8_t newness = 0;  // kNewScans once surely free; each hit subtracts one
-    std::uint16_t scan = 0;    // the last scan that touched it; kNever if unknown
+    // kNewScans once surely free; each hit subtracts one. The first hit of a cell that never was
+    // sets kUnproven + kProofScans, and each further one subtracts one down to kUnproven.
+    std::uint8_t newness = 0;
+    // The last scan that touched it; kNever if unknown. Of surely free cells, the last that
+    // changed it.
+    std::uint16_t scan = 0;
   };
   static constexpr std::uint16_t kNever = 0xFFFF;
+  static constexpr std::uint8_t kUnproven = 0x80;
+  static_assert(kNewScans < kUnproven && kProofScans < kUnproven);
 
   void follow(const Eigen::Vector2d& robot) noexcept;
   void roll(int blocks_x, int blocks_y) noexcept;
@@ -98,6 +109,13 @@ class RollingGrid {
   void clear(const Beam& beam, double known) noexcept;
   void claim_body(const Eigen::Vector2d& robot, double radius) noexcept;
   void add(CellIndex cell, Cell& value, int evidence) noexcept;
+  [[nodiscard]] bool is_surely_free(CellIndex cell) const noexcept {
+    return (surely_free_[word_of(cell)] >> (cell.x % kBlock) & 1U) != 0;
+  }
+  [[nodiscard]] std::size_t word_of(CellIndex cell) const noexcept {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(side_ / kBlock) +
+           static_cast<std::size_t>(cell.x / kBlock);
+  }
   [[nodiscard]] Cell& cell_of(CellIndex cell) noexcept {
     return cells_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(side_) +
                   static_cast<std::size_t>(cell.x)];
@@ -110,6 +128,9 @@ class RollingGrid {
   PerceptionSettings settings_;
   int side_;  // [cells]
   std::vector<Cell> cells_;
+  // One bit per cell: known, with the least evidence. Most cells that beams cross are, and their
+  // bits fit into the fastest memory.
+  std::vector<std::uint64_t> surely_free_;
   BitGrid occupied_;
   BitGrid not_seen_free_;
   std::uint16_t scan_ = 0;  // number of the present scan, 0..kNever - 1

@@ -24,6 +24,7 @@ struct Plan {
   Corridor corridor;
   Goal goal;
   bool whole = true;          ///< whether the corridor covers the whole path
+  bool paused = false;        ///< whether it is incomplete, see PlannerHooks::pause
   double margin = 0.0;        ///< clearance of the path beyond the robot's radius [m]
   double stuck_at = 0.0;      ///< arc length at which building the corridor stopped, if it did [m]
   double path_seconds = 0.0;  ///< time spent on paths, if a clock is given [s]

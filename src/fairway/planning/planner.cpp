@@ -128,13 +128,16 @@ Plan Planner::plan(const PreparedMap& map,
                    const PlannerSettings& settings,
                    const PlannerHooks& hooks) {
   Plan plan = plan_on(map, start, goal, settings, hooks);
-  if (plan.path_status != PathStatus::Found) return plan;
+  if (plan.paused || plan.path_status != PathStatus::Found) return plan;
   // A rectangle beside the path may reach into a one-way zone, against its direction.
   const std::shared_ptr<const ZoneMap> closed = with_closed_lanes(map.obstacles, plan.path);
   if (closed == nullptr) return plan;
   BitGrid obstacles = map.obstacles;
   obstacles.set_zones(closed);
-  Plan around = plan_on(PreparedMap(std::move(obstacles)), start, goal, settings, hooks);
+  PlannerHooks at_once = hooks;
+  at_once.pause = false;
+  at_once.begun = nullptr;
+  Plan around = plan_on(PreparedMap(std::move(obstacles)), start, goal, settings, at_once);
   around.path_seconds += plan.path_seconds;
   around.corridor_seconds += plan.corridor_seconds;
   return around.usable() ? around : plan;
@@ -163,22 +166,35 @@ Plan Planner::plan_on(const PreparedMap& map,
       in_workspace ? std::max(settings.radius, settings.corridor.inward_offset) : settings.radius;
   const double radius = radius_that_fits(map, start, body, settings.inner_radius);
   const bool may_shrink = settings.path.margin > 0.0 && !hooks.fixed_margin;
+  int expanded = 0;
   for (const double margin_share : kMarginShares) {
     PathSettings path_settings = settings.path;
     path_settings.margin = settings.path.margin * margin_share;
     PathResult found;
-    {
+    if (hooks.begun != nullptr && path_settings.margin >= hooks.begun->margin) {
+      const bool present = path_settings.margin == hooks.begun->margin;
+      if (!present || hooks.begun->path_status != PathStatus::Found) continue;
+      found = {.status = PathStatus::Found, .path = hooks.begun->path};
+    } else {
       const Stopwatch stopwatch(hooks.clock, plan.path_seconds);
       found = path_planner_->find(map.obstacles, map.distances, start, goal.position, radius,
                                   path_settings);
     }
     plan.path_status = found.status;
     plan.margin = path_settings.margin;
+    const bool is_last = margin_share == kMarginShares.back();
+    expanded += found.expanded;
+    plan.paused = hooks.pause && expanded > hooks.most_expanded;
     if (found.status != PathStatus::Found) {
-      if (depends_on_margin(found.status) && may_shrink) continue;
+      if (depends_on_margin(found.status) && may_shrink && !is_last) {
+        if (plan.paused) return plan;
+        continue;
+      }
+      plan.paused = false;
       return plan;
     }
     plan.path = std::move(found.path);
+    if (plan.paused) return plan;
     plan.whole = plan.path.length() <= hooks.corridor_length;
     const Path driven = plan.whole ? plan.path : beginning_of(plan.path, hooks.corridor_length);
     plan.goal = plan.whole ? goal : Goal{.position = driven.waypoints.back(), .heading = {}};

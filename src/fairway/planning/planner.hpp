@@ -63,6 +63,13 @@ struct PlannerHooks {
   /// the corridor. A longer corridor would be discarded if the map changes before the robot
   /// arrives.
   double corridor_length = std::numeric_limits<double>::infinity();
+  /// Whether to pause after a search for a path that took more than `most_expanded` nodes. The plan
+  /// is then incomplete; `begun` continues it.
+  bool pause = false;
+  int most_expanded = 0;
+  /// A paused plan for the same map and query; the result is the one it would have had. May be
+  /// null.
+  const Plan* begun = nullptr;
 };
 
 /// Plans for one robot after another, and reuses its memory. It may run in a thread of its own: a

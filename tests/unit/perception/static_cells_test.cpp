@@ -48,5 +48,19 @@ TEST(RollingGrid, TheCellUnderAMovingObjectStaysUnknown) {
   EXPECT_EQ(grid.at(grid.frame().cell_at({1.01, 0.01})), CellState::Free);
 }
 
+TEST(RollingGrid, AnObstacleIsProvenStaticAfterSomeScans) {
+  RollingGrid grid(small_window(), {0, 0});
+  const std::vector<Beam> hit = {beam({0, 0.01}, {1.01, 0.01})};
+  const CellIndex cell = grid.frame().cell_at({1.01, 0.01});
+  for (int n = 0; n <= RollingGrid::kProofScans; ++n) {
+    EXPECT_FALSE(grid.is_proven_static(cell)) << n;
+    grid.insert(hit, {0, 0}, 0.2);
+  }
+  EXPECT_TRUE(grid.is_proven_static(cell));
+  EXPECT_TRUE(grid.is_proven_static({cell.x - 1, cell.y + 1}));
+  EXPECT_FALSE(grid.is_proven_static({cell.x - 2, cell.y}));
+  EXPECT_FALSE(grid.would_be_new(cell));
+}
+
 }  // namespace
 }  // namespace fairway

@@ -180,6 +180,39 @@ TEST_F(PlannerLaws, APlanDoesNotDependOnThePlansBefore) {
   });
 }
 
+// A plan that pauses after every search has the same bits as one made at once.
+TEST_F(PlannerLaws, APausedPlanContinuesToTheSameResult) {
+  PlannerSettings settings = for_the_disc();
+  settings.path.margin = 0.1;
+  int pauses = 0;
+  for (int i = 0; i < 60; ++i) {
+    const std::optional<Task> task = next_task();
+    if (!task) continue;
+    const Goal goal{.position = task->goal, .heading = {}};
+    const Plan whole = Planner().plan(task->map, task->start, goal, settings);
+    PlannerHooks hooks;
+    hooks.pause = true;
+    Plan plan = planner_.plan(task->map, task->start, goal, settings, hooks);
+    for (int part = 0; plan.paused; ++part, ++pauses) {
+      ASSERT_LT(part, 10);
+      EXPECT_FALSE(plan.usable());
+      const Plan begun = plan;
+      hooks.begun = &begun;
+      plan = planner_.plan(task->map, task->start, goal, settings, hooks);
+    }
+    ASSERT_EQ(plan.path_status, whole.path_status);
+    ASSERT_EQ(plan.corridor_status, whole.corridor_status);
+    ASSERT_EQ(plan.margin, whole.margin);
+    ASSERT_EQ(plan.path.waypoints, whole.path.waypoints);
+    ASSERT_EQ(plan.corridor.rectangles.size(), whole.corridor.rectangles.size());
+    for (std::size_t n = 0; n < whole.corridor.rectangles.size(); ++n) {
+      EXPECT_EQ(plan.corridor.rectangles[n].min, whole.corridor.rectangles[n].min);
+      EXPECT_EQ(plan.corridor.rectangles[n].max, whole.corridor.rectangles[n].max);
+    }
+  }
+  EXPECT_GT(pauses, 20);
+}
+
 TEST_F(PlannerLaws, ALimitedCorridorCoversTheBeginningOfThePath) {
   int cut = 0;
   for (int i = 0; i < 150; ++i) {

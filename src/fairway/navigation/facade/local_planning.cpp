@@ -64,12 +64,31 @@ void LocalPlanning::make() {
                                planner_settings(settings_));
     } else {
       made_->goal = reachable_goal(request_.position, request_.goal);
-      made_->plan = find_path(request_.position, made_->goal, request_.margin);
+      make_plan(nullptr);
     }
-    if (request_.find_opening && !made_->plan.usable()) find_opening();
   } catch (const std::exception&) {  // out of memory: no plan, and another attempt later
     made_->plan = Plan{};
   }
+}
+
+// Makes a plan, or continues a paused one.
+void LocalPlanning::make_plan(const Plan* begun) {
+  constexpr int kMostExpanded = 600;  // nodes that a search may take beside the other work
+  made_->plan = find_path(
+      request_.position, made_->goal, request_.margin,
+      {.pause = !settings_.planning.background, .most_expanded = kMostExpanded, .begun = begun});
+  if (request_.find_opening && !made_->plan.paused && !made_->plan.usable()) find_opening();
+}
+
+bool LocalPlanning::resume() {
+  if (!paused()) return false;
+  try {
+    const Plan begun = std::move(made_->plan);
+    make_plan(&begun);
+  } catch (const std::exception&) {
+    made_->plan = Plan{};
+  }
+  return true;
 }
 
 std::optional<LocalPlan> LocalPlanning::take() {
@@ -77,6 +96,7 @@ std::optional<LocalPlan> LocalPlanning::take() {
     if (!worker_.finished()) return std::nullopt;
     worker_.collect();
   }
+  if (paused()) return std::nullopt;
   return std::exchange(made_, std::nullopt);
 }
 
@@ -122,7 +142,10 @@ Goal LocalPlanning::reachable_goal(const Vector2d& position, const Goal& goal) c
 // Finds a path that keeps `margin`, or less where it must. A corridor that covers only the
 // beginning of the path, but at least kEnough of it, is used as far as it leads: from nearby the
 // narrow place may appear different.
-Plan LocalPlanning::find_path(const Vector2d& position, const Goal& goal, double margin) {
+Plan LocalPlanning::find_path(const Vector2d& position,
+                              const Goal& goal,
+                              double margin,
+                              const PlannerHooks& given) {
   constexpr double kEnough = 2.0;                   // [m]
   constexpr double kLeastOverlap = 5e-4;            // [m^2]
   constexpr double kFits = 0.9 * std::numbers::pi;  // share of the largest disc that fits
@@ -149,8 +172,10 @@ Plan LocalPlanning::find_path(const Vector2d& position, const Goal& goal, double
     failed = attempt;
     return result;
   };
-  Plan found = planner_.plan(map_, position, goal, settings,
-                             {.build = build, .corridor_length = corridor_length(settings_)});
+  PlannerHooks hooks = given;
+  hooks.build = build;
+  hooks.corridor_length = corridor_length(settings_);
+  Plan found = planner_.plan(map_, position, goal, settings, hooks);
   if (found.usable() && breaks_off) {
     found.whole = false;
     found.goal = {.position = beginning_of(found.path, *breaks_off).waypoints.back(),

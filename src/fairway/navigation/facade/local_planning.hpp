@@ -34,7 +34,8 @@ struct LocalPlan {
 
 /// Plans on the local map of a robot without a map, in the control cycle or in a thread.
 ///
-/// The corridor covers the beginning of the path, slightly more than a horizon can reach.
+/// The corridor covers the beginning of the path, slightly more than a horizon can reach. Without a
+/// thread, a plan that takes long searches is paused, and the next cycle continues it.
 class LocalPlanning {
  public:
   /// @param settings  Settings with the margins of a local map.
@@ -47,10 +48,13 @@ class LocalPlanning {
   /// Updates the map after all of it has changed. Without a thread this takes the time of a cycle.
   void refresh(const BitGrid& seen);
 
-  [[nodiscard]] bool busy() const noexcept { return !worker_.idle(); }
+  [[nodiscard]] bool busy() const noexcept { return !worker_.idle() || paused(); }
 
   /// Whether a thread works on a plan now.
   [[nodiscard]] bool runs() const noexcept { return !worker_.idle() && !worker_.finished(); }
+
+  /// Continues a paused plan, and returns whether there was one. Call it once per cycle.
+  bool resume();
 
   /// Makes a plan, or starts the thread that makes it. @pre not busy.
   void start(const BitGrid& seen, const LocalRequest& request);
@@ -64,10 +68,17 @@ class LocalPlanning {
   [[nodiscard]] static double corridor_length(const Settings& settings) noexcept;
 
  private:
+  [[nodiscard]] bool paused() const noexcept {
+    return !settings_.planning.background && made_ && made_->plan.paused;
+  }
   void make();
+  void make_plan(const Plan* begun);
   [[nodiscard]] Goal reachable_goal(const Eigen::Vector2d& position,
                                     const Goal& goal) const noexcept;
-  [[nodiscard]] Plan find_path(const Eigen::Vector2d& position, const Goal& goal, double margin);
+  [[nodiscard]] Plan find_path(const Eigen::Vector2d& position,
+                               const Goal& goal,
+                               double margin,
+                               const PlannerHooks& hooks = {});
   void find_opening();
 
   Settings settings_;

@@ -230,11 +230,14 @@ NavigationStep MaplessNavigator::State::update(const Measurements& given) {
 NavigationStep MaplessNavigator::State::cycle(const Measurements& m) {
   planned = false;
   follows_new_plan = false;
+  const bool resumed = planning->resume();
   take_plan();
   std::erase_if(ending_, [](const auto& older) { return !older->runs(); });
   const bool pose_known = is_plausible(m.pose) && std::isfinite(m.time);
   if (pose_known) act_without_path(m);
-  if (rolled_) {
+  if (resumed) {
+    // A new plan or a refreshed map would be too much for the same cycle.
+  } else if (rolled_) {
     // The whole map has changed, which without a thread is enough work for one cycle.
     planning->refresh(perception.grid().occupied());
     rolled_ = false;
