@@ -62,11 +62,11 @@ ScanMatch match_scan(const SurfacePoints& map,
                      const Vector2d& center,
                      const Matrix3d& prior,
                      const ScanMotion& start) noexcept {
-  constexpr double kSmallStep = 3e-5;  // [m], [rad]; then the motion has converged
+  constexpr double kSmallStep = 1e-5;  // [m], [rad]; then the motion has converged
   constexpr std::size_t kFewest = 2;   // steps before the last one
   ScanMatch match;
   match.motion = start;
-  const std::size_t stride = (scan.size() + kMostPoints - 1) / kMostPoints;
+  const std::size_t stride = std::max<std::size_t>(1, scan.size() / kMostPoints);
   // Nearly converged motions begin with the narrower reach.
   const std::size_t first = start.isZero(0.0) ? 0 : kFewest;
   for (std::size_t step = first; step < kMatchReach.size(); ++step) {

@@ -106,7 +106,6 @@ void surface_of_scan(std::span<const Vector2d> ends,
                      std::vector<SurfacePoint>& points,
                      std::vector<std::size_t>& beams) {
   constexpr double kNear = 0.12;     // [m]; neighbours of a point
-  constexpr double kApart = 0.03;    // [m]; least distance of a point from the one before
   constexpr std::size_t kMost = 12;  // neighbours on each side
   constexpr double kFewest = 4.0;    // points that make a line
   points.clear();
@@ -114,10 +113,6 @@ void surface_of_scan(std::span<const Vector2d> ends,
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const Vector2d& point = ends[i];
     if (!point.allFinite()) continue;
-    // Near surfaces have many beams: those between the points that are kept add nothing.
-    if (!points.empty() && (points.back().position - point).squaredNorm() < kApart * kApart) {
-      continue;
-    }
     Moments moments;
     moments.add(Vector2d::Zero());
     const auto add_side = [&](auto&& neighbour) {

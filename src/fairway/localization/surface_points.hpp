@@ -64,7 +64,6 @@ class SurfacePoints {
 /// Computes the points of a scan and their normals from the neighbours of each point.
 ///
 /// A point without at least two neighbours within kNear on a line has no normal and is left out.
-/// So is a point closer than 3 cm to the one before it.
 /// @param ends    Ends of the beams in the order of their angle; beams without a hit are NaN.
 /// @param sensor  Position of the sensor: normals point towards it.
 /// @param points  Filled with the points; keeps its memory.

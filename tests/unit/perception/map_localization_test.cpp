@@ -135,7 +135,8 @@ TEST(MapLocalization, PeopleAroundTheRobotDoNotMoveIt) {
   for (int i = 0; i < 400; ++i) {
     std::vector<MovingObstacle> people;
     for (const double angle : {0.3, 1.2, -0.8, -1.5})
-      people.push_back({.position = robot.truth.position + 1.5 * direction(angle),
+      people.push_back({.position = Vector2d(8.0, 6.0) + 2.5 * direction(angle) +
+                                    0.04 * i * direction(2.0 * angle),
                         .velocity = Vector2d::Zero(),
                         .radius = 0.3});
     robot.move(0.05, 0.005, people);
