@@ -247,6 +247,39 @@ def test_a_body_reaches_a_pose_around_a_wall(keys):
     assert navigator.plan.usable
 
 
+def test_a_body_obeys_zones():
+    navigator = fairway.BodyNavigator(fairway.Settings(), fairway.RobotModel(MECANUM), hall())
+    navigator.set_zones([{"kind": "keep_out", "polygon": [(0, 0), (10, 0), (10, 10), (0, 10)]}])
+    navigator.set_goal(2.0, 3.0)
+    step = navigator.update(0, (2.0, 1.0, 0.0))
+    assert step.command == (0, 0)
+    assert not navigator.plan.usable
+
+
+def test_bodies_share_their_motions():
+    goals = [(8.0, 1.0), (2.0, 1.5)]
+    poses = [(2.0, 1.0, 0.0), (8.0, 1.5, math.pi)]
+    model = fairway.RobotModel({**MECANUM, "length": 0.6, "width": 0.5})
+    open_hall = fairway.Map.from_array(np.zeros((60, 100), np.int8), 0.1, (0, 0))
+    robots = [fairway.BodyNavigator(fairway.Settings(), model, open_hall) for _ in poses]
+    for robot, goal in zip(robots, goals):
+        robot.set_goal(*goal)
+    shared = [None, None]
+    arrived = [False, False]
+    for cycle in range(600):
+        for i, robot in enumerate(robots):
+            others = [motion for j, motion in enumerate(shared) if j != i and motion is not None]
+            step = robot.update(cycle * PERIOD, poses[i], fleet=others, robot=i)
+            arrived[i] = step.status == fairway.NavigationStatus.GoalReached
+            shared[i] = robot.share(i, cycle * PERIOD, poses[i])
+            assert shared[i].robot == i
+            poses[i] = model.moved(poses[i], (step.linear, step.lateral, step.angular), PERIOD)
+        assert math.dist(poses[0][:2], poses[1][:2]) > 0.5
+        if all(arrived):
+            break
+    assert all(arrived)
+
+
 def test_a_body_drives_on_its_scans():
     navigator = fairway.BodyNavigator(fairway.Settings(), fairway.RobotModel(MECANUM))
     assert navigator.update(0, (0, 0, 0)).limit == fairway.LimitingFactor.StaleMap

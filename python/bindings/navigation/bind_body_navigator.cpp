@@ -49,18 +49,6 @@ Pose2 pose_after(const RobotModel& /*robot*/,
   return moved(pose, {.linear = n[0], .lateral = n[1], .angular = n[2]}, seconds);
 }
 
-Step update_body(SharedBodyNavigator& self,
-                 double time,
-                 const Pose2& pose,
-                 const py::object& obstacles,
-                 const std::optional<double>& pose_time,
-                 const std::optional<double>& obstacles_time,
-                 bool obstacles_due,
-                 const std::optional<double>& map_time) {
-  return update(self, time, pose, obstacles, py::none(), 0, pose_time, obstacles_time,
-                obstacles_due, map_time);
-}
-
 void bind_robot_model(py::module_& module) {
   py::class_<RobotModel>(module, "RobotModel",
                          "A robot with its true outline and its own kind of base.")
@@ -111,6 +99,14 @@ void bind_body_navigator(py::module_& module) {
           "Sets the goal of the reference point [m, m, rad], or replaces it. Without a heading, "
           "one in which the robot fits is selected.")
       .def(
+          "set_zones",
+          [](SharedBodyNavigator& self, const py::sequence& zones) {
+            const Zones read = zones_of(zones);
+            self.run([&](BodyNavigator& n) { n.set_zones(read); });
+          },
+          py::arg("zones"),
+          "Replaces the zones, as MapNavigator.set_zones; they hold for the true outline.")
+      .def(
           "cancel",
           [](SharedBodyNavigator& self) { self.run([](BodyNavigator& n) { n.cancel(); }); },
           "Drops the goal: the robot brakes to a standstill.")
@@ -134,12 +130,19 @@ void bind_body_navigator(py::module_& module) {
           py::arg("position") = py::none(),
           "Processes one lidar scan, as MapNavigator.observe; without a map the robot drives on "
           "its scans. Give `position`, that of the reference point, where the sensor is elsewhere.")
-      .def("update", &update_body, py::arg("time"), py::arg("pose"), py::kw_only(),
-           py::arg("obstacles") = py::none(), py::arg("pose_time") = py::none(),
-           py::arg("obstacles_time") = py::none(), py::arg("obstacles_due") = false,
-           py::arg("map_time") = py::none(),
+      .def("update", &update<BodyNavigator>, py::arg("time"), py::arg("pose"), py::kw_only(),
+           py::arg("obstacles") = py::none(), py::arg("fleet") = py::none(), py::arg("robot") = 0,
+           py::arg("pose_time") = py::none(), py::arg("obstacles_time") = py::none(),
+           py::arg("obstacles_due") = false, py::arg("map_time") = py::none(),
            "Runs one control cycle: plans if needed, then drives. Never fails: the command is "
            "finite, within the limits of the base, and followed by a stop that was checked.")
+      .def(
+          "share",
+          [](SharedBodyNavigator& self, std::uint32_t robot, double time, const Pose2& pose) {
+            return self.run([&](BodyNavigator& n) { return n.share(robot, time, pose); });
+          },
+          py::arg("robot"), py::arg("time"), py::arg("pose"),
+          "Returns the message to the other robots of a fleet, after `update`.")
       .def_property_readonly(
           "settings",
           [](SharedBodyNavigator& self) {
