@@ -8,7 +8,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/navigation/body/body_navigator.hpp"
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 #include "fairway/trajectory/trajectory_tracker.hpp"
 
 namespace fairway {

@@ -19,6 +19,7 @@ PYBIND11_MODULE(_fairway, module) {
   bind_map_navigator(module);
   bind_mapless_navigator(module);
   bind_body_navigator(module);
+  bind_map_localization(module);
   bind_scenario(module);
   bind_episode(module);
   bind_recording(module);

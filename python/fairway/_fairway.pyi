@@ -240,6 +240,47 @@ class MaplessNavigator(_Navigator):
 
     def __init__(self, settings: Settings, position: _Numbers = (0.0, 0.0)) -> None: ...
 
+class MapPose:
+    """The pose of a robot in a map, as estimated from odometry and scans."""
+
+    @property
+    def pose(self) -> _Pose: ...
+    @property
+    def covariance(self) -> _Array: ...
+    @property
+    def matched(self) -> bool: ...
+    @property
+    def share(self) -> float: ...
+    @property
+    def degenerate(self) -> bool: ...
+    @property
+    def weak_direction(self) -> _Point: ...
+
+class MapLocalization:
+    """Tracks the pose of a robot in a known map from odometry and lidar scans."""
+
+    def __init__(self, map: Map, settings: Settings = ...) -> None: ...
+    def set_pose(
+        self,
+        odometry: _Numbers,
+        pose: _Numbers,
+        position_sigma: float = 0.05,
+        heading_sigma: float = 0.02,
+    ) -> None: ...
+    def observe(
+        self,
+        time: float,
+        ranges: npt.ArrayLike,
+        pose: _Numbers,
+        *,
+        first_angle: float = ...,
+        angle_step: float | None = None,
+        min_range: float = 0.0,
+        max_range: float = 30.0,
+        last_pose: _Numbers | None = None,
+    ) -> bool: ...
+    def locate(self, odometry: _Numbers) -> MapPose: ...
+
 class RobotModel:
     """A robot with its true outline and its own kind of base."""
 

@@ -139,11 +139,11 @@ def test_wrong_inputs_are_refused(change, text):
 
 def test_a_scenario_from_a_file_and_its_settings():
     scenario = fairway.Scenario.read(ROOT / "scenarios/workshop.yaml")
-    scenario.settings.robot.linear_max = 0.5
-    assert scenario.settings.robot.linear_max == 0.5
+    scenario.settings.robot.linear_max = 0.8
+    assert scenario.settings.robot.linear_max == 0.8
     episode = fairway.simulate(scenario)
     assert episode.success
-    assert episode.trace["command_linear"].max() <= 0.5 + 1e-9
+    assert episode.trace["command_linear"].max() <= 0.8 + 1e-9
 
 
 def test_worlds_of_barn():

@@ -57,11 +57,12 @@ std::string distance_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-";
 }
 
-// Whether the contact is a moving obstacle's doing: the robot did not move towards it.
+// Whether the contact is a moving obstacle's doing: it came, and the robot did not move towards it.
 bool was_run_into(const RobotResult& robot) {
   constexpr double kStandstill = 1e-3;  // [m/s]
   return robot.collided && robot.contact.with != Contact::With::StaticObstacle &&
-         robot.contact.with != Contact::With::Nothing && robot.approach <= kStandstill;
+         robot.contact.with != Contact::With::Nothing && robot.approach <= kStandstill &&
+         robot.contact.other_approach > kStandstill;
 }
 
 const char* outcome(const RobotResult& robot) {

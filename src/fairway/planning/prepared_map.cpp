@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/planning/prepared_map.hpp"
-
 #include <utility>
 
+#include "fairway/planning/planner.hpp"
 #include "fairway/planning/zone_distances.hpp"
 #include "fairway/zones/zone_map.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 
 namespace fairway {
 

@@ -9,7 +9,7 @@
 #include "fairway/geometry/robot_model.hpp"
 #include "fairway/planning/background_worker.hpp"
 #include "fairway/planning/plan.hpp"
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/trajectory/drive_planner.hpp"
 

@@ -7,7 +7,7 @@
 #include "fairway/map/body_clearance.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/perception.hpp"
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 
 namespace fairway {
 

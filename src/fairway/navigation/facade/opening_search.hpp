@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 
 namespace fairway {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "fairway/planning/planner.hpp"
-#include "fairway/planning/prepared_map.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/interactive/timed_solver.hpp"

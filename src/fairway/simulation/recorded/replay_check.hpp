@@ -7,7 +7,7 @@
 
 #include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 #include "fairway/simulation/episode_observer.hpp"
 
 namespace fairway {

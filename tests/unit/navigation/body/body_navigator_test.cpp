@@ -10,7 +10,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/map/body_clearance.hpp"
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 #include "fairway/simulation/bodies/body_robot.hpp"
 #include "support/allocation_guard.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/planning/prepared_map.hpp"
+#include "fairway/planning/planner.hpp"
 
 namespace fairway {
 namespace {

@@ -9,7 +9,6 @@
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "fairway/planning/planner.hpp"
-#include "fairway/planning/prepared_map.hpp"
 #include "fairway/simulation/sensors/lidar.hpp"
 #include "fairway/simulation/sensors/noise.hpp"
 #include "support/two_rooms.hpp"
