@@ -259,7 +259,7 @@ class MapPose:
 class MapLocalization:
     """Tracks the pose of a robot in a known map from odometry and lidar scans."""
 
-    def __init__(self, map: Map, settings: Settings = ...) -> None: ...
+    def __init__(self, map: Map, settings: Settings | None = None) -> None: ...
     def set_pose(
         self,
         odometry: _Numbers,

@@ -54,10 +54,11 @@ void bind_map_localization(py::module_& module) {
       module, "MapLocalization",
       "Tracks the pose of a robot in a known map from odometry and lidar scans, for robots without "
       "another localisation. Not for several threads at once.")
-      .def(py::init([](const OccupancyGrid& map, const Settings& settings) {
-             return std::make_unique<MapLocalization>(map, settings.perception);
+      .def(py::init([](const OccupancyGrid& map, const Settings* settings) {
+             return std::make_unique<MapLocalization>(
+                 map, settings != nullptr ? settings->perception : PerceptionSettings{});
            }),
-           py::arg("map"), py::arg("settings") = Settings{},
+           py::arg("map"), py::arg("settings") = py::none(),
            "Of the settings `perception.reach` and `.max_beams` are used.")
       .def("set_pose", &MapLocalization::set_pose, py::arg("odometry"), py::arg("pose"),
            py::arg("position_sigma") = 0.05, py::arg("heading_sigma") = 0.02,
