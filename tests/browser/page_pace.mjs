@@ -63,10 +63,9 @@ try {
       pictures: (window.fairway.drawn - drawn) / spent,
       p99: paces[Math.floor(0.99 * paces.length)],
       pace: (window.fairway.run.duration - time) / spent,
-      robots: window.fairway.run.robots.length,
     };
   }, seconds);
-  console.log(`${figures.robots} robots on ${SIDE} x ${SIDE} cells: first picture after ${(first / 1e3).toFixed(2)} s, `
+  console.log(`${ROBOTS} robots on ${SIDE} x ${SIDE} cells: first picture after ${(first / 1e3).toFixed(2)} s, `
     + `${figures.pictures.toFixed(1)} pictures per second, 99 % of the gaps below ${figures.p99.toFixed(0)} ms, `
     + `${figures.pace.toFixed(2)} simulated seconds per second`);
   for (const error of errors) console.log(error);
