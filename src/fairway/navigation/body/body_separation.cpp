@@ -20,10 +20,6 @@ bool has_priority(const FleetMember& member, const MovingSurroundings& surroundi
   return member.motion->under_way && member.motion->robot < surroundings.robot;
 }
 
-}  // namespace
-
-namespace {
-
 // The distance from a body to the box of another robot; negative where they overlap.
 double box_distance(const BodyShape& body,
                     const Pose2& pose,

@@ -141,7 +141,8 @@ class MapNavigator {
 
   /// Returns why there is no path, in one sentence with numbers and what could be changed. Empty
   /// while there is one, and unless `planning.background` is true: without a thread, call `explain`
-  /// outside of the control cycle. A new cause may take eight attempts to appear.
+  /// outside of the control cycle. A new cause for the same goal may take eight attempts to
+  /// appear.
   [[nodiscard]] const std::string& explanation() const noexcept;
 
   /// Returns whether the last cycle started to follow another plan.

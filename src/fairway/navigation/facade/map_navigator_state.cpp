@@ -91,6 +91,7 @@ void MapNavigator::State::use_zones(const Zones& given) {
 
 void MapNavigator::State::set_task(NavigationTask given) {
   task.begin(std::move(given));
+  planning->begin_task();
   ++task_number_;
   task_is_new_ = task.can_be_done();
   plan_is_current = false;

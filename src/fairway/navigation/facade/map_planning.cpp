@@ -28,6 +28,10 @@ void MapPlanning::set_settings(const Settings& settings) {
 
 void MapPlanning::start(const BitGrid& obstacles, PlanRequest request) {
   settings_ = wanted_;
+  if (std::exchange(task_is_new_, false)) {
+    failures_ = 0;
+    explained_.clear();
+  }
   request_ = std::move(request);
   made_.reset();
   const CellWindow changed = std::exchange(changed_, kNoCells);
@@ -69,11 +73,16 @@ void MapPlanning::make_explanation() {
   }
 }
 
+void MapPlanning::begin_task() noexcept {
+  task_is_new_ = true;
+  explanation_.clear();
+}
+
 std::optional<Plan> MapPlanning::take() {
   if (!worker_.idle()) {
     if (!worker_.finished()) return std::nullopt;
     worker_.collect();
-    explanation_ = explained_;
+    if (!task_is_new_) explanation_ = explained_;
   }
   return std::exchange(made_, std::nullopt);
 }

@@ -48,6 +48,9 @@ class MapPlanning {
   /// is made in the thread only: it takes time that a control cycle does not have.
   [[nodiscard]] const std::string& explanation() const noexcept { return explanation_; }
 
+  /// Records that the next plans are for another task, which has no explanation yet.
+  void begin_task() noexcept;
+
   /// Waits until the plan being made is finished.
   void wait() const noexcept { worker_.wait(); }
 
@@ -73,6 +76,7 @@ class MapPlanning {
   std::string explained_;     // the worker's while it runs
   int failures_ = 0;          // plans in a row that were not usable; the worker's while it runs
   std::string explanation_;
+  bool task_is_new_ = false;  // no plan for it was started
   std::function<double()> clock_;
   double seconds_ = 0.0;
   BackgroundWorker worker_;  // last member: its job ends before the others are destroyed

@@ -131,6 +131,17 @@ TEST(MapNavigator, ExplainsInTheThreadWhyThereIsNoPath) {
   drive.cycle();
   EXPECT_EQ(drive.step.status, NavigationStatus::NoPlan);
   EXPECT_NE(navigator.explanation().find("0.400 m"), std::string::npos) << navigator.explanation();
+  // Another goal has another reason.
+  navigator.set_goal({.position = {20.0, 20.0}});
+  EXPECT_EQ(navigator.explanation(), "");
+  for (int cycle = 0; cycle < 2; ++cycle) {
+    drive.cycle();
+    navigator.wait_for_plan();
+  }
+  drive.cycle();
+  EXPECT_NE(navigator.explanation(), "");
+  EXPECT_EQ(navigator.explanation().find("0.400 m"), std::string::npos) << navigator.explanation();
+  navigator.set_goal(kGoal);
   rooms.set_wall(2.0, 3.2, CellState::Free);
   navigator.update_map(rooms.map, {119, 0}, {121, 159});
   for (int cycle = 0; cycle < 20 && !navigator.plan().usable(); ++cycle) {
