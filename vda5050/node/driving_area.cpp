@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "fairway/zones/zone_map.hpp"
 #include "node/leg_strips.hpp"
 
 namespace fairway::vda5050 {
@@ -171,29 +169,25 @@ Zones driving_area(std::span<const RouteLeg> legs,
   return area;
 }
 
-BitGrid map_of_area(const BitGrid& map,
-                    Zones area,
-                    const std::optional<Point>& robot,
-                    double body) {
-  if (area.empty()) return map.part(all_cells(map.frame()));
-  auto zones = std::make_shared<const ZoneMap>(std::move(area), body);
+CellWindow cells_of_area(const GridFrame& map,
+                         const Zones& area,
+                         const std::optional<Point>& robot,
+                         double body) {
   CellWindow window = kNoCells;
   // Further away than this, cells change neither a path nor a stop.
-  const double cells = (zones->reach() + body) / map.frame().resolution;
+  const double cells = (3.0 * body + 2.0) / map.resolution;
   const auto add = [&](const Point& point) {
-    const Point at = map.frame().to_grid(point);
+    const Point at = map.to_grid(point);
     const auto index = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
     window = united(window, {.first = {.x = index(at.x() - cells), .y = index(at.y() - cells)},
                              .last = {.x = index(at.x() + cells), .y = index(at.y() + cells)}});
   };
-  for (const ZoneReference kind : {ZoneReference::Contour, ZoneReference::Centre}) {
-    for (const ZonePolygon& strip : zones->strips(kind).polygons())
-      std::for_each(strip.corners().begin(), strip.corners().end(), add);
+  for (const fairway::Zone& zone : area) {
+    if (zone.kind == ZoneKind::Strip) std::for_each(zone.polygon.begin(), zone.polygon.end(), add);
   }
-  if (!is_empty(window) && robot) add(*robot);
-  BitGrid part = map.part(zones->has_strips() ? window : all_cells(map.frame()));
-  part.set_zones(std::move(zones));
-  return part;
+  if (is_empty(window)) return all_cells(map);
+  if (robot) add(*robot);
+  return window;
 }
 
 }  // namespace fairway::vda5050

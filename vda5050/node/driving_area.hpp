@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "fairway/map/bit_grid.hpp"
+#include "fairway/map/grid_frame.hpp"
 #include "fairway/zones/zones.hpp"
 #include "protocol/messages/zone_set.hpp"
 #include "protocol/orders/route.hpp"
@@ -34,14 +34,13 @@ enum class Penalties { AreCosts, AreAvoided };
                                  const Zones& behind = {},
                                  Penalties penalties = Penalties::AreCosts);
 
-/// Returns the cells of a map that matter to a robot in an area: the cells in and around its strips
-/// and around the robot, or the whole map if there are no strips. The zones of the area hold on
-/// them. So a window of an order costs as much on a large map as on a small one.
+/// Returns the cells of a map that matter to a robot in an area: those in and around its strips and
+/// around the robot, or all cells if there are no strips. So a window of an order costs as much on
+/// a large map as on a small one.
 /// @param robot  Where the robot is, if it need not be in a strip.
-/// @pre validate(area) holds.
-[[nodiscard]] BitGrid map_of_area(const BitGrid& map,
-                                  Zones area,
-                                  const std::optional<Eigen::Vector2d>& robot,
-                                  double body);
+[[nodiscard]] CellWindow cells_of_area(const GridFrame& map,
+                                       const Zones& area,
+                                       const std::optional<Eigen::Vector2d>& robot,
+                                       double body);
 
 }  // namespace fairway::vda5050

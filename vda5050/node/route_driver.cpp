@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/zones/zone_map.hpp"
 #include "node/approach.hpp"
 #include "node/leg_strips.hpp"
 #include "node/legs_apart.hpp"
@@ -79,7 +81,10 @@ std::optional<std::size_t> RouteDriver::choose_free_lines(std::vector<RouteLeg>&
 
 std::optional<BitGrid> RouteDriver::map_with(Zones zones) const {
   if (!validate(zones)) return std::nullopt;
-  return map_of_area(map_, std::move(zones), std::nullopt, settings_.robot.radius);
+  const double body = settings_.robot.radius;
+  BitGrid map = map_.part(cells_of_area(map_.frame(), zones, std::nullopt, body));
+  if (!zones.empty()) map.set_zones(std::make_shared<const ZoneMap>(std::move(zones), body));
+  return map;
 }
 
 // A long order is checked in windows, as it is driven. Neighbours share a leg, so that the joint
@@ -163,7 +168,7 @@ void RouteDriver::open_window(const Vehicle& vehicle, const Measurements& m) {
     if (penalties == Penalties::AreAvoided && closed_time_ >= 0.0) continue;
     const Zones area = driving_area(legs, vehicle.zones(), body, behind, penalties);
     if (!validate(area)) continue;
-    navigator_.set_map(map_of_area(map_, area, robot, body));
+    navigator_.set_map(map_.part(cells_of_area(map_.frame(), area, robot, body)));
     navigator_.set_zones(area);
     path = window_path(legs, robot);
     if (!path.closed_leg) break;

@@ -27,17 +27,6 @@ constexpr double kMatched = 0.05;     // [m]; nearer points lie on the surface
 constexpr std::array kMatchReach = {0.15, 0.15, 0.12, 0.1, 0.1, 0.1};
 constexpr std::array kScale = {0.10, 0.06, 0.04, 0.03, 0.03, 0.03};
 
-// The residual of a point at `position`, which is `arm` from the moved centre, and a line through
-// `on_line`.
-LineResidual residual_of(const Vector2d& arm,
-                         const Vector2d& position,
-                         const Vector2d& on_line,
-                         const Vector2d& normal) noexcept {
-  // d/da R(a) v = J R(a) v, where J turns by 90 degrees.
-  return {.value = normal.dot(position - on_line),
-          .jacobian = {normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y()}};
-}
-
 }  // namespace
 
 Vector2d moved(const Vector2d& point, const Vector2d& center, const ScanMotion& motion) noexcept {
@@ -49,12 +38,13 @@ MotionAbout::MotionAbout(const Vector2d& center, const ScanMotion& motion) noexc
       moved_center_(center + motion.head<2>()),
       turn_(direction(motion.z())) {}
 
-LineResidual line_residual(const Vector2d& point,
-                           const Vector2d& center,
-                           const SurfacePoint& line,
-                           const ScanMotion& motion) noexcept {
-  const Vector2d arm = rotated(point - center, motion.z());
-  return residual_of(arm, arm + center + motion.head<2>(), line.position, line.normal);
+LineResidual line_residual(const Vector2d& position,
+                           const Vector2d& arm,
+                           const SurfacePoint& line) noexcept {
+  const Vector2d& normal = line.normal;
+  // d/da R(a) v = J R(a) v, where J turns by 90 degrees.
+  return {.value = normal.dot(position - line.position),
+          .jacobian = {normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y()}};
 }
 
 ScanMatch match_scan(const SurfacePoints& map,
@@ -84,8 +74,9 @@ ScanMatch match_scan(const SurfacePoints& map,
                              .normal = move.turned(scan[i].normal)};
       const SurfacePoint* const near = map.nearest(now, kMatchReach[step]);
       if (near == nullptr) continue;
-      const LineResidual residual =
-          residual_of(arm, now.position, near->position, (near->normal + now.normal).normalized());
+      const SurfacePoint line{.position = near->position,
+                              .normal = (near->normal + now.normal).normalized()};
+      const LineResidual residual = line_residual(now.position, arm, line);
       const double share = residual.value * inverse_scale;
       const double weight = kIndependent / (kSigma * kSigma * (1.0 + share * share));
       points.noalias() += weight * residual.jacobian.transpose() * residual.jacobian;

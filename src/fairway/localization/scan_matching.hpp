@@ -44,12 +44,12 @@ struct LineResidual {
   Eigen::RowVector3d jacobian = Eigen::RowVector3d::Zero();  ///< exact
 };
 
-/// Returns n . (R(a) (p - c) + c + t - q) for the motion (t, a) about c, and the line through q
-/// with normal n.
-[[nodiscard]] LineResidual line_residual(const Eigen::Vector2d& point,
-                                         const Eigen::Vector2d& center,
-                                         const SurfacePoint& line,
-                                         const ScanMotion& motion) noexcept;
+/// Returns n . (p - q) for a moved point p and the line through q with normal n.
+/// @param position  The moved point p.
+/// @param arm       From the moved centre of the motion to p.
+[[nodiscard]] LineResidual line_residual(const Eigen::Vector2d& position,
+                                         const Eigen::Vector2d& arm,
+                                         const SurfacePoint& line) noexcept;
 
 /// The motion that moves a scan onto a map, and its certainty.
 struct ScanMatch {

@@ -15,8 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSmallestRadius = 0.1;  // [m], of an object
-constexpr std::size_t kFewestPoints = 3;
 constexpr double kSeenThroughFor = 0.25;  // [s]; after this the object is gone
 
 }  // namespace

@@ -13,8 +13,6 @@ using Eigen::Vector2d;
 std::optional<ObjectDisc> disc_of(std::span<const Vector2d> points,
                                   const Vector2d& sensor,
                                   double object_size) noexcept {
-  constexpr double kSmallestRadius = 0.1;  // [m]
-  constexpr std::size_t kFewestPoints = 3;
   if (points.size() < kFewestPoints) return std::nullopt;
   const Vector2d chord = points.back() - points.front();
   if (chord.norm() > object_size) return std::nullopt;

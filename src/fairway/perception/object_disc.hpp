@@ -9,6 +9,9 @@
 
 namespace fairway {
 
+inline constexpr double kSmallestRadius = 0.1;   ///< of an object [m]
+inline constexpr std::size_t kFewestPoints = 3;  ///< that determine a disc
+
 /// The disc that represents an object of which one side was seen.
 struct ObjectDisc {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();

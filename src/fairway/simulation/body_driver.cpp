@@ -96,19 +96,7 @@ class BodyDriver final : public RobotDriver {
 
   [[nodiscard]] Measurements measurements(const World& world) {
     if (lidar_) return {.time = world.time(), .pose = senses_->pose()};
-    const Pose2& pose = world.robots()[robot_].pose;
-    const bool radio = context_.radio.model().on;
-    if (radio) {
-      world.moving_bodies(seen_);
-    } else {
-      world.moving_around(robot_, seen_);
-    }
-    Measurements measured{.time = world.time(),
-                          .pose = pose,
-                          .obstacles = seen_,
-                          .robot = static_cast<std::uint32_t>(robot_)};
-    if (radio) measured.fleet = context_.radio.hear(robot_, pose.position, world.time());
-    return measured;
+    return measure_on_map(world, robot_, context_.radio, seen_);
   }
 
   // Robots that know the map publish their motion.

@@ -50,18 +50,7 @@ class MapDriver final : public RobotDriver {
   }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
-    const Pose2& pose = world.robots()[robot_].pose;
-    const bool radio = context_.radio.model().on;
-    if (radio) {
-      world.moving_bodies(seen_);
-    } else {
-      world.moving_around(robot_, seen_);
-    }
-    Measurements measured{.time = world.time(),
-                          .pose = pose,
-                          .obstacles = seen_,
-                          .robot = static_cast<std::uint32_t>(robot_)};
-    if (radio) measured.fleet = context_.radio.hear(robot_, pose.position, world.time());
+    const Measurements measured = measure_on_map(world, robot_, context_.radio, seen_);
     const double before = now(context_);
     const NavigationStep step = navigator_.update(measured);
     const double planning = navigator_.planning_seconds();
@@ -198,6 +187,24 @@ class LidarDriver final : public RobotDriver {
 };
 
 }  // namespace
+
+Measurements measure_on_map(const World& world,
+                            std::size_t robot,
+                            FleetRadio& radio,
+                            std::vector<MovingObstacle>& seen) {
+  const Pose2& pose = world.robots()[robot].pose;
+  if (radio.model().on) {
+    world.moving_bodies(seen);
+  } else {
+    world.moving_around(robot, seen);
+  }
+  Measurements measured{.time = world.time(),
+                        .pose = pose,
+                        .obstacles = seen,
+                        .robot = static_cast<std::uint32_t>(robot)};
+  if (radio.model().on) measured.fleet = radio.hear(robot, pose.position, world.time());
+  return measured;
+}
 
 std::unique_ptr<RobotDriver> make_driver(const DriverContext& context,
                                          const World& world,

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "fairway/planning/plan.hpp"
 #include "fairway/simulation/episode_observer.hpp"
@@ -66,6 +67,14 @@ class RobotDriver {
   /// Where the constraint that limits a step lies.
   [[nodiscard]] virtual LimitMark mark(const NavigationStep& step) const = 0;
 };
+
+/// What a robot that knows the map measures: its pose, the moving obstacles, and other robots by
+/// radio, or as obstacles without it.
+/// @param seen  Holds the obstacles that the result refers to.
+[[nodiscard]] Measurements measure_on_map(const World& world,
+                                          std::size_t robot,
+                                          FleetRadio& radio,
+                                          std::vector<MovingObstacle>& seen);
 
 /// What all drivers of an episode share. The pointers must outlive them.
 struct DriverContext {

@@ -6,87 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/simulation/lidar_senses.hpp"
-#include "support/robot_presets.hpp"
+#include "pilot_rig.hpp"
 
 namespace fairway::bridge {
 namespace {
 
-// A room of 10 m x 6 m with a wall that leaves a passage of 2 m at its upper end.
-Scenario room() {
-  Scenario scenario;
-  scenario.map = OccupancyGrid({.width = 200, .height = 120, .resolution = 0.05, .origin = {}});
-  for (int y = 0; y < 80; ++y)
-    scenario.map.set({100, y}, CellState::Occupied);
-  scenario.robots = {
-      {.name = "robot", .start = {.position = {1.5, 1.5}, .heading = 0}, .goal = {}}};
-  scenario.sensing.sensing = Sensing::Lidar;
-  return scenario;
-}
-
-// One robot, its base and sensors in a true world, and a pilot that only receives their messages.
-struct Rig {
-  explicit Rig(const PilotOptions& options, const Scenario& truth = room())
-      : scenario(truth),
-        world(scenario),
-        senses(scenario.sensing, world, 0, 1),
-        pilot(scenario.settings, options) {
-    pilot.set_map(room().map);
-  }
-
-  PilotStep step() {
-    senses.measure(world);
-    const UnicycleRobot& robot = world.robots()[0];
-    if (odometry_alive) {
-      const Pose2 in_odometry = compose(inverse(odometry_in_map), robot.pose);
-      const BodyRobot* const body = world.model_of(0);
-      const PlanarTwist twist{.linear = robot.twist.linear, .angular = robot.twist.angular};
-      pilot.add_odometry(world.time(), in_odometry, body != nullptr ? body->twist() : twist);
-    }
-    if (localisation_alive) pilot.set_localisation(odometry_in_map, world.time());
-    senses.deliver(world.time(), [this](const LidarScan& scan, const Eigen::Vector2d&) {
-      if (scan_alive) {
-        pilot.add_scan(scan, 0.0, {.position = scenario.sensing.lidar.mount, .heading = 0.0});
-      }
-    });
-    const PilotStep answer = pilot.cycle(world.time());
-    if (answer.send) command = answer.command;
-    if (const BodyRobot* const body = world.model_of(0); body != nullptr && answer.send) {
-      const bool steered = is_steered(body->model.base);
-      world.send(0, {.linear = answer.command.linear,
-                     .lateral = answer.lateral,
-                     .turn = steered ? answer.steering : answer.command.angular});
-    }
-    world.advance({command}, scenario.settings.navigation.control_period);
-    return answer;
-  }
-
-  // Runs cycles until the goal ends or `seconds` have passed.
-  PilotStep drive(double seconds) {
-    const double until = world.time() + seconds;
-    PilotStep last;
-    while (world.time() < until && last.end == GoalEnd::None)
-      last = step();
-    return last;
-  }
-
-  // The goal in the frame of a robot without a map.
-  [[nodiscard]] Goal in_odometry(const Goal& goal) const {
-    return {.position = inverse_transform(odometry_in_map, goal.position), .heading = {}};
-  }
-
-  [[nodiscard]] double speed() const { return std::abs(world.robots()[0].twist.linear); }
-
-  Scenario scenario;
-  World world;
-  LidarSenses senses;
-  Pilot pilot;
-  Pose2 odometry_in_map{.position = {4.0, -2.0}, .heading = 0.6};
-  bool odometry_alive = true;
-  bool localisation_alive = true;
-  bool scan_alive = true;
-  Twist2 command;
-};
+using test::Rig;
+using test::room;
 
 constexpr PilotOptions kMapAndScan{.plan_in_background = false};
 constexpr PilotOptions kMapOnly{.use_scan = false, .plan_in_background = false};
@@ -257,53 +183,6 @@ TEST(PilotOptions, AreChecked) {
             "use_map, use_scan: expected one of them true, found both false");
   EXPECT_FALSE(validate(PilotOptions{.patience = std::nan("")}));
   EXPECT_FALSE(validate(PilotOptions{.localisation_timeout = 0.0}));
-}
-
-// Bodies whose covering disc would not turn where they stop.
-TEST(Pilot, DrivesEveryBodyOnAMapAndWithoutOne) {
-  for (const test::NamedRobot& robot : test::robot_presets()) {
-    for (const bool use_map : {true, false}) {
-      SCOPED_TRACE(std::string(robot.name) + (use_map ? " on a map" : " without a map"));
-      PilotOptions options{.use_map = use_map, .plan_in_background = false};
-      options.body = robot.model;
-      ASSERT_TRUE(validate(options));
-      Scenario truth = room();
-      truth.robots[0].model = robot.model;
-      Rig rig(options, truth);
-      rig.step();
-      const Goal goal{.position = {3.6, 4.0}, .heading = {}};
-      rig.pilot.set_goal(use_map ? goal : rig.in_odometry(goal));
-      const PilotStep last = rig.drive(60.0);
-      EXPECT_EQ(last.end, GoalEnd::Reached) << to_text(last.status) << ' ' << to_text(last.limit);
-      EXPECT_FALSE(rig.world.encounters()[0].collided);
-      EXPECT_LT((rig.world.robots()[0].pose.position - goal.position).norm(), 0.15);
-    }
-  }
-}
-
-// A keep-out on the straight line to the goal.
-TEST(Pilot, ABodyObeysTheZones) {
-  PilotOptions options{.plan_in_background = false};
-  options.body = test::robot_presets().front().model;
-  options.zones = {
-      Zone{.kind = ZoneKind::KeepOut, .polygon = {{2.2, 2.4}, {3.0, 2.4}, {3.0, 3.2}, {2.2, 3.2}}}};
-  ASSERT_TRUE(validate(options));
-  Scenario truth = room();
-  truth.robots[0].model = options.body;
-  Rig rig(options, truth);
-  rig.step();
-  rig.pilot.set_goal({.position = {3.6, 4.0}, .heading = {}});
-  const double until = rig.world.time() + 60.0;
-  PilotStep last;
-  double nearest = 10.0;  // distance of the reference point from the zone
-  while (rig.world.time() < until && last.end == GoalEnd::None) {
-    last = rig.step();
-    const Eigen::Vector2d from_centre =
-        (rig.world.robots()[0].pose.position - Eigen::Vector2d(2.6, 2.8)).cwiseAbs();
-    nearest = std::min(nearest, (from_centre.array() - 0.4).max(0.0).matrix().norm());
-  }
-  EXPECT_EQ(last.end, GoalEnd::Reached) << to_text(last.status) << ' ' << to_text(last.limit);
-  EXPECT_GT(nearest, 0.2);
 }
 
 }  // namespace

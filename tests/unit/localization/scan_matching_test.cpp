@@ -22,11 +22,16 @@ TEST(ScanMatching, TheJacobianIsExact) {
     const Vector2d center(any(), any());
     const SurfacePoint line{.position = {any(), any()}, .normal = direction(any())};
     const Vector3d motion(any(), any(), any());
+    const auto residual = [&](const Vector3d& at) {
+      const MotionAbout move(center, at);
+      EXPECT_LT((move(point) - moved(point, center, at)).norm(), 1e-12);
+      return line_residual(move(point), move.turned(point - center), line);
+    };
     const auto value = [&](const Eigen::VectorXd& x) {
-      return Eigen::VectorXd::Constant(1, line_residual(point, center, line, Vector3d(x)).value);
+      return Eigen::VectorXd::Constant(1, residual(Vector3d(x)).value);
     };
     const Eigen::MatrixXd expected = test::central_difference(value, motion);
-    EXPECT_LT((line_residual(point, center, line, motion).jacobian - expected).norm(), 1e-7);
+    EXPECT_LT((residual(motion).jacobian - expected).norm(), 1e-7);
   }
 }
 

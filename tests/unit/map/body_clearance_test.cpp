@@ -8,50 +8,17 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/zones/zone_map.hpp"
+#include "random_body.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/random_world.hpp"
-#include "support/zone_oracle.hpp"
 
 namespace fairway {
 namespace {
 
 using Eigen::Vector2d;
 
-// A body of every kind, about `size` long.
-BodyShape random_body(test::Random& random, double size) {
-  const int kind = random.integer(0, 2);
-  if (kind == 0) {
-    return BodyShape::rectangle(size * random.uniform(0.5, 2.0), size * random.uniform(0.2, 1.0),
-                                size * random.uniform(-0.5, 1.5));
-  }
-  // Points of a circle are convex; one or two of them with a radius are a disc or a capsule.
-  ConvexPart part;
-  part.count = kind == 1 ? random.integer(3, 7) : random.integer(1, 2);
-  part.radius = kind == 1 ? 0.0 : size * random.uniform(0.1, 0.4);
-  for (int i = 0; i < part.count; ++i) {
-    const double angle = 2.0 * std::numbers::pi * (i + random.uniform(0.0, 0.8)) / part.count;
-    part.vertices[static_cast<std::size_t>(i)] =
-        size * direction(angle) + Vector2d(0.3 * size, 0.0);
-  }
-  const Expected<BodyShape> body = BodyShape::make(std::span<const ConvexPart>(&part, 1));
-  return body ? *body : BodyShape::rectangle(size, size, 0.0);
-}
-
-// Distance from a point in the body's frame to the body: of its parts' edges, or 0 inside.
-double distance_to_part(const ConvexPart& part, const Vector2d& point) {
-  double least = std::numeric_limits<double>::infinity();
-  bool inside = part.count > 2;
-  for (int i = 0; i < part.count; ++i) {
-    const Vector2d& a = part.vertex(i);
-    const Vector2d edge = part.vertex((i + 1) % part.count) - a;
-    const double square = std::max(edge.squaredNorm(), 1e-30);
-    const double share = std::clamp((point - a).dot(edge) / square, 0.0, 1.0);
-    least = std::min(least, (point - a - share * edge).norm());
-    inside = inside && edge.x() * (point - a).y() - edge.y() * (point - a).x() >= 0.0;
-  }
-  return inside ? 0.0 : std::max(0.0, least - part.radius);
-}
+using test::distance_to_part;
+using test::random_body;
 
 // The least distance over points of every blocked cell's outline and of the map's outside.
 double slow_distance(const BitGrid& obstacles, const BodyShape& body, const Pose2& pose) {
@@ -235,87 +202,6 @@ TEST(BodyClearance, DoesNotAllocate) {
   any = scene.clearance.contacts(pose, 1.0, contacts) > 0 || any;
   static_cast<void>(any);
   EXPECT_EQ(guard.count(), 0U);
-}
-
-// Keep-outs against the least distance over points of the polygon and of the body.
-TEST(BodyClearance, ObeysKeepOutsExactly) {
-  int blocked = 0;
-  int free = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::Random random(seed);
-    const test::Corners polygon = test::random_polygon(random, {5.0, 5.0}, 1.0);
-    BitGrid bits(OccupancyGrid({.width = 200, .height = 200, .resolution = 0.05, .origin = {}}));
-    bits.set_zones(std::make_shared<const ZoneMap>(Zones{{.polygon = polygon}}, 0.3));
-    DistanceField distances(bits);
-    const BodyShape body = random_body(random, random.uniform(0.2, 0.8));
-    const BodyClearance clearance(bits, distances, body);
-    const Pose2 pose{.position = {random.uniform(3.5, 6.5), random.uniform(3.5, 6.5)},
-                     .heading = random.uniform(-3, 3)};
-    const double wanted = random.uniform(0.0, 0.3);
-    constexpr int kPerEdge = 200;
-    double least = std::numeric_limits<double>::infinity();
-    for (const ConvexPart& part : body.parts()) {
-      for (std::size_t e = 0; e < polygon.size(); ++e) {
-        for (int k = 0; k < kPerEdge; ++k) {
-          const Vector2d& a = polygon[e];
-          const Vector2d point = a + (polygon[(e + 1) % polygon.size()] - a) * k / kPerEdge;
-          least = std::min(least, distance_to_part(part, inverse_transform(pose, point)));
-        }
-      }
-      if (test::winds_around(polygon, transform(pose, part.vertex(0)))) least = 0.0;
-    }
-    const bool is_free = clearance.is_free(pose, wanted);
-    (is_free ? free : blocked) += 1;
-    constexpr double kSpacing = 0.012;  // between points of an edge [m]
-    if (is_free) {
-      EXPECT_GT(least, wanted);
-    } else {
-      EXPECT_LT(least, wanted + kSpacing);
-    }
-  }
-  EXPECT_GT(free, 50);
-  EXPECT_GT(blocked, 50);
-}
-
-TEST(BodyClearance, ContactsWithKeepOutsAreAsNearAsTheirEdges) {
-  int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    test::Random random(seed);
-    const test::Corners polygon = test::random_polygon(random, {5.0, 5.0}, 1.0);
-    BitGrid bits(OccupancyGrid({.width = 200, .height = 200, .resolution = 0.05, .origin = {}}));
-    bits.set_zones(std::make_shared<const ZoneMap>(Zones{{.polygon = polygon}}, 0.3));
-    DistanceField distances(bits);
-    const BodyShape body = random_body(random, random.uniform(0.2, 0.8));
-    const BodyClearance clearance(bits, distances, body);
-    const Pose2 pose{.position = {random.uniform(3.5, 6.5), random.uniform(3.5, 6.5)},
-                     .heading = random.uniform(-3, 3)};
-    constexpr int kPerEdge = 200;
-    double least = std::numeric_limits<double>::infinity();
-    for (const ConvexPart& part : body.parts()) {
-      for (std::size_t e = 0; e < polygon.size(); ++e) {
-        for (int k = 0; k < kPerEdge; ++k) {
-          const Vector2d& a = polygon[e];
-          const Vector2d point = a + (polygon[(e + 1) % polygon.size()] - a) * k / kPerEdge;
-          least = std::min(least, distance_to_part(part, inverse_transform(pose, point)));
-        }
-      }
-      if (test::winds_around(polygon, transform(pose, part.vertex(0)))) least = 0.0;
-    }
-    constexpr double kReach = 1.0;  // [m]
-    if (least <= 0.0 || least > 0.9 * kReach) continue;
-    std::array<BodyContact, BodyClearance::kMaxContacts> found;
-    const std::size_t count = clearance.contacts(pose, kReach, found);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t c = 0; c < count; ++c)
-      nearest = std::min(nearest, found[c].distance);
-    constexpr double kSpacing = 0.012;  // between points of an edge [m]
-    EXPECT_LE(nearest, least + 5e-3);   // places further out come first
-    EXPECT_GT(nearest, least - kSpacing);
-    ++compared;
-  }
-  EXPECT_GT(compared, 50);
 }
 
 }  // namespace

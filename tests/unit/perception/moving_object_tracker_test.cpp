@@ -9,81 +9,15 @@
 #include <gtest/gtest.h>
 
 #include "fairway/geometry/oriented_rectangle.hpp"
-#include "fairway/perception/perception.hpp"
-#include "fairway/simulation/sensors/lidar.hpp"
-#include "fairway/simulation/sensors/odometry.hpp"
-#include "support/random_world.hpp"
+#include "tracked_hall.hpp"
 
 namespace fairway {
 namespace {
 
 using Eigen::Vector2d;
 
-// A hall of 24 m with posts, a noisy lidar, discs that move at the given velocities, and a robot.
-class Hall {
- public:
-  explicit Hall(std::uint64_t seed)
-      : obstacles_(GridFrame{.width = 480,
-                             .height = 480,
-                             .resolution = 0.05,
-                             .origin = {.position = {-12, -12}, .heading = 0.0}},
-                   false),
-        noise_(seed),
-        perception_(settings(), {0, 0}) {
-    lidar_.range_sigma = 0.01;
-    lidar_.dropout = 0.01;
-  }
-
-  static PerceptionSettings settings() { return {}; }
-
-  void put_post(const Vector2d& at, double radius) {
-    const GridFrame& frame = obstacles_.frame();
-    for (int y = 0; y < frame.height; ++y) {
-      for (int x = 0; x < frame.width; ++x) {
-        if ((frame.center({x, y}) - at).norm() < radius) obstacles_.set({x, y}, true);
-      }
-    }
-  }
-
-  const Perception& scan(const std::vector<MovingObstacle>& discs, const Pose2& robot) {
-    return scan(discs, robot, robot);
-  }
-
-  // @param believed  Pose of the robot by odometry.
-  const Perception& scan(const std::vector<MovingObstacle>& discs,
-                         const Pose2& robot,
-                         const Pose2& believed) {
-    const auto sensor = [&](const Pose2& at) {
-      return Pose2{.position = transform(at, lidar_.mount), .heading = at.heading};
-    };
-    scan_surroundings(lidar_, obstacles_, discs, sensor(robot), noise_, ranges_);
-    const LidarScan scan{.time = time_,
-                         .first_pose = sensor(believed),
-                         .last_pose = sensor(believed),
-                         .first_angle = -0.5 * lidar_.field_of_view,
-                         .angle_step = lidar_.field_of_view / (lidar_.beams - 1),
-                         .min_range = lidar_.min_range,
-                         .max_range = lidar_.max_range,
-                         .ranges = ranges_};
-    perception_.observe(scan, believed.position, 0.3);
-    time_ += 0.05;
-    return perception_;
-  }
-
-  [[nodiscard]] double time() const { return time_; }
-
- private:
-  BitGrid obstacles_;
-  LidarModel lidar_;
-  Noise noise_;
-  Perception perception_;
-  std::vector<float> ranges_;
-  double time_ = 0.0;
-};
-
-MovingObstacle disc_at(double time, const Vector2d& start, const Vector2d& velocity) {
-  return {.position = start + time * velocity, .velocity = velocity, .radius = 0.5};
-}
+using test::disc_at;
+using test::Hall;
 
 TEST(MovingObjectTracker, FollowsADiscThatCrosses) {
   test::Random random(1);
@@ -291,118 +225,6 @@ TEST(MovingObjectTracker, DiscsThatPassThroughEachOtherKeepTheirVelocities) {
       }
     }
     EXPECT_LE(wrong, 6) << "of 120, seed " << seed;
-  }
-}
-
-// A disc that moves when the first scan is taken was never seen to leave a free place.
-TEST(MovingObjectTracker, ADiscThatMovesFromTheStartIsKnownWithinHalfASecond) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    for (const double speed : {0.8, 1.6}) {
-      Hall hall(seed);
-      const double angle = 0.4 * (static_cast<double>(seed) - 3.5);
-      const Vector2d velocity = speed * direction(std::numbers::pi + angle);
-      double known = 10.0;  // [s]
-      while (hall.time() < 1.0) {
-        const MovingObstacle truth = disc_at(hall.time(), {3.0, 0.0}, velocity);
-        const double now = hall.time();
-        for (const MovingObstacle& track : hall.scan({truth}, {}).tracker().obstacles()) {
-          const bool right = (track.position - truth.position).norm() < 0.3 &&
-                             (track.velocity - velocity).norm() < 0.6;
-          if (right) known = std::min(known, now);
-        }
-      }
-      EXPECT_LE(known, 0.5) << "seed " << seed << ", speed " << speed;
-    }
-  }
-}
-
-// Two discs are one blob in the first scan. One of them comes towards the robot.
-TEST(MovingObjectTracker, TwoDiscsThatOverlapAtTheStartAreSplit) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Hall hall(seed);
-    double known = 10.0;  // [s]
-    while (hall.time() < 1.5) {
-      const double now = hall.time();
-      const std::vector<MovingObstacle> truth = {disc_at(now, {2.6, 0.3}, {-1.2, 0.2}),
-                                                 disc_at(now, {3.2, -0.4}, {0.3, -1.2})};
-      for (const MovingObstacle& track : hall.scan(truth, {}).tracker().obstacles()) {
-        const bool right = (track.position - truth[0].position).norm() < 0.3 &&
-                           (track.velocity - truth[0].velocity).norm() < 0.7;
-        if (right) known = std::min(known, now);
-      }
-    }
-    EXPECT_LE(known, 0.5) << "seed " << seed;
-  }
-}
-
-TEST(MovingObjectTracker, ADiscThatTurnsBackIsFollowedWithinThreeScans) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Hall hall(seed);
-    constexpr double kTurn = 2.0;    // [s]
-    constexpr double kScans = 0.18;  // [s]; three scans after the turn
-    while (hall.time() < 3.0) {
-      const double now = hall.time();
-      const double along = now < kTurn ? now : 2.0 * kTurn - now;
-      const MovingObstacle truth{.position = {3.0, -1.5 + 1.2 * along},
-                                 .velocity = {0.0, now < kTurn ? 1.2 : -1.2},
-                                 .radius = 0.5};
-      const MovingObstacles seen = hall.scan({truth}, {}).tracker().obstacles();
-      if (now < kTurn + kScans) continue;
-      ASSERT_EQ(seen.size(), 1U) << now;
-      EXPECT_LT((seen[0].velocity - truth.velocity).norm(), 0.6) << now << ", seed " << seed;
-    }
-  }
-}
-
-// What is not known of the velocity of a new object keeps the robot away from it.
-TEST(MovingObjectTracker, AnUncertainVelocityMakesTheDiscLarger) {
-  Hall hall(15);
-  int seen = 0;
-  while (hall.time() < 3.0) {
-    const MovingObstacle truth = disc_at(hall.time(), {3.0, -1.5}, {0.0, 1.0});
-    const MovingObjectTracker& tracker = hall.scan({truth}, {}).tracker();
-    for (const MovingTrack& track : tracker.tracks()) {
-      if (!track.moving) continue;
-      ++seen;
-      EXPECT_GT(track.velocity_sigma(), 0.1);
-      EXPECT_GT(tracker.obstacles()[0].radius - track.radius, 0.15 * track.velocity_sigma());
-    }
-  }
-  EXPECT_GT(seen, 30);
-}
-
-// A robot that drives an eight through 50 posts, with the errors of lidar and wheels.
-TEST(MovingObjectTracker, AHallOfPostsHasNoMovingTrackThatLasts) {
-  constexpr double kLongest = 0.45;  // [s]
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    Hall hall(seed);
-    test::Random random(seed + 40);
-    const auto robot_at = [](double time) {
-      const Vector2d at(5.0 * std::sin(0.35 * time), 2.5 * std::sin(0.7 * time));
-      const Vector2d along(std::cos(0.35 * time), std::cos(0.7 * time));
-      return Pose2{.position = at, .heading = std::atan2(along.y(), along.x())};
-    };
-    for (int i = 0; i < 50; ++i) {
-      const Vector2d at(random.uniform(-10, 10), random.uniform(-7, 7));
-      const double radius = random.uniform(0.05, 0.3);
-      double least = 10.0;
-      for (double t = 0.0; t < 18.0; t += 0.1)
-        least = std::min(least, (robot_at(t).position - at).norm());
-      if (least > 0.6 + radius) hall.put_post(at, radius);
-    }
-    Noise noise(seed);
-    Odometry odometry({.most_scale_error = 0.01, .most_drift = 0.2 * std::numbers::pi / 180.0},
-                      robot_at(0.0), noise);
-    std::map<int, double> moving_for;  // by the number of the track [s]
-    while (hall.time() < 15.0) {
-      const Pose2 robot = robot_at(hall.time());
-      odometry.move_to(robot);
-      for (const MovingTrack& track : hall.scan({}, robot, odometry.pose()).tracker().tracks()) {
-        if (track.moving) moving_for[track.id] += 0.05;
-      }
-    }
-    for (const auto& [id, duration] : moving_for)
-      EXPECT_LE(duration, kLongest) << "track " << id << ", seed " << seed;
   }
 }
 

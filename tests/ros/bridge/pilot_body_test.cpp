@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pilot of robots with their true outline.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "pilot_rig.hpp"
+#include "support/robot_presets.hpp"
+
+namespace fairway::bridge {
+namespace {
+
+using test::Rig;
+using test::room;
+
+// Bodies whose covering disc would not turn where they stop.
+TEST(Pilot, DrivesEveryBodyOnAMapAndWithoutOne) {
+  for (const fairway::test::NamedRobot& robot : fairway::test::robot_presets()) {
+    for (const bool use_map : {true, false}) {
+      SCOPED_TRACE(std::string(robot.name) + (use_map ? " on a map" : " without a map"));
+      PilotOptions options{.use_map = use_map, .plan_in_background = false};
+      options.body = robot.model;
+      ASSERT_TRUE(validate(options));
+      Scenario truth = room();
+      truth.robots[0].model = robot.model;
+      Rig rig(options, truth);
+      rig.step();
+      const Goal goal{.position = {3.6, 4.0}, .heading = {}};
+      rig.pilot.set_goal(use_map ? goal : rig.in_odometry(goal));
+      const PilotStep last = rig.drive(60.0);
+      EXPECT_EQ(last.end, GoalEnd::Reached) << to_text(last.status) << ' ' << to_text(last.limit);
+      EXPECT_FALSE(rig.world.encounters()[0].collided);
+      EXPECT_LT((rig.world.robots()[0].pose.position - goal.position).norm(), 0.15);
+    }
+  }
+}
+
+// A keep-out on the straight line to the goal.
+TEST(Pilot, ABodyObeysTheZones) {
+  PilotOptions options{.plan_in_background = false};
+  options.body = fairway::test::robot_presets().front().model;
+  options.zones = {
+      Zone{.kind = ZoneKind::KeepOut, .polygon = {{2.2, 2.4}, {3.0, 2.4}, {3.0, 3.2}, {2.2, 3.2}}}};
+  ASSERT_TRUE(validate(options));
+  Scenario truth = room();
+  truth.robots[0].model = options.body;
+  Rig rig(options, truth);
+  rig.step();
+  rig.pilot.set_goal({.position = {3.6, 4.0}, .heading = {}});
+  const double until = rig.world.time() + 60.0;
+  PilotStep last;
+  double nearest = 10.0;  // distance of the reference point from the zone
+  while (rig.world.time() < until && last.end == GoalEnd::None) {
+    last = rig.step();
+    const Eigen::Vector2d from_centre =
+        (rig.world.robots()[0].pose.position - Eigen::Vector2d(2.6, 2.8)).cwiseAbs();
+    nearest = std::min(nearest, (from_centre.array() - 0.4).max(0.0).matrix().norm());
+  }
+  EXPECT_EQ(last.end, GoalEnd::Reached) << to_text(last.status) << ' ' << to_text(last.limit);
+  EXPECT_GT(nearest, 0.2);
+}
+
+}  // namespace
+}  // namespace fairway::bridge
