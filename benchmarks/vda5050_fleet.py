@@ -28,9 +28,9 @@ VERSION = "2.1.0"
 SPACING = 1.5  # of lanes [m]
 
 
-def write_map(folder, lanes, length):
-    """An empty hall with walls, as a PGM of 0.05 m cells."""
-    width, height = int((length + 6) / 0.05), int((lanes + 1) * SPACING / 0.05)
+def write_map(folder, lanes, length, wider):
+    """An empty hall with walls, as a PGM of 0.05 m cells, wider and higher than the lanes need."""
+    width, height = int((length + 6 + wider) / 0.05), int(((lanes + 1) * SPACING + wider) / 0.05)
     rows = [bytes([0]) * width]
     rows += [bytes([0]) + bytes([254]) * (width - 2) + bytes([0])] * (height - 2)
     rows += [bytes([0]) * width]
@@ -140,12 +140,13 @@ def main():
     parser.add_argument("--robots", type=int, default=20)
     parser.add_argument("--nodes", type=int, default=200)
     parser.add_argument("--length", type=int, default=20, help="of a lane [m]")
+    parser.add_argument("--wider", type=int, default=0, help="by which the hall is too large [m]")
     parser.add_argument("--seconds", type=float, default=120.0)
     parser.add_argument("--speed", type=float, default=1.0, help="simulated seconds in a second")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        map_file = write_map(folder, options.robots, options.length)
+        map_file = write_map(folder, options.robots, options.length, options.wider)
         vehicles = [f"amr{i}" for i in range(options.robots)]
         (folder / "fleet.yaml").write_text("robots:\n" + "".join(
             f"  - {{serial: amr{i}, start: [3.0, {SPACING * (i + 1)}, 0.0]}}\n"
@@ -166,6 +167,8 @@ def main():
                 time.sleep(0.1)
             seconds = time.monotonic() - begin
             used = cpu_time(process) - used
+            status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+            memory = int(status.split("VmHWM:")[1].split()[0]) / 1024
             time.sleep(1.0)
         finally:
             process.terminate()
@@ -174,7 +177,8 @@ def main():
     delays = sorted(watcher.delays)
     share = lambda p: 1e3 * delays[min(len(delays) - 1, int(p * len(delays)))]  # noqa: E731
     print(f"{options.robots} robots, orders of {options.nodes} nodes, {seconds:.0f} s at speed "
-          f"{options.speed:g}, lanes of {options.length} m: {100 * used / seconds:.0f} % of one core")
+          f"{options.speed:g}, lanes of {options.length} m in a hall {options.wider} m wider: "
+          f"{100 * used / seconds:.0f} % of one core, at most {memory:.0f} MB")
     print(f"{watcher.states} states, {watcher.driven} orders driven, {len(watcher.wrong)} wrong states")
     print(f"event to state over {len(delays)} of {number} requests: median {share(0.5):.1f} ms, "
           f"p99 {share(0.99):.1f} ms, greatest {delays[-1] * 1e3:.1f} ms")
