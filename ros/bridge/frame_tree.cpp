@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "bridge/pose_history.hpp"
+#include "bridge/sensing/pose_history.hpp"
 
 namespace fairway::bridge {
 

@@ -14,8 +14,7 @@ namespace fairway::bridge {
 
 namespace {
 
-constexpr int kLastZeros = 5;    // number of final commands: a base that misses one must not coast
-constexpr double kNever = -1e9;  // [s]; time of a missing measurement
+constexpr int kLastZeros = 5;  // number of final commands: a base that misses one must not coast
 
 bool is_zero(const NavigationStep& step) noexcept {
   return step.command.linear == 0.0 && step.command.angular == 0.0 && step.lateral == 0.0;
@@ -39,7 +38,10 @@ Expected<void> validate(const PilotOptions& options) {
 
 Pilot::Pilot(const Settings& settings, const PilotOptions& options)
     : settings_(settings),
-      options_(options) {
+      options_(options),
+      senses_({.use_map = options.use_map,
+               .use_scan = options.use_scan,
+               .localisation_timeout = options.localisation_timeout}) {
   if (options_.use_map) make_navigator();
   make_guard();
 }
@@ -71,8 +73,8 @@ void Pilot::make_navigator() {
   } else if (options_.use_map) {
     navigator_.emplace(MapNavigator(with_options(settings_)));
     if (map_) navigator_->set_map(*map_);
-  } else if (!odometry_.empty() && is_plausible(odometry_.pose())) {
-    navigator_.emplace(MaplessNavigator(with_options(settings_), odometry_.pose().position));
+  } else if (!odometry().empty() && is_plausible(odometry().pose())) {
+    navigator_.emplace(MaplessNavigator(with_options(settings_), odometry().pose().position));
   }
   if (navigator_ && !options_.zones.empty()) navigator_->set_zones(options_.zones);
 }
@@ -102,40 +104,18 @@ void Pilot::set_map(const OccupancyGrid& map) {
 }
 
 void Pilot::add_odometry(double time, const Pose2& pose, const PlanarTwist& twist) {
-  odometry_.add(time, pose, {.linear = twist.linear, .angular = twist.angular});
-  moving_ = twist;
+  senses_.add_odometry(time, pose, twist);
   if (!navigator_) make_navigator();
 }
 
-void Pilot::set_localisation(const Pose2& odometry_in_map, double time) {
-  localisation_ = odometry_in_map;
-  localisation_time_ = time;
-}
-
-Pose2 Pilot::in_world(const Pose2& pose) const {
-  return options_.use_map ? compose(*localisation_, pose) : pose;
-}
-
-std::optional<Pose2> Pilot::pose() const {
-  if (odometry_.empty() || (options_.use_map && !localisation_)) return std::nullopt;
-  return in_world(odometry_.pose());
-}
-
 bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_robot) {
-  if (!navigator_ || !options_.use_scan || (options_.use_map && !localisation_)) return false;
-  const std::optional<Pose2> first = odometry_.at(scan.time - duration);
-  const std::optional<Pose2> last = odometry_.at(scan.time);
-  if (!first || !last) return false;
-  if (guard_) {
-    scan.first_pose = compose(*first, sensor_on_robot);
-    scan.last_pose = compose(*last, sensor_on_robot);
-    guard_->observe(scan);
-  }
-  scan.first_pose = in_world(compose(*first, sensor_on_robot));
-  scan.last_pose = in_world(compose(*last, sensor_on_robot));
+  if (!navigator_) return false;
+  const std::optional<PlacedScan> placed = senses_.place(scan, duration, sensor_on_robot);
+  if (!placed) return false;
+  if (guard_) guard_->observe(placed->in_odometry);
   if (options_.use_map && !map_) return true;  // there is nothing to add it to
-  const bool taken = navigator_->observe(scan, in_world(*last).position);
-  scanned_ = scanned_ || taken;
+  const bool taken = navigator_->observe(placed->in_world, placed->position);
+  if (taken) senses_.note_scan();
   return taken;
 }
 
@@ -182,23 +162,6 @@ std::optional<SharedMotion> Pilot::share(std::uint32_t robot, double time) const
   return navigator_->share(robot, time, *now);
 }
 
-Measurements Pilot::measure(double time) {
-  seen_ = board_.collect(time);
-  Measurements measured{.time = time,
-                        .pose_time = kNever,
-                        .obstacles = seen_.obstacles,
-                        .obstacles_time = seen_.time,
-                        .obstacles_due = board_.has_detectors()};
-  if (options_.use_scan && !scanned_) measured.map_time = kNever;
-  if (const std::optional<Pose2> now = pose()) {
-    measured.pose = *now;
-    if (options_.use_map) measured.fleet = fleet_.around(now->position, time);
-    const bool lost = options_.use_map && time - localisation_time_ > options_.localisation_timeout;
-    if (!lost) measured.pose_time = odometry_.time();
-  }
-  return measured;
-}
-
 PilotStep Pilot::cycle(double time) {
   PilotStep answer;
   if (fresh_goal_) {
@@ -210,11 +173,11 @@ PilotStep Pilot::cycle(double time) {
   if (state_ == PilotState::Idle) {
     // Other programs may drive the robot now, so a drive starts with its actual twist, which the
     // fleet also receives.
-    if (navigator_ && !odometry_.empty()) reset_navigator(moving_);
+    if (navigator_ && !odometry().empty()) reset_navigator(senses_.twist());
     return answer;
   }
 
-  const Measurements measured = measure(time);
+  const Measurements measured = senses_.measure(time);
   NavigationStep step{.status = NavigationStatus::Stale, .limit = LimitingFactor::StalePose};
   if (navigator_) step = navigator_->update(measured);
 
@@ -244,8 +207,8 @@ PilotStep Pilot::cycle(double time) {
 
 // The last check of a command. The navigator goes on from what was really sent.
 void Pilot::guard(double time, PilotStep& answer) {
-  if (!guard_ || odometry_.empty()) return;
-  const Pose2 pose = odometry_.at(time).value_or(odometry_.pose());
+  if (!guard_ || odometry().empty()) return;
+  const Pose2 pose = odometry().at(time).value_or(odometry().pose());
   const Twist2 last{.linear = sent_.linear, .angular = sent_.angular};
   const MonitorVerdict verdict = guard_->check(time, pose, last, answer.command);
   answer.monitor = verdict.reason;

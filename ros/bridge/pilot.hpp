@@ -5,9 +5,8 @@
 
 #include "bridge/any_navigator.hpp"
 #include "bridge/command_guard.hpp"
-#include "bridge/fleet_board.hpp"
-#include "bridge/obstacle_board.hpp"
-#include "bridge/pose_history.hpp"
+#include "bridge/sensing/robot_senses.hpp"
+#include "bridge/sensing/sensor_receiver.hpp"
 
 namespace fairway::bridge {
 
@@ -61,7 +60,7 @@ struct PilotStep {
 /// calls from one thread.
 ///
 /// The world frame is the map's, or the odometry's without a map.
-class Pilot {
+class Pilot : public SensorReceiver {
  public:
   /// @pre settings and options are valid.
   Pilot(const Settings& settings, const PilotOptions& options);
@@ -71,22 +70,16 @@ class Pilot {
   void set_settings(const Settings& settings);
 
   void set_map(const OccupancyGrid& map);
-  void add_odometry(double time, const Pose2& pose, const PlanarTwist& twist);
-
-  /// The pose of the odometry's frame in the map at `time`; infinite for a static one.
-  void set_localisation(const Pose2& odometry_in_map, double time);
-
-  /// Adds a scan in the sensor's frame. `scan.time` is the time of the last beam; `scan.first_pose`
-  /// and `.last_pose` are computed here. @param duration  from the first beam to the last [s].
-  /// @return whether the scan was used: the poses at these times are known, and it is plausible.
-  bool add_scan(LidarScan scan, double duration, const Pose2& sensor_on_robot);
-
-  /// Moving obstacles from detectors; positions in the world's frame.
-  [[nodiscard]] ObstacleBoard& board() noexcept { return board_; }
+  void add_odometry(double time, const Pose2& pose, const PlanarTwist& twist) override;
+  void set_localisation(const Pose2& odometry_in_map, double time) override {
+    senses_.set_localisation(odometry_in_map, time);
+  }
+  bool add_scan(LidarScan scan, double duration, const Pose2& sensor_on_robot) override;
+  [[nodiscard]] ObstacleBoard& board() noexcept override { return senses_.board(); }
 
   /// The other robots' published motions, in the map's frame. Without a map there is no common
   /// frame, and they are ignored.
-  [[nodiscard]] FleetBoard& fleet() noexcept { return fleet_; }
+  [[nodiscard]] FleetBoard& fleet() noexcept { return senses_.fleet(); }
 
   /// The message to the fleet after a cycle at `time`. It has this robot's motion, and the stop to
   /// which it is committed until its next message. None before the pose is known, or without a map.
@@ -111,7 +104,7 @@ class Pilot {
   [[nodiscard]] const PilotOptions& options() const noexcept { return options_; }
 
   /// The robot's pose by the newest odometry; none before odometry, or localisation, is known.
-  [[nodiscard]] std::optional<Pose2> pose() const;
+  [[nodiscard]] std::optional<Pose2> pose() const { return senses_.pose(); }
 
   /// The current plan and the tracker's obstacles; null before the first odometry.
   [[nodiscard]] const AnyNavigator* navigator() const noexcept {
@@ -121,7 +114,7 @@ class Pilot {
   /// Whether any plan was made, even an unusable one.
   [[nodiscard]] bool has_planned() const noexcept { return has_planned_; }
 
-  [[nodiscard]] const PoseHistory& odometry() const noexcept { return odometry_; }
+  [[nodiscard]] const PoseHistory& odometry() const noexcept { return senses_.odometry(); }
 
  private:
   void make_navigator();
@@ -130,22 +123,14 @@ class Pilot {
   void reset_navigator(const PlanarTwist& actual);
   void guard(double time, PilotStep& answer);
   [[nodiscard]] Settings with_options(const Settings& settings) const;
-  [[nodiscard]] Pose2 in_world(const Pose2& pose) const;
-  [[nodiscard]] Measurements measure(double time);
   void judge(const NavigationStep& step, PilotStep& answer);
   [[nodiscard]] std::string reason_of(const NavigationStep& step) const;
 
   Settings settings_;
   PilotOptions options_;
   std::optional<OccupancyGrid> map_;
-  PoseHistory odometry_;
-  std::optional<Pose2> localisation_;
-  double localisation_time_ = 0.0;
-  ObstacleBoard board_;
-  FleetBoard fleet_;
+  RobotSenses senses_;
   std::optional<AnyNavigator> navigator_;  // without a map, only once the first pose is known
-  SeenObstacles seen_;                     // from detectors, in this cycle
-  bool scanned_ = false;                   // a scan was used
   std::optional<Goal> goal_;
   Path path_;     // to the goal, if it was given; else empty
   Zones strips_;  // around the path
@@ -153,7 +138,6 @@ class Pilot {
   int zeros_left_ = 0;  // remaining commands while stopping, after standstill
   bool has_planned_ = false;
   bool fresh_goal_ = false;  // set since the last cycle
-  PlanarTwist moving_{};     // by the newest odometry
   PlanarTwist sent_{};
   double steering_ = 0.0;  // last one sent, or that follows from the odometry [rad]
   std::optional<CommandGuard> guard_;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bridge/message_conversions.hpp"
-#include "bridge/obstacle_cloud.hpp"
+#include "bridge/sensing/obstacle_cloud.hpp"
 
 namespace fairway::dds {
 

@@ -6,7 +6,7 @@
 #include <iomanip>
 
 #include "bridge/message_conversions.hpp"
-#include "bridge/pose_history.hpp"
+#include "bridge/sensing/pose_history.hpp"
 #include "fairway_dds/dds_conversions.hpp"
 #include "fairway_dds/navigation_node.hpp"
 

@@ -9,7 +9,7 @@
 #include <std_msgs/Float64.h>
 
 #include "bridge/message_conversions.hpp"
-#include "bridge/pose_history.hpp"
+#include "bridge/sensing/pose_history.hpp"
 #include "fairway_ros/message_conversions.hpp"
 
 namespace fairway::ros1 {

@@ -10,7 +10,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "bridge/message_conversions.hpp"
-#include "bridge/pose_history.hpp"
+#include "bridge/sensing/pose_history.hpp"
 #include "nav2_fairway_controller/costmap_conversion.hpp"
 #include "nav2_fairway_controller/costmap_footprint.hpp"
 #include "nav2_fairway_controller/message_times.hpp"

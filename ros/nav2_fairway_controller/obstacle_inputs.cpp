@@ -18,7 +18,7 @@
 #endif
 
 #include "bridge/message_conversions.hpp"
-#include "bridge/obstacle_cloud.hpp"
+#include "bridge/sensing/obstacle_cloud.hpp"
 #include "nav2_fairway_controller/message_times.hpp"
 #include "nav2_fairway_controller/obstacle_messages.hpp"
 

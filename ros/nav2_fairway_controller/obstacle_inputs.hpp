@@ -10,7 +10,7 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <sensor_msgs/msg/point_cloud2.hpp>
 
-#include "bridge/obstacle_board.hpp"
+#include "bridge/sensing/obstacle_board.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
 #include "nav2_fairway_controller/nav2_versions.hpp"
 #include "nav2_fairway_controller/scan_queue.hpp"

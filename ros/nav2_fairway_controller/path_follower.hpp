@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "bridge/obstacle_board.hpp"
+#include "bridge/sensing/obstacle_board.hpp"
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "nav2_fairway_controller/following/follower_mailbox.hpp"
 #include "nav2_fairway_controller/following/path_piece.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "node/legs_apart.hpp"
+#include "driver/legs_apart.hpp"
 
 #include <gtest/gtest.h>
 
-#include "node/driving_area.hpp"
-#include "node/leg_strips.hpp"
+#include "driver/driving_area.hpp"
+#include "driver/leg_strips.hpp"
 
 namespace fairway::vda5050::test {
 namespace {

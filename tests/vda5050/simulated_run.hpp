@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "bases/simulated_fleet.hpp"
+#include "driver/route_driver.hpp"
 #include "fleet_double.hpp"
-#include "node/route_driver.hpp"
-#include "node/simulated_fleet.hpp"
 
 namespace fairway::vda5050::test {
 

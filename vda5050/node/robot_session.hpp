@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "bases/simulated_fleet.hpp"
+#include "driver/route_driver.hpp"
 #include "node/broker_connection.hpp"
-#include "node/route_driver.hpp"
-#include "node/simulated_fleet.hpp"
 #include "protocol/vehicle/vehicle.hpp"
 
 namespace fairway::vda5050 {

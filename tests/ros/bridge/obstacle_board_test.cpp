@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bridge/obstacle_board.hpp"
+#include "bridge/sensing/obstacle_board.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bridge/obstacle_cloud.hpp"
+#include "bridge/sensing/obstacle_cloud.hpp"
 
 #include <cstring>
 #include <string>

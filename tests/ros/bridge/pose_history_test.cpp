@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bridge/pose_history.hpp"
+#include "bridge/sensing/pose_history.hpp"
 
 #include <cmath>
 

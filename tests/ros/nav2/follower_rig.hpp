@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bridge/pose_history.hpp"
+#include "bridge/sensing/pose_history.hpp"
 #include "fairway/simulation/world.hpp"
 #include "nav2_fairway_controller/costmap_conversion.hpp"
 #include "nav2_fairway_controller/path_follower.hpp"

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "driver/route_driver.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/lidar_senses.hpp"
 #include "fairway/simulation/world.hpp"
-#include "node/route_driver.hpp"
 
 namespace fairway::vda5050 {
 

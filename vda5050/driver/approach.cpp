@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "node/approach.hpp"
+#include "driver/approach.hpp"
 
 #include <algorithm>
 

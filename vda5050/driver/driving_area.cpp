@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "node/driving_area.hpp"
+#include "driver/driving_area.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "node/leg_strips.hpp"
+#include "driver/leg_strips.hpp"
 
 namespace fairway::vda5050 {
 

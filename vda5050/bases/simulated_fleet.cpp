@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "node/simulated_fleet.hpp"
+#include "bases/simulated_fleet.hpp"
 
 #include <algorithm>
 

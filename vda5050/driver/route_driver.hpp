@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "driver/driving_area.hpp"
+#include "driver/leg_path.hpp"
 #include "fairway/navigation/facade/map_navigator.hpp"
-#include "node/driving_area.hpp"
-#include "node/leg_path.hpp"
 #include "protocol/vehicle/vehicle.hpp"
 
 namespace fairway::vda5050 {

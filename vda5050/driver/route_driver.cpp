@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "node/route_driver.hpp"
+#include "driver/route_driver.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include "driver/approach.hpp"
+#include "driver/leg_strips.hpp"
+#include "driver/legs_apart.hpp"
 #include "fairway/geometry/angle.hpp"
 #include "fairway/zones/zone_map.hpp"
-#include "node/approach.hpp"
-#include "node/leg_strips.hpp"
-#include "node/legs_apart.hpp"
 #include "protocol/orders/node_passing.hpp"
 
 namespace fairway::vda5050 {

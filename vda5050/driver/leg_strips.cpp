@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "node/leg_strips.hpp"
+#include "driver/leg_strips.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "node/leg_path.hpp"
+#include "driver/leg_path.hpp"
 
 #include <algorithm>
 #include <cmath>
