@@ -3,20 +3,12 @@
 
 #include <chrono>
 #include <cstdio>
-#include <limits>
 #include <utility>
 
 #include "bridge/message_conversions.hpp"
-#include "fairway/base/utf8_text.hpp"
 #include "fairway_dds/dds_conversions.hpp"
 
 namespace fairway::dds {
-
-namespace {
-
-constexpr double kForever = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 double wall_time() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -28,6 +20,12 @@ NavigationNode::NavigationNode(const Settings& settings, const NodeOptions& opti
       pilot_(settings, options.pilot),
       clock_(options.pilot.use_scan),
       participant_(options.domain, options.space),
+      sensors_(participant_,
+               {.map_frame = options.map_frame,
+                .base_frame = options.base_frame,
+                .use_map = options.pilot.use_map,
+                .use_scan = options.pilot.use_scan}),
+      fleet_(participant_, options.name),
       actions_(participant_,
                {.navigate = [this](const auto& goal) { take_goal(goal, true); },
                 .follow = [this](const auto& path) { take_path(path); },
@@ -42,15 +40,6 @@ NavigationNode::NavigationNode(const Settings& settings, const NodeOptions& opti
   }
   if (options_.pilot.body && is_steered(options_.pilot.body->base))
     steering_.emplace(participant_, "steering_angle", Quality{});
-}
-
-std::string NavigationNode::world_frame() const {
-  return options_.pilot.use_map ? options_.map_frame : odometry_frame_;
-}
-
-std::optional<Pose2> NavigationNode::find_frame(const std::string& frame) const {
-  const auto found = frames_.find(world_frame(), frame);
-  return found ? std::optional(found->pose) : std::nullopt;
 }
 
 double NavigationNode::now() const { return options_.sim_time ? simulated_time_ : wall_time(); }
@@ -73,8 +62,6 @@ void NavigationNode::receive() {
       simulated_time_ = seconds_of(message.clock);
     });
   }
-  static_transforms_.take([this](const auto& message) { take_transform(message, true); });
-  transforms_.take([this](const auto& message) { take_transform(message, false); });
   map_.take([this](const nav_msgs_msg_dds__OccupancyGrid_& message) {
     const Expected<OccupancyGrid> grid = to_grid(message);
     if (grid) {
@@ -83,15 +70,8 @@ void NavigationNode::receive() {
       std::fprintf(stderr, "fairway: %s\n", grid.error().message.c_str());
     }
   });
-  odometry_.take([this](const nav_msgs_msg_dds__Odometry_& message) {
-    odometry_frame_ = message.header.frame_id;
-    pilot_.add_odometry(seconds_of(message.header.stamp), bridge::to_pose(message.pose.pose),
-                        bridge::to_planar_twist(message.twist.twist));
-  });
-  update_localisation();
-  scan_.take([this](const auto& message) { take_scan(message); });
-  obstacles_.take([this](const auto& message) { take_obstacles(message); });
-  fleet_.take([this](const auto& message) { take_robot(message); });
+  if (sensors_.take(pilot_)) scan_came_ = true;
+  fleet_.take(pilot_.fleet(), sensors_, now());
   cancel_.take([this](const auto& /*message*/) {
     cancel_goal();
     actions_.abort(ActionFault::Unknown, "cancelled by the topic cancel_goal", now());
@@ -99,59 +79,6 @@ void NavigationNode::receive() {
   goal_.take([this](const auto& message) { take_goal(message, false); });
   actions_.serve(now());
   place_goal();
-}
-
-void NavigationNode::take_transform(const tf2_msgs_msg_dds__TFMessage_& message, bool is_static) {
-  for (const geometry_msgs_msg_dds__TransformStamped_& link : elements(message.transforms)) {
-    frames_.set(link.header.frame_id, link.child_frame_id,
-                bridge::transform_to_pose(link.transform),
-                is_static ? kForever : seconds_of(link.header.stamp));
-  }
-}
-
-void NavigationNode::update_localisation() {
-  if (!options_.pilot.use_map || odometry_frame_.empty()) return;
-  if (const auto found = frames_.find(options_.map_frame, odometry_frame_)) {
-    pilot_.set_localisation(found->pose, found->time);
-  }
-}
-
-void NavigationNode::take_scan(const sensor_msgs_msg_dds__LaserScan_& message) {
-  const auto mount = frames_.find(options_.base_frame, message.header.frame_id);
-  if (!mount || !options_.pilot.use_scan) return;
-  const ScanInput input = to_scan(message);
-  if (pilot_.add_scan(input.scan, input.duration, mount->pose)) scan_came_ = true;
-}
-
-void NavigationNode::take_obstacles(const sensor_msgs_msg_dds__PointCloud2_& message) {
-  Expected<std::vector<MovingObstacle>> read = to_obstacles(message);
-  const auto frame = find_frame(message.header.frame_id);
-  if (!read) std::fprintf(stderr, "fairway: %s\n", read.error().message.c_str());
-  if (!read || !frame) return;
-  for (MovingObstacle& obstacle : *read) {
-    obstacle.position = transform(*frame, obstacle.position);
-    obstacle.velocity = rotated(obstacle.velocity, frame->heading);
-  }
-  pilot_.board().set_detections(
-      "obstacles", {.obstacles = *std::move(read), .time = seconds_of(message.header.stamp)});
-}
-
-void NavigationNode::take_robot(const fairway_msgs_msg_dds__SharedMotion_& message) {
-  const std::string name = message.name;
-  if (options_.name.empty() || name == options_.name) return;
-  const auto frame = find_frame(message.header.frame_id);
-  if (message.leaving) {
-    pilot_.fleet().forget(name);
-    if (robots_.erase(name) > 0)
-      std::fprintf(stderr, "fairway: robot %s has left\n", one_line(name).c_str());
-  } else if (frame) {
-    if (!pilot_.fleet().receive(name, to_motion(message, *frame), now())) {
-      std::fprintf(stderr, "fairway: %s: expected a plausible message with a time that has been\n",
-                   one_line(name).c_str());
-    } else if (robots_.insert(name).second) {
-      std::fprintf(stderr, "fairway: receives robot %s\n", one_line(name).c_str());
-    }
-  }
 }
 
 void NavigationNode::run_cycle(double now) {
@@ -193,7 +120,7 @@ void NavigationNode::tell_status(const std::string& text) {
 void NavigationNode::tell_fleet(double now, bool leaving) {
   if (options_.name.empty()) return;
   if (const auto motion = pilot_.share(bridge::robot_number(options_.name), now)) {
-    own_motion_.send(MotionMessage(*motion, options_.name, world_frame(), leaving).get());
+    fleet_.send(*motion, world_frame(), leaving);
   }
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <set>
 #include <string>
 
 #include "bridge/cycle_clock.hpp"
-#include "bridge/frame_tree.hpp"
 #include "bridge/pilot.hpp"
 #include "fairway_dds/actions/goal_actions.hpp"
 #include "fairway_dds/actions/path_drive.hpp"
 #include "fairway_dds/dds_topics.hpp"
+#include "fairway_dds/fleet_topic.hpp"
+#include "fairway_dds/sensor_topics.hpp"
 
 namespace fairway::dds {
 
@@ -44,9 +44,6 @@ class NavigationNode {
 
  private:
   void receive();
-  void take_transform(const tf2_msgs_msg_dds__TFMessage_& message, bool is_static);
-  void take_scan(const sensor_msgs_msg_dds__LaserScan_& message);
-  void take_obstacles(const sensor_msgs_msg_dds__PointCloud2_& message);
   void take_goal(const geometry_msgs_msg_dds__PoseStamped_& message, bool from_action);
   void take_path(const nav_msgs_msg_dds__Path_& message);
   void drop_goal();
@@ -58,15 +55,15 @@ class NavigationNode {
   void report_goal(const bridge::PilotStep& step, double now);
   [[nodiscard]] bool is_outside_map() const;
   [[nodiscard]] double remaining_length(const Eigen::Vector2d& position) const;
-  void take_robot(const fairway_msgs_msg_dds__SharedMotion_& message);
-  void update_localisation();
   void run_cycle(double now);
   void send(const bridge::PilotStep& step);
   void tell_status(const std::string& text);
   void tell_fleet(double now, bool leaving);
   [[nodiscard]] double now() const;
-  [[nodiscard]] std::string world_frame() const;
-  [[nodiscard]] std::optional<Pose2> find_frame(const std::string& frame) const;
+  [[nodiscard]] std::string world_frame() const { return sensors_.world_frame(); }
+  [[nodiscard]] std::optional<Pose2> find_frame(const std::string& frame) const {
+    return sensors_.find_frame(frame);
+  }
 
   struct WaitingGoal {
     std::string frame;
@@ -78,20 +75,13 @@ class NavigationNode {
 
   NodeOptions options_;
   bridge::Pilot pilot_;
-  bridge::FrameTree frames_;
   bridge::CycleClock clock_;
   Participant participant_;
   Reader<nav_msgs_msg_dds__OccupancyGrid_> map_{participant_, "map", kLatched};
-  Reader<nav_msgs_msg_dds__Odometry_> odometry_{participant_, "odom", kSensor};
-  Reader<sensor_msgs_msg_dds__LaserScan_> scan_{participant_, "scan", kSensor};
-  Reader<sensor_msgs_msg_dds__PointCloud2_> obstacles_{participant_, "obstacles", kSensor};
-  Reader<tf2_msgs_msg_dds__TFMessage_> transforms_{participant_, "/tf", {.depth = 100}};
-  Reader<tf2_msgs_msg_dds__TFMessage_> static_transforms_{
-      participant_, "/tf_static", {.transient_local = true, .depth = 100}};
+  SensorTopics sensors_;
   Reader<geometry_msgs_msg_dds__PoseStamped_> goal_{participant_, "goal_pose", {}};
   Reader<std_msgs_msg_dds__Empty_> cancel_{participant_, "cancel_goal", {}};
-  Reader<fairway_msgs_msg_dds__SharedMotion_> fleet_{
-      participant_, "/fairway/fleet", {.reliable = false, .depth = 50}};
+  FleetTopic fleet_;
   std::optional<Reader<rosgraph_msgs_msg_dds__Clock_>> simulated_clock_;
   double simulated_time_ = 0.0;                                                  // 0: not known
   std::optional<Writer<geometry_msgs_msg_dds__Twist_>> command_;                 // one of these
@@ -102,15 +92,11 @@ class NavigationNode {
   Writer<std_msgs_msg_dds__String_> status_{participant_, "fairway_status", {}};
   Writer<visualization_msgs_msg_dds__MarkerArray_> status_marker_{participant_, "status_marker",
                                                                   kLatched};
-  Writer<fairway_msgs_msg_dds__SharedMotion_> own_motion_{
-      participant_, "/fairway/fleet", {.reliable = false, .depth = 1}};
   GoalActions actions_;
   std::optional<WaitingGoal> waiting_goal_;
   std::optional<PathDrive> drive_;                           // along the path of an action
   Eigen::Vector2d goal_position_ = Eigen::Vector2d::Zero();  // of the last goal without a path
   bridge::DriveProgress progress_;
-  std::string odometry_frame_;
-  std::set<std::string> robots_;  // of the fleet, whose messages have been received
   std::string told_;
   bool scan_came_ = false;  // since the last tick
 };
