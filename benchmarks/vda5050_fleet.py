@@ -18,7 +18,7 @@ import tempfile
 import threading
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "vda5050"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "vda5050" / "broker"))
 
 import paho.mqtt.client as mqtt  # noqa: E402
 from fleet_master import Broker, wait_until  # noqa: E402

@@ -41,7 +41,8 @@ Pilot::Pilot(const Settings& settings, const PilotOptions& options)
       options_(options),
       senses_({.use_map = options.use_map,
                .use_scan = options.use_scan,
-               .localisation_timeout = options.localisation_timeout}) {
+               .localisation_timeout = options.localisation_timeout,
+               .robot = options.robot}) {
   if (options_.use_map) make_navigator();
   make_guard();
 }
@@ -156,10 +157,10 @@ void Pilot::cancel() {
   if (navigator_) navigator_->cancel();
 }
 
-std::optional<SharedMotion> Pilot::share(std::uint32_t robot, double time) const {
+std::optional<SharedMotion> Pilot::share(double time) const {
   const std::optional<Pose2> now = pose();
   if (!options_.use_map || !now || !navigator_) return std::nullopt;
-  return navigator_->share(robot, time, *now);
+  return navigator_->share(options_.robot, time, *now);
 }
 
 PilotStep Pilot::cycle(double time) {

@@ -21,6 +21,7 @@ struct PilotOptions {
   double localisation_timeout = 2.0;  ///< largest age of the odometry frame's pose in the map [s]
   Zones zones{};                      ///< that hold, in the world frame
   std::optional<RobotModel> body{};   ///< true outline and base, driven by a BodyNavigator
+  std::uint32_t robot = 0;            ///< number in the fleet; see robot_number
 };
 
 /// Checks that a robot can be driven with these options; the error names the option.
@@ -83,7 +84,7 @@ class Pilot : public SensorReceiver {
 
   /// The message to the fleet after a cycle at `time`. It has this robot's motion, and the stop to
   /// which it is committed until its next message. None before the pose is known, or without a map.
-  [[nodiscard]] std::optional<SharedMotion> share(std::uint32_t robot, double time) const;
+  [[nodiscard]] std::optional<SharedMotion> share(double time) const;
 
   /// Sets a goal in the world's frame. The next cycles refuse one that is not finite.
   void set_goal(const Goal& goal);

@@ -30,6 +30,11 @@ inline const dds_topic_descriptor_t& descriptor<geometry_msgs_msg_dds__PoseStamp
   return geometry_msgs_msg_dds__PoseStamped__desc;
 }
 template <>
+inline const dds_topic_descriptor_t&
+descriptor<geometry_msgs_msg_dds__PoseWithCovarianceStamped_>() noexcept {
+  return geometry_msgs_msg_dds__PoseWithCovarianceStamped__desc;
+}
+template <>
 inline const dds_topic_descriptor_t& descriptor<geometry_msgs_msg_dds__Twist_>() noexcept {
   return geometry_msgs_msg_dds__Twist__desc;
 }

@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
     return fail_with(error.what());
   }
   options.pilot.use_map = !no_map;
+  options.pilot.robot = bridge::robot_number(options.name);
   options.pilot.use_scan = !no_scan;
   options.pilot.use_monitor = !no_monitor;
   const Expected<Settings> settings = read_settings(file, assignments);

@@ -119,7 +119,7 @@ void NavigationNode::tell_status(const std::string& text) {
 
 void NavigationNode::tell_fleet(double now, bool leaving) {
   if (options_.name.empty()) return;
-  if (const auto motion = pilot_.share(bridge::robot_number(options_.name), now)) {
+  if (const auto motion = pilot_.share(now)) {
     fleet_.send(*motion, world_frame(), leaving);
   }
 }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tf2_ros/transform_listener.h>
-
 #include <optional>
 
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
-#include <nav_msgs/Odometry.h>
-#include <sensor_msgs/LaserScan.h>
-#include <sensor_msgs/PointCloud2.h>
 
 #include "bridge/cycle_clock.hpp"
 #include "bridge/pilot.hpp"
 #include "fairway_ros/goal_server.hpp"
 #include "fairway_ros/node_outputs.hpp"
+#include "fairway_ros/sensor_topics.hpp"
 #include "fairway_ros/setting_parameters.hpp"
 
 namespace fairway::ros1 {
@@ -34,30 +30,18 @@ class NavigationNode {
 
  private:
   void on_map(const nav_msgs::OccupancyGrid::ConstPtr& message);
-  void on_odometry(const nav_msgs::Odometry::ConstPtr& message);
-  void on_scan(const sensor_msgs::LaserScan::ConstPtr& message);
-  void on_obstacles(const sensor_msgs::PointCloud2::ConstPtr& message);
   [[nodiscard]] std::string on_goal(const geometry_msgs::PoseStamped& message);
-  void update_localisation();
   void run_cycle(double now);
-  [[nodiscard]] std::string world_frame() const;
-  [[nodiscard]] std::optional<geometry_msgs::TransformStamped> find_transform(
-      const std::string& to, const std::string& from) const;
 
   NodeOptions options_;
   bridge::Pilot pilot_;
   ros::NodeHandle node_;
   ros::NodeHandle own_{"~"};
-  tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_{transforms_};
   NodeOutputs outputs_;
   SettingParameters parameters_;
   GoalServer goals_;
+  SensorTopics sensors_;
   ros::Subscriber map_;
-  ros::Subscriber odometry_;
-  ros::Subscriber scan_;
-  ros::Subscriber obstacles_;
-  std::string odometry_frame_;
   std::optional<ScanTimes> new_scan_;  // no command has used it yet
   bool scan_came_ = false;             // since the last tick
   bridge::CycleClock clock_;

@@ -5,14 +5,9 @@
 #include <ros/node_handle.h>
 
 #include "bridge/pilot.hpp"
+#include "fairway_ros/sensor_topics.hpp"
 
 namespace fairway::ros1 {
-
-/// Times of the newest scan's measurement, its reception, and its command, all on one clock [s].
-struct ScanTimes {
-  double taken = 0.0;
-  double received = 0.0;
-};
 
 /// Everything that the navigation node publishes.
 class NodeOutputs {

@@ -31,15 +31,16 @@ class SimulatedRun {
     vehicle.set_route_check([this](const Route& route, const std::vector<Zone>& zones) {
       return driver_.first_closed(route, zones);
     });
+    fleet_.attach(0, driver_);
     cycle();
   }
 
   void send(Topic topic, const json& message) { vehicle.receive(topic, message.dump(), time_); }
 
   void cycle() {
-    const Measurements measured = fleet_.measure(0, driver_);
+    const Measurements measured = fleet_.measure(0).measured;
     const DrivenRoute driven = driver_.drive(vehicle, measured);
-    fleet_.command(0, driven.command, driver_);
+    fleet_.command(0, driven.command, vehicle.may_drive());
     VehicleMotion motion;
     motion.pose = measured.pose;
     motion.twist = fleet_.robot(0).twist;

@@ -10,6 +10,7 @@ SimulatedFleet::SimulatedFleet(const Scenario& scenario, const PhysicsMaker& phy
       physics_(physics),
       world_(scenario, physics ? physics(scenario) : nullptr),
       radio_(scenario.radio, scenario.robots.size(), scenario.seed),
+      drivers_(scenario.robots.size()),
       commands_(scenario.robots.size()) {
   make_senses();
 }
@@ -21,28 +22,28 @@ void SimulatedFleet::make_senses() {
         std::make_unique<LidarSenses>(scenario_.sensing, world_, i, scenario_.seed + i));
 }
 
-// A robot with a lidar is localised on its map: its pose is exact.
-Measurements SimulatedFleet::measure(std::size_t index, RouteDriver& driver) {
+SensedRobot SimulatedFleet::measure(std::size_t index) {
   const Pose2& pose = robot(index).pose;
-  Measurements measured{
-      .time = world_.time(), .pose = pose, .robot = static_cast<std::uint32_t>(index)};
+  SensedRobot sensed{.measured = {}, .twist = robot(index).twist};
+  Measurements& measured = sensed.measured;
+  measured = {.time = world_.time(), .pose = pose, .robot = static_cast<std::uint32_t>(index)};
   measured.fleet = radio_.hear(index, pose.position, world_.time());
   if (!senses_.empty()) {
     senses_[index]->measure(world_);
     senses_[index]->deliver(world_.time(), [&](const LidarScan& scan, const Eigen::Vector2d& at) {
-      driver.observe(scan, at);
+      (void)drivers_[index]->observe(scan, at);
     });
-    return measured;
+    return sensed;
   }
   world_.moving_bodies(seen_);
   measured.obstacles = seen_;
-  return measured;
+  return sensed;
 }
 
-void SimulatedFleet::command(std::size_t index, const Twist2& twist, const RouteDriver& driver) {
+void SimulatedFleet::command(std::size_t index, const Twist2& twist, bool /*drives*/) {
   commands_.at(index) = twist;
-  radio_.tell(index, driver.navigator().share(static_cast<std::uint32_t>(index), world_.time(),
-                                              robot(index).pose));
+  radio_.tell(index, drivers_[index]->navigator().share(static_cast<std::uint32_t>(index),
+                                                        world_.time(), robot(index).pose));
 }
 
 void SimulatedFleet::advance(double dt) {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "driver/route_driver.hpp"
+#include "bases/robot_bases.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
 #include "fairway/simulation/lidar_senses.hpp"
@@ -13,7 +13,7 @@
 namespace fairway::vda5050 {
 
 /// The built-in simulator: the robots of one process in one world, whose plans they share.
-class SimulatedFleet {
+class SimulatedFleet : public RobotBases {
  public:
   /// @param physics  Empty for the unicycle.
   SimulatedFleet(const Scenario& scenario, const PhysicsMaker& physics);
@@ -26,18 +26,17 @@ class SimulatedFleet {
     return world_.encounters().at(index).collided;
   }
 
-  /// Gives a driver the scans that became available, and returns the measurements of a cycle, valid
-  /// until the next call.
-  [[nodiscard]] Measurements measure(std::size_t index, RouteDriver& driver);
+  void attach(std::size_t index, RouteDriver& driver) override { drivers_.at(index) = &driver; }
 
-  /// Sets the command of a robot and shares its plan with the others.
-  void command(std::size_t index, const Twist2& twist, const RouteDriver& driver);
+  /// A robot with a lidar is localised on its map: its pose is exact.
+  [[nodiscard]] SensedRobot measure(std::size_t index) override;
 
-  /// Moves all robots for `dt` [s].
-  void advance(double dt);
+  void command(std::size_t index, const Twist2& twist, bool drives) override;
+
+  void advance(double dt) override;
 
   /// Puts a robot at a pose, at standstill. @return whether it fits there.
-  bool place(std::size_t index, const Pose2& pose);
+  bool place(std::size_t index, const Pose2& pose) override;
 
  private:
   void make_senses();
@@ -47,6 +46,7 @@ class SimulatedFleet {
   World world_;
   FleetRadio radio_;
   std::vector<std::unique_ptr<LidarSenses>> senses_;  // empty without lidar
+  std::vector<RouteDriver*> drivers_;
   std::vector<Twist2> commands_;
   std::vector<MovingObstacle> seen_;
 };

@@ -52,6 +52,13 @@ void RouteDriver::restart() {
   navigator_.reset();
 }
 
+Twist2 RouteDriver::brake(const Measurements& measurements) {
+  window_.reset();
+  driving_ = false;
+  navigator_.cancel();
+  return navigator_.update(measurements).command;
+}
+
 // Gives legs without a line of their own the path that the robot chooses. Returns the first leg to
 // which there is none; it keeps its straight line.
 std::optional<std::size_t> RouteDriver::choose_free_lines(std::vector<RouteLeg>& legs,

@@ -36,9 +36,15 @@ class RouteDriver {
                                                         const std::vector<vda5050::Zone>& zones);
 
   /// Processes a scan, as MapNavigator::observe.
-  void observe(const LidarScan& scan, const Eigen::Vector2d& position) {
-    (void)navigator_.observe(scan, position);
+  bool observe(const LidarScan& scan, const Eigen::Vector2d& position) {
+    return navigator_.observe(scan, position);
   }
+
+  /// Notes that the base moves otherwise than by the last command.
+  void set_twist(const Twist2& actual) noexcept { navigator_.reset(actual); }
+
+  /// Brakes: one control cycle without a route.
+  [[nodiscard]] Twist2 brake(const Measurements& measurements);
 
   /// Runs one control cycle towards the end of the vehicle's route.
   [[nodiscard]] DrivenRoute drive(const Vehicle& vehicle, const Measurements& measurements);

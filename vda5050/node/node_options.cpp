@@ -14,7 +14,6 @@
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 #include "fairway/map/footprint_clearance.hpp"
-#include "node/fleet_file.hpp"
 
 #ifdef FAIRWAY_WITH_MUJOCO
 #include "fairway/simulation/physics/mujoco_physics.hpp"
@@ -41,9 +40,13 @@ struct CommandLineTexts {
   double speed = 1.0;
   std::optional<int> page{};
   bool simulate = false;
+  std::string space;
+  std::string base_frame = "base_link";
+  bool no_scan = false;
+  bool no_monitor = false;
 };
 
-void add_options(CLI::App& app, CommandLineTexts& texts, BrokerAddress& broker) {
+void add_protocol_options(CLI::App& app, CommandLineTexts& texts, BrokerAddress& broker) {
   app.add_option("--broker", broker.host, "Host of the MQTT broker")->capture_default_str();
   app.add_option("--port", broker.port, "Port of the broker")
       ->capture_default_str()
@@ -62,6 +65,14 @@ void add_options(CLI::App& app, CommandLineTexts& texts, BrokerAddress& broker) 
       ->check(CLI::IsMember({"2.0.0", "2.1.0", "3.0.0"}));
   app.add_option("--map", texts.map, "map_server YAML file")->required();
   app.add_option("--map-id", texts.map_id, "mapId in messages (default: stem of the map file)");
+  app.add_option("--settings", texts.settings, "YAML file with settings of Fairway");
+  app.add_option("--set", texts.assignments, "Sets one setting: group.name=value (repeatable)");
+  app.add_option("--fleet", texts.fleet, "YAML file with the robots of this process");
+  app.add_option("--page", texts.page, "Serves a live page on this port of this machine")
+      ->check(CLI::Range(0, 65535));
+}
+
+void add_simulation_options(CLI::App& app, CommandLineTexts& texts) {
   app.add_flag("--simulate", texts.simulate, "Drive robots in the built-in simulator");
   app.add_option("--start", texts.start, "Start of the simulated robot: X,Y,HEADING");
   app.add_option("--sensing", texts.sensing, "What the simulated robots sense")
@@ -70,12 +81,19 @@ void add_options(CLI::App& app, CommandLineTexts& texts, BrokerAddress& broker) 
   app.add_option("--physics", texts.physics, "Engine of the simulated robots")
       ->capture_default_str()
       ->check(CLI::IsMember({"unicycle", "mujoco"}));
-  app.add_option("--settings", texts.settings, "YAML file with settings of Fairway");
-  app.add_option("--set", texts.assignments, "Sets one setting: group.name=value (repeatable)");
-  app.add_option("--fleet", texts.fleet, "YAML file with the robots of this process");
-  app.add_option("--page", texts.page, "Serves a live page on this port of this machine")
-      ->check(CLI::Range(0, 65535));
   app.add_option("--speed", texts.speed, "Simulated seconds in a second")->capture_default_str();
+}
+
+void add_link_options(CLI::App& app, CommandLineTexts& texts, LinkTexts& link) {
+  app.add_option("--namespace", texts.space,
+                 "Namespace of the robot's topics, without slashes around it");
+  app.add_option("--base-frame", texts.base_frame, "Frame of the robot")->capture_default_str();
+  app.add_option("--map-frame", link.map_frame, "Frame of the map")->capture_default_str();
+  app.add_option("--domain", link.domain, "ROS_DOMAIN_ID, of DDS")->check(CLI::Range(0, 232));
+  app.add_flag("--stamped", link.stamped, "Publish commands as TwistStamped, over DDS");
+  app.add_flag("--no-scan", texts.no_scan, "Drive without a lidar, on the map only");
+  app.add_flag("--no-monitor", texts.no_monitor,
+               "Do not check every command with the safety monitor, which needs a lidar");
 }
 
 std::optional<Pose2> parse_pose(const std::string& text) {
@@ -106,11 +124,14 @@ Expected<Settings> read_all_settings(const CommandLineTexts& texts) {
   return settings;
 }
 
-Expected<std::vector<FleetRobot>> robots_of(const CommandLineTexts& texts) {
+Expected<std::vector<FleetRobot>> robots_of(const CommandLineTexts& texts, RobotKind kind) {
   if (!texts.fleet.empty()) {
     if (!texts.start.empty()) return fail("--start: expected no start beside --fleet");
-    return read_fleet(texts.fleet);
+    return read_fleet(texts.fleet, kind);
   }
+  if (kind == RobotKind::Linked)
+    return std::vector<FleetRobot>{
+        {.manufacturer = {}, .serial = texts.serial, .space = texts.space}};
   const std::optional<Pose2> start = parse_pose(texts.start);
   if (!start) {
     return fail("--start: expected X,Y,HEADING (m, m, rad), found " +
@@ -119,7 +140,7 @@ Expected<std::vector<FleetRobot>> robots_of(const CommandLineTexts& texts) {
   return std::vector<FleetRobot>{{.manufacturer = {}, .serial = texts.serial, .start = *start}};
 }
 
-Expected<void> check_names(const CommandLineTexts& texts) {
+Expected<void> check_names(const CommandLineTexts& texts, RobotKind kind) {
   if (!is_serial_number(texts.serial))
     return fail("--serial: expected letters, digits and _ . : -, found " + texts.serial);
   if (!is_topic_level(texts.manufacturer))
@@ -128,8 +149,10 @@ Expected<void> check_names(const CommandLineTexts& texts) {
     return fail("--interface: expected a text without + # $, found " + texts.interface_name);
   if (!(texts.speed > 0.0 && texts.speed <= 1000.0))
     return fail("--speed: expected a number above 0, up to 1000");
-  if (!texts.simulate)
-    return fail("--simulate: expected; a robot of ROS or DDS cannot be driven by orders yet");
+  if (kind == RobotKind::Simulated && !texts.simulate)
+    return fail(
+        "--simulate: expected; robots of ROS 1 are driven by fairway_vda5050_ros, robots of ROS 2 "
+        "and DDS by fairway_vda5050_dds");
   return {};
 }
 
@@ -150,15 +173,41 @@ Expected<void> read_password(const std::string& path, BrokerAddress& broker) {
   return {};
 }
 
-Expected<void> fill(const CommandLineTexts& texts, NodeOptions& options) {
-  if (const auto names = check_names(texts); !names) return names;
+// Simulated robots begin at free poses; others are where they are.
+Expected<void> add_robot(const FleetRobot& robot,
+                         const CommandLineTexts& texts,
+                         const BitGrid& obstacles,
+                         RobotKind kind,
+                         NodeOptions& options) {
+  Scenario& scenario = options.scenario;
+  if (kind == RobotKind::Simulated &&
+      !is_free(obstacles, footprint_of(scenario.settings.robot), robot.start, 0.0)) {
+    return fail((texts.fleet.empty() ? std::string("--start") : texts.fleet + ": start") +
+                ": expected a free pose, found one at which the robot \"" + robot.serial +
+                "\" touches an obstacle");
+  }
+  scenario.robots.push_back(
+      {.name = robot.serial, .start = robot.start, .goal = {.position = robot.start.position}});
+  options.vehicles.push_back(
+      {.version = *version_of(texts.version),
+       .interface_name = texts.interface_name,
+       .manufacturer = robot.manufacturer.empty() ? texts.manufacturer : robot.manufacturer,
+       .serial = robot.serial});
+  options.link.spaces.push_back(robot.space);
+  options.link.base_frames.push_back(robot.base_frame.empty() ? texts.base_frame
+                                                              : robot.base_frame);
+  return {};
+}
+
+Expected<void> fill(const CommandLineTexts& texts, RobotKind kind, NodeOptions& options) {
+  if (const auto names = check_names(texts, kind); !names) return names;
   if (const auto password = read_password(texts.password_file, options.broker); !password)
     return password;
   const Expected<OccupancyGrid> map = io::read_map(texts.map);
   if (!map) return tl::unexpected(map.error());
   const Expected<Settings> settings = read_all_settings(texts);
   if (!settings) return tl::unexpected(settings.error());
-  const Expected<std::vector<FleetRobot>> robots = robots_of(texts);
+  const Expected<std::vector<FleetRobot>> robots = robots_of(texts, kind);
   if (!robots) return tl::unexpected(robots.error());
   const Expected<PhysicsMaker> physics = physics_of(texts.physics);
   if (!physics) return tl::unexpected(physics.error());
@@ -172,32 +221,27 @@ Expected<void> fill(const CommandLineTexts& texts, NodeOptions& options) {
   scenario.settings = *settings;
   scenario.sensing.sensing = texts.sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
   if (texts.physics == "mujoco") scenario.engine = Engine::Mujoco;
+  options.link.use_scan = !texts.no_scan;
+  options.link.use_monitor = !texts.no_monitor;
   const BitGrid obstacles(*map, unknown_cells(settings->map));
-  const Footprint body = footprint_of(settings->robot);
   for (const FleetRobot& robot : *robots) {
-    if (!is_free(obstacles, body, robot.start, 0.0)) {
-      return fail((texts.fleet.empty() ? std::string("--start") : texts.fleet + ": start") +
-                  ": expected a free pose, found one at which the robot \"" + robot.serial +
-                  "\" touches an obstacle");
-    }
-    scenario.robots.push_back(
-        {.name = robot.serial, .start = robot.start, .goal = {.position = robot.start.position}});
-    options.vehicles.push_back(
-        {.version = *version_of(texts.version),
-         .interface_name = texts.interface_name,
-         .manufacturer = robot.manufacturer.empty() ? texts.manufacturer : robot.manufacturer,
-         .serial = robot.serial});
+    if (const auto added = add_robot(robot, texts, obstacles, kind, options); !added) return added;
   }
   return {};
 }
 
 }  // namespace
 
-Expected<ParsedOptions> parse_options(int argc, char** argv) {
+Expected<ParsedOptions> parse_options(int argc, char** argv, RobotKind kind) {
   CLI::App app("Drives robots by the orders of a VDA 5050 fleet control, over MQTT");
   CommandLineTexts texts;
   ParsedOptions parsed;
-  add_options(app, texts, parsed.options.broker);
+  add_protocol_options(app, texts, parsed.options.broker);
+  if (kind == RobotKind::Simulated) {
+    add_simulation_options(app, texts);
+  } else {
+    add_link_options(app, texts, parsed.options.link);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -207,7 +251,7 @@ Expected<ParsedOptions> parse_options(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail(error.what());
   }
-  if (const auto filled = fill(texts, parsed.options); !filled)
+  if (const auto filled = fill(texts, kind, parsed.options); !filled)
     return tl::unexpected(filled.error());
   return parsed;
 }

@@ -35,11 +35,12 @@ RobotSession::RobotSession(const SessionContext& context,
                   identity,
                   vehicle_.connection_message(ConnectionState::Broken, wall_clock()),
                   context.wakeup) {
+  context_.bases.attach(robot_, driver_);
   vehicle_.set_route_check([this](const Route& route, const std::vector<Zone>& zones) {
     return driver_.first_closed(route, zones);
   });
   vehicle_.set_pose_setter([this](const Pose2& pose) {
-    if (!context_.fleet.place(robot_, pose)) return false;
+    if (!context_.bases.place(robot_, pose)) return false;
     driver_.restart();
     return true;
   });
@@ -69,16 +70,17 @@ void RobotSession::handle_events(double now) {
   if (!events.empty() || vehicle_.owes_state()) publish(now);
 }
 
-void RobotSession::note_motion(const DrivenRoute& driven, const Pose2& pose, double now) {
-  constexpr double kStands = 1e-3;  // [m/s] and [rad/s]
+void RobotSession::note_motion(const DrivenRoute& driven, const SensedRobot& sensed, double now) {
+  constexpr double kStands = 5e-3;  // [m/s] and [rad/s], above the noise of odometry
+  const Pose2& pose = sensed.measured.pose;
   VehicleMotion motion;
-  const UnicycleRobot& robot = context_.fleet.robot(robot_);
   motion.pose = pose;
-  motion.twist = robot.twist;
+  motion.twist = sensed.twist;
+  motion.localized = sensed.localized;
   const auto moves = [](const Twist2& twist) {
     return std::abs(twist.linear) > kStands || std::abs(twist.angular) > kStands;
   };
-  motion.driving = moves(robot.twist) || moves(driven.command);
+  motion.driving = moves(sensed.twist) || moves(driven.command);
   if (vehicle_.may_drive() && driven.limit != LimitingFactor::None)
     motion.limit = std::string(to_text(driven.status)) + ", limited by " + to_text(driven.limit);
   motion.planned = driver_.planned(pose.position);
@@ -94,11 +96,18 @@ void RobotSession::note_motion(const DrivenRoute& driven, const Pose2& pose, dou
 }
 
 void RobotSession::cycle(double now) {
-  const Measurements measured = context_.fleet.measure(robot_, driver_);
-  const DrivenRoute driven = driver_.drive(vehicle_, measured);
-  context_.fleet.command(robot_, driven.command, driver_);
-  note_motion(driven, measured.pose, now);
+  const SensedRobot sensed = context_.bases.measure(robot_);
+  const DrivenRoute driven = driver_.drive(vehicle_, sensed.measured);
+  context_.bases.command(robot_, driven.command, vehicle_.may_drive());
+  note_motion(driven, sensed, now);
   publish(now);
+}
+
+bool RobotSession::brake() {
+  const SensedRobot sensed = context_.bases.measure(robot_);
+  const Twist2 command = driver_.brake(sensed.measured);
+  context_.bases.command(robot_, command, true);
+  return command.linear == 0.0 && command.angular == 0.0;
 }
 
 void RobotSession::publish(double now) {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "bases/simulated_fleet.hpp"
+#include "bases/robot_bases.hpp"
 #include "driver/route_driver.hpp"
 #include "node/broker_connection.hpp"
 #include "protocol/vehicle/vehicle.hpp"
@@ -17,7 +17,7 @@ struct SessionContext {
   const Settings& settings;
   const BitGrid& map;
   const std::string& map_id;
-  SimulatedFleet& fleet;
+  RobotBases& bases;
   Wakeup& wakeup;
   double speed = 1.0;  ///< simulated seconds in a second
 };
@@ -38,12 +38,15 @@ class RobotSession {
 
   [[nodiscard]] const Vehicle& vehicle() const noexcept { return vehicle_; }
 
+  /// One cycle in which the robot brakes. @return whether it has stopped.
+  bool brake();
+
   /// Announces the end, and waits at most `seconds`.
   void finish(double now, double seconds);
 
  private:
   void publish(double now);
-  void note_motion(const DrivenRoute& driven, const Pose2& pose, double now);
+  void note_motion(const DrivenRoute& driven, const SensedRobot& sensed, double now);
 
   SessionContext context_;
   std::size_t robot_;

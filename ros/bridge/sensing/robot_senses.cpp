@@ -49,7 +49,8 @@ Measurements RobotSenses::measure(double time) {
                         .pose_time = kNever,
                         .obstacles = seen_.obstacles,
                         .obstacles_time = seen_.time,
-                        .obstacles_due = board_.has_detectors()};
+                        .obstacles_due = board_.has_detectors(),
+                        .robot = options_.robot};
   if (options_.use_scan && !scanned_) measured.map_time = kNever;
   if (const std::optional<Pose2> now = pose()) {
     measured.pose = *now;

@@ -17,6 +17,7 @@ struct SensesOptions {
   bool use_map = true;                ///< the world frame is the map's, else the odometry's
   bool use_scan = true;               ///< scans are needed, and their age is checked
   double localisation_timeout = 2.0;  ///< largest age of the odometry frame's pose in the map [s]
+  std::uint32_t robot = 0;            ///< number in the fleet, by which ties are decided
 };
 
 /// A scan with the poses of its sensor in both frames.
