@@ -81,9 +81,12 @@ void Vehicle::start_instant(const Action& action, double /*now*/) {
 void Vehicle::fail_instant(InstantEntry& entry, Fault fault, std::string text) {
   entry.state.status = ActionStatus::Failed;
   entry.state.result = text;
-  instant_errors_.push_back(make_error(fault, identity_.version, std::move(text),
-                                       {{.key = "actionId", .value = entry.state.id},
-                                        {.key = "actionType", .value = entry.state.type}}));
+  instant_errors_.push_back(
+      make_error(fault, identity_.version, std::move(text),
+                 {{.key = "actionId", .value = entry.state.id},
+                  {.key = "actionType", .value = entry.state.type},
+                  // Some fleet controls find the error by its topic.
+                  {.key = "topic", .value = to_text(Topic::InstantActions)}}));
   constexpr std::size_t kMost = 10;
   if (instant_errors_.size() > kMost) instant_errors_.erase(instant_errors_.begin());
 }
