@@ -38,7 +38,10 @@ VehicleError Vehicle::order_error(Fault fault, std::string text, const Order& or
 void Vehicle::refuse_order(VehicleError error) {
   changed_ = true;
   // Some fleet controls find the error by its topic.
-  error.references.push_back({.key = "topic", .value = to_text(Topic::Order)});
+  const Reference topic{.key = "topic", .value = to_text(Topic::Order)};
+  std::vector<Reference>& references = error.references;
+  if (std::find(references.begin(), references.end(), topic) == references.end())
+    references.push_back(topic);
   // A message that is repeated replaces its error.
   std::erase_if(order_errors_, [&](const VehicleError& old) {
     return old.type == error.type && old.references == error.references;
