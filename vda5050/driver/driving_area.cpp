@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "driver/leg_strips.hpp"
+#include "fairway/geometry/pose2.hpp"
 
 namespace fairway::vda5050 {
 
@@ -68,16 +70,15 @@ bool is_near(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
   return (first.array() <= high.array() + kFar).all() && (last.array() >= low.array() - kFar).all();
 }
 
-// A line-guided zone is open only to a leg whose trajectory leads through it.
-bool closes_line_guided(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
-  if (zone.type != ZoneType::LineGuided) return false;
+// Whether all legs that lead through a zone are trajectories, and one does.
+bool has_line(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
   bool guided = false;
   for (const RouteLeg& leg : legs) {
     if (!meets(zone, leg.line)) continue;
-    if (!leg.line_is_given) return true;
+    if (!leg.line_is_given) return false;
     guided = true;
   }
-  return !guided;
+  return guided;
 }
 
 // The extra cost of a metre for a factor from 0 to 1, which the standard leaves open; at 1 the
@@ -97,14 +98,31 @@ bool is_avoided(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
   });
 }
 
-void add_zone(const vda5050::Zone& zone, bool line_guided_is_closed, Zones& area) {
+// Whether a leg leads through a zone against its direction.
+bool is_driven_against(const vda5050::Zone& zone, std::span<const RouteLeg> legs) {
+  constexpr double kAcross = 1e-3;  // against a direction, of a line square to it
+  const Point along = direction(zone.direction);
+  for (const RouteLeg& leg : legs) {
+    const auto line = with_short_chords(leg.line);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Point chord = line[i] - line[i - 1];
+      const Point middle = 0.5 * (line[i] + line[i - 1]);
+      if (chord.dot(along) < -kAcross * chord.norm() && distance_to(zone.vertices, middle) <= 0.0)
+        return true;
+    }
+  }
+  return false;
+}
+
+void add_zone(const vda5050::Zone& zone, bool along_line, Zones& area) {
   fairway::Zone added{.polygon = zone.vertices, .name = zone.id};
   switch (zone.type) {
     case ZoneType::Blocked:
+    case ZoneType::Release:  // without leave
       added.kind = ZoneKind::KeepOut;
       break;
     case ZoneType::LineGuided:
-      if (!line_guided_is_closed) return;
+      if (along_line) return;
       added.kind = ZoneKind::KeepOut;
       break;
     case ZoneType::SpeedLimit:
@@ -119,10 +137,16 @@ void add_zone(const vda5050::Zone& zone, bool line_guided_is_closed, Zones& area
       added.kind = ZoneKind::Preferred;
       added.weight = weight_of(zone.factor);
       break;
-    case ZoneType::Release:
+    case ZoneType::Directed:
+      // A trajectory has precedence over the direction.
+      if (along_line || zone.direction_limit == DirectionLimit::Soft) return;
+      if (zone.direction_limit == DirectionLimit::Restricted) {
+        added.kind = ZoneKind::OneWay;
+        added.direction = std::remainder(zone.direction, 2.0 * std::numbers::pi);
+      }
+      break;
     case ZoneType::CoordinatedReplanning:
     case ZoneType::Action:
-    case ZoneType::Directed:
     case ZoneType::Bidirected:
       return;
   }
@@ -159,12 +183,19 @@ Zones driving_area(std::span<const RouteLeg> legs,
   }
   for (const vda5050::Zone& zone : zones) {
     if (!legs.empty() && !is_near(zone, legs)) continue;
-    add_zone(zone, closes_line_guided(zone, legs), area);
-    if (zone.type != ZoneType::Penalty || penalties == Penalties::AreCosts) continue;
-    if (!is_avoided(zone, legs)) continue;
-    area.back().kind = ZoneKind::KeepOut;
-    area.back().reference = ZoneReference::Centre;
-    area.back().weight = 0.0;
+    const std::size_t before_zone = area.size();
+    add_zone(zone, has_line(zone, legs), area);
+    if (area.size() == before_zone) continue;
+    fairway::Zone& added = area.back();
+    const bool is_lane = added.kind == ZoneKind::OneWay && !legs.empty();
+    const bool is_costly = zone.type == ZoneType::Penalty && penalties == Penalties::AreAvoided;
+    if (!is_lane && !is_costly) continue;
+    // The legs are known: a zone that they avoid, or would have to enter against its direction, is
+    // closed, so that nothing beside the path leads into it.
+    if (!is_avoided(zone, legs) && !(is_lane && is_driven_against(zone, legs))) continue;
+    added.kind = ZoneKind::KeepOut;
+    added.reference = ZoneReference::Centre;
+    added.weight = 0.0;
   }
   return area;
 }

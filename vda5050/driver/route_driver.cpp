@@ -265,6 +265,7 @@ DrivenRoute RouteDriver::drive(const Vehicle& vehicle, const Measurements& measu
                                            (last_leg_->start.position - begin).norm() < 1e-9);
       if (!continues) last_leg_.reset();
     }
+    if (vehicle.route_revision() != known_route_) moved_time_ = measurements.time;
     known_route_ = vehicle.route_revision();
     known_passed_ = vehicle.legs_passed();
     known_legs_ = vehicle.route().legs;

@@ -176,7 +176,18 @@ void add_third(const VehicleState& state, json& message) {
                         {"requestStatus", request_text(request.status)}});
   }
   message["edgeRequests"] = std::move(requests);
-  message["zoneRequests"] = json::array();
+  json access = json::array();
+  for (const ZoneRequest& request : state.zone_requests) {
+    // A request for a zone has no status of its own while it is queued.
+    const RequestStatus status =
+        request.status == RequestStatus::Queued ? RequestStatus::Requested : request.status;
+    access.push_back({{"requestId", request.id},
+                      {"requestType", "ACCESS"},
+                      {"zoneId", request.zone_id},
+                      {"zoneSetId", request.zone_set_id},
+                      {"requestStatus", request_text(status)}});
+  }
+  message["zoneRequests"] = std::move(access);
   add_paths(state, message);
 }
 

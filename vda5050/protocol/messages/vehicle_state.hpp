@@ -80,6 +80,14 @@ struct EdgeRequest {
   RequestStatus status = RequestStatus::Requested;
 };
 
+/// A request for leave to enter a zone.
+struct ZoneRequest {
+  std::string id;
+  std::string zone_id;
+  std::string zone_set_id;
+  RequestStatus status = RequestStatus::Requested;
+};
+
 struct ZoneSetState {
   std::string id;
   std::string map_id;
@@ -99,6 +107,7 @@ struct VehicleState {
   std::vector<ActionState> actions;
   std::vector<ActionState> instant_actions;
   std::vector<EdgeRequest> edge_requests;
+  std::vector<ZoneRequest> zone_requests;
   std::vector<VehicleError> errors;
   std::vector<std::string> traversed_nodes;  ///< nodes on the planned path
   bool paused = false;

@@ -56,15 +56,16 @@ void check_type(FieldReader& reader, Zone& zone) {
       zone.factor = reader.number("penaltyFactor", share);
       break;
     case ZoneType::Release:
-      (void)reader.word("releaseLossBehavior", kLosses);
+      zone.goes_on_without_leave = reader.word("releaseLossBehavior", kLosses) > 0;
       break;
     case ZoneType::Action:
       for (const char* list : {"entryActions", "duringActions", "exitActions"})
         (void)reader.objects(list);
       break;
     case ZoneType::Directed:
-      (void)reader.number("direction");
-      (void)reader.word("directedLimitation", kDirected);
+      zone.direction = reader.number("direction");
+      zone.direction_limit =
+          static_cast<DirectionLimit>(reader.word("directedLimitation", kDirected));
       break;
     case ZoneType::Bidirected:
       (void)reader.number("direction");
@@ -152,6 +153,7 @@ ZoneSet read_zone_set(FieldReader& reader) {
   std::set<std::string> ids;
   for (FieldReader& zone : body.objects("zones")) {
     set.zones.push_back(read_zone(zone));
+    set.zones.back().set_id = set.id;
     if (!ids.insert(set.zones.back().id).second)
       zone.complain("zoneId",
                     "expected ids that differ, found \"" + set.zones.back().id + "\" again");

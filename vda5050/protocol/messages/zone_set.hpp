@@ -16,13 +16,13 @@ namespace fairway::vda5050 {
 enum class ZoneType : std::uint8_t {
   Blocked,     ///< never entered by any part of the body
   LineGuided,  ///< entered only along given trajectories
-  Release,
+  Release,     ///< entered only with leave of the fleet control
   CoordinatedReplanning,
   SpeedLimit,  ///< with a greatest speed, reached before entering
   Action,
   Priority,  ///< preferred by free paths
   Penalty,   ///< avoided by free paths
-  Directed,
+  Directed,  ///< not driven against its direction
   Bidirected,
 };
 
@@ -37,16 +37,29 @@ inline constexpr std::array<const char*, 10> kZoneTypeNames{
 
 /// Returns whether this vehicle honours a kind of zone.
 [[nodiscard]] constexpr bool is_supported(ZoneType type) noexcept {
-  return type == ZoneType::Blocked || type == ZoneType::LineGuided ||
-         type == ZoneType::SpeedLimit || type == ZoneType::Priority || type == ZoneType::Penalty;
+  return type == ZoneType::Blocked || type == ZoneType::LineGuided || type == ZoneType::Release ||
+         type == ZoneType::SpeedLimit || type == ZoneType::Priority || type == ZoneType::Penalty ||
+         type == ZoneType::Directed;
 }
+
+/// How far a robot may deviate from the direction of a zone.
+enum class DirectionLimit : std::uint8_t {
+  Soft,        ///< as far as it needs to
+  Restricted,  ///< but not against it
+  Strict,      ///< not at all
+};
 
 struct Zone {
   std::string id;
+  std::string set_id{};  ///< of its zone set
   ZoneType type = ZoneType::Blocked;
   std::vector<Eigen::Vector2d> vertices;  ///< a simple polygon, counterclockwise [m]
   double speed_max = 0.0;                 ///< of SpeedLimit [m/s]
   double factor = 0.0;                    ///< of Priority and Penalty, 0 to 1
+  double direction = 0.0;                 ///< of Directed [rad]
+  DirectionLimit direction_limit = DirectionLimit::Soft;  ///< of Directed
+  /// Of Release: a robot inside whose leave has ended drives on instead of stopping.
+  bool goes_on_without_leave = false;
 };
 
 /// The zones of a map.

@@ -57,6 +57,7 @@ constexpr Names names_of(Fault fault) noexcept {
     case Fault::DuplicateZoneSet:
       return {"duplicateZoneSet", "DUPLICATE_ZONE_SET"};
     case Fault::ReleaseLost:
+    case Fault::ZoneLeaveLost:
       return {"releaseLost", "RELEASE_LOST"};
   }
   return {"validationError", "VALIDATION_FAILURE"};
@@ -77,6 +78,7 @@ ErrorLevel level_of(Fault fault) noexcept {
     case Fault::NodeUnreachable:
     case Fault::BlockedZone:
     case Fault::ReleaseLost:
+    case Fault::ZoneLeaveLost:
       return ErrorLevel::Critical;
     case Fault::NotLocalized:
       return ErrorLevel::Fatal;

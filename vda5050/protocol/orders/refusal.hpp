@@ -32,7 +32,8 @@ enum class Fault : std::uint8_t {
   CorridorClosed,     ///< an obstacle closes the strip; the vehicle waits
   BlockedZone,        ///< the vehicle is in a blocked zone
   DuplicateZoneSet,   ///< a zone set with a known id
-  ReleaseLost,        ///< the leave for a corridor ended while it was used
+  ReleaseLost,
+  ZoneLeaveLost,  ///< the leave for a corridor ended while it was used
 };
 
 /// Type of a fault in messages of a version.

@@ -137,8 +137,7 @@ void Vehicle::change_zones(const Action& action, InstantEntry& entry) {
       action.type == "enableZoneSet" ? zone_sets_.enable(*id) : zone_sets_.remove(*id);
   if (!known)
     return fail_instant(entry, Fault::InvalidAction, "no zone set \"" + *id + "\" is known");
-  zones_ = zone_sets_.zones(map_id_);
-  rebuild_route();
+  use_zones(zone_sets_.zones(map_id_));
 }
 
 // Ends the actions that wait until the vehicle has stopped.

@@ -149,7 +149,7 @@ std::optional<VehicleError> Vehicle::route_problem(const Order& order) const {
       order.edges.begin(), order.edges.end(), [](const OrderEdge& edge) { return edge.released; }));
   route.legs.resize(std::min(route.legs.size(), released));
   if (route.legs.empty()) return std::nullopt;
-  const std::optional<std::size_t> leg = route_check_(route, zones_);
+  const std::optional<std::size_t> leg = route_check_(route, zones_with_leave());
   if (!leg || *leg >= route.legs.size()) return std::nullopt;
   VehicleError error =
       order_error(Fault::NoRoute,

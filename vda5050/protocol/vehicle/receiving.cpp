@@ -111,12 +111,15 @@ void Vehicle::receive_responses(const nlohmann::json& message) {
   FieldReader reader(message, "", problem);
   const std::vector<Response> responses = read_responses(reader);
   if (problem) return refuse_message(Topic::Responses, problem->text(), message);
-  bool changed = false;
-  for (const Response& response : responses)
-    changed = leave_.answer(response) || changed;
-  if (!changed) return;
-  changed_ = true;
-  rebuild_route();
+  bool corridors = false;
+  bool zones = false;
+  for (const Response& response : responses) {
+    corridors = leave_.answer(response) || corridors;
+    zones = zone_leave_.answer(response) || zones;
+  }
+  if (zones) update_zone_leave();
+  if (corridors) rebuild_route();
+  changed_ = changed_ || corridors || zones;
 }
 
 }  // namespace fairway::vda5050

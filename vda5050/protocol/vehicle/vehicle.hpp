@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,7 @@
 #include "protocol/orders/active_order.hpp"
 #include "protocol/orders/node_passing.hpp"
 #include "protocol/orders/refusal.hpp"
-#include "protocol/vehicle/corridor_leave.hpp"
+#include "protocol/vehicle/leave_requests.hpp"
 #include "protocol/vehicle/zone_store.hpp"
 
 namespace fairway::vda5050 {
@@ -86,8 +87,8 @@ class Vehicle {
   /// Returns whether the vehicle may drive along the route now; otherwise it brakes.
   [[nodiscard]] bool may_drive() const noexcept;
 
-  /// The enabled zones.
-  [[nodiscard]] const std::vector<Zone>& zones() const noexcept { return zones_; }
+  /// The enabled zones that hold: not those that the vehicle has leave to enter.
+  [[nodiscard]] const std::vector<Zone>& zones() const noexcept { return in_force_; }
 
   [[nodiscard]] const VehicleIdentity& identity() const noexcept { return identity_; }
   [[nodiscard]] const ActiveOrder& order() const noexcept { return order_; }
@@ -137,6 +138,16 @@ class Vehicle {
   void note_lost_leave();
   [[nodiscard]] bool is_outside() const;
   [[nodiscard]] double base_left() const;
+  // vehicle_zones.cpp
+  [[nodiscard]] bool is_inside(const Zone& zone) const;
+  [[nodiscard]] bool leads_through(const Zone& zone) const;
+  [[nodiscard]] std::vector<Eigen::Vector2d> line_ahead() const;
+  [[nodiscard]] bool is_closed(const Zone& zone) const;
+  [[nodiscard]] std::vector<Zone> zones_with_leave() const;
+  void use_zones(std::vector<Zone> zones);
+  void refresh_zones();
+  void find_zones_ahead();
+  void update_zone_leave();
   // writing
   void set_condition(Fault fault, bool holds, std::string text, std::vector<Reference> references);
   [[nodiscard]] std::string message_text(Topic topic, nlohmann::json body, double now);
@@ -153,8 +164,15 @@ class Vehicle {
   NodePassing passing_;
   std::vector<InstantEntry> instant_;
   ZoneStore zone_sets_;
-  std::vector<Zone> zones_;
-  CorridorLeave leave_;
+  std::vector<Zone> zones_;                // of the enabled set
+  std::vector<Zone> in_force_;             // of these
+  LeaveRequests<std::uint32_t> leave_;     // for corridors, by the edge's sequence number
+  LeaveRequests<std::string> zone_leave_;  // by the zone's id
+  std::set<std::string> zones_ahead_;      // that need leave and lie on later edges of the base
+  std::uint64_t zone_route_ = ~std::uint64_t{};  // for which they were found
+  std::size_t zone_legs_ = 0;
+  bool zone_holds_ = false;      // inside a zone without leave
+  bool waits_for_zone_ = false;  // that lies on the base
   OperatingMode mode_ = OperatingMode::Automatic;
   bool paused_ = false;
   bool cancelling_ = false;

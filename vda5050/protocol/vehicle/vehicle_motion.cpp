@@ -17,7 +17,7 @@ bool Vehicle::idle() const noexcept { return order_.passed_all() && queue_.all_d
 
 bool Vehicle::may_drive() const noexcept {
   return has_motion_ && motion_.localized && !paused_ && !cancelling_ && !outside_ &&
-         !in_blocked_zone_ && !unreachable_ && legs_passed_ < route_.legs.size() &&
+         !in_blocked_zone_ && !zone_holds_ && !unreachable_ && legs_passed_ < route_.legs.size() &&
          !queue_.forbids_driving();
 }
 
@@ -90,7 +90,8 @@ void Vehicle::enter_edge() {
   for (std::size_t i = 0; i < std::min(order_.edges.size(), kAhead); ++i) {
     const OrderEdge& edge = order_.edges[i];
     if (!edge.released || !edge.corridor || !edge.corridor->release_required) continue;
-    if (leave_.request(order_.id, edge)) changed_ = true;
+    const std::string prefix = order_.id + "/" + std::to_string(edge.sequence);
+    if (leave_.request(prefix, edge.sequence, edge.id)) changed_ = true;
   }
 }
 
@@ -165,7 +166,9 @@ void Vehicle::judge_report(const DriveReport& report, double now) {
   }
   const OrderEdge& edge = order_.edges[ahead];
   // A vehicle that waits for leave, or whose leave has ended, is not stopped by an obstacle.
-  if (edge.corridor && edge.corridor->release_required && !leave_.granted(edge.sequence)) {
+  const bool waits_for_corridor =
+      edge.corridor && edge.corridor->release_required && !leave_.granted(edge.sequence);
+  if (waits_for_corridor || waits_for_zone_) {
     closed_since_ = -1.0;
     return;
   }
@@ -225,7 +228,9 @@ void Vehicle::update(const VehicleMotion& motion, const DriveReport& report, dou
     changed_ = true;
     rebuild_route();
   }
+  if (zone_leave_.expire(now)) changed_ = true;
   note_lost_leave();
+  update_zone_leave();
   const bool held = queue_.forbids_driving();
   if (queue_.update(now)) changed_ = true;
   if (held && !queue_.forbids_driving()) enter_edge();

@@ -73,7 +73,18 @@ VehicleState Vehicle::state() const {
   state.actions = queue_.states();
   for (const InstantEntry& entry : instant_)
     state.instant_actions.push_back(entry.state);
-  state.edge_requests = leave_.states();
+  for (const auto& request : leave_.all()) {
+    state.edge_requests.push_back({.id = request.id,
+                                   .edge_id = request.name,
+                                   .sequence = request.key,
+                                   .status = request.status});
+  }
+  for (const auto& request : zone_leave_.all()) {
+    state.zone_requests.push_back({.id = request.id,
+                                   .zone_id = request.key,
+                                   .zone_set_id = request.name,
+                                   .status = request.status});
+  }
   for (const std::vector<VehicleError>* errors : {&order_errors_, &instant_errors_, &zone_errors_})
     state.errors.insert(state.errors.end(), errors->begin(), errors->end());
   for (const auto& [fault, error] : conditions_)
