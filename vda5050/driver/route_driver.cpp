@@ -17,13 +17,11 @@ namespace fairway::vda5050 {
 
 namespace {
 
-constexpr double kWindow = 12.0;     // length of legs that the navigator knows [m]
-constexpr double kRefresh = 5.0;     // length left at which it gets more [m]
-constexpr double kAtNode = 0.3;      // from a node at which the robot has stopped [m]
-constexpr double kFreeWidth = 1.0;   // of the strip around a path that the robot chose [m]
-constexpr double kPatience = 20.0;   // until a closed leg is given up [s]
-constexpr double kStandstill = 3.0;  // without progress, until a leg counts as closed [s]
-constexpr double kRetry = 1.0;       // between attempts while a leg is closed [s]
+constexpr double kWindow = 12.0;    // length of legs that the navigator knows [m]
+constexpr double kRefresh = 5.0;    // length left at which it gets more [m]
+constexpr double kAtNode = 0.3;     // from a node at which the robot has stopped [m]
+constexpr double kFreeWidth = 1.0;  // of the strip around a path that the robot chose [m]
+constexpr double kRetry = 1.0;      // between attempts while a leg is closed [s]
 
 // The legs from `first` on whose length is about that of a window.
 std::vector<RouteLeg> legs_from(const Route& route, std::size_t first, double length) {
@@ -214,40 +212,6 @@ void RouteDriver::follow(const Vehicle& vehicle, Window window, const std::vecto
   }
   window_ = std::move(window);
   arrived_ = false;
-}
-
-// Whether the robot has left the place at which it was when it last made progress.
-bool RouteDriver::makes_progress(const Pose2& pose) {
-  constexpr double kFar = 0.05;  // [m]
-  constexpr double kTurn = 0.2;  // [rad]
-  const bool moved = (pose.position - moved_pose_.position).norm() > kFar ||
-                     std::abs(shortest_turn(pose.heading, moved_pose_.heading)) > kTurn;
-  if (moved) moved_pose_ = pose;
-  return moved;
-}
-
-void RouteDriver::report_progress(const Vehicle& vehicle,
-                                  const Measurements& m,
-                                  DrivenRoute& driven) {
-  constexpr double kMoves = 0.02;  // [m/s]
-  const bool moves =
-      std::abs(driven.command.linear) > kMoves || std::abs(driven.command.angular) > kMoves;
-  if (!driving_ || arrived_ || makes_progress(m.pose)) moved_time_ = m.time;
-  const bool at_end = driven.status == NavigationStatus::GoalReached;
-  if (at_end && window_->whole && !window_->closed_leg) arrived_ = true;
-  driven.report.arrived = arrived_;
-  driven.report.at_node = at_end && window_->stop && !window_->closed_leg;
-  const bool before_closed = window_->closed_leg && (at_end || window_->path.empty() || !moves);
-  const bool stuck = !arrived_ && m.time - moved_time_ > kStandstill;
-  if (!before_closed && !stuck) {
-    closed_time_ = -1.0;
-    return;
-  }
-  if (closed_time_ < 0.0) closed_time_ = m.time;
-  driven.report.closed_leg = window_->closed_leg.value_or(vehicle.legs_passed());
-  const double patience =
-      settings_.navigation.patience > 0.0 ? settings_.navigation.patience : kPatience;
-  driven.report.gave_up = m.time - closed_time_ > patience;
 }
 
 DrivenRoute RouteDriver::drive(const Vehicle& vehicle, const Measurements& measurements) {
