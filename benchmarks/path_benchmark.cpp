@@ -63,6 +63,31 @@ void distance_field_window(benchmark::State& state) {
 }
 BENCHMARK(distance_field_window)->ArgName("side")->Arg(1)->Arg(100)->Unit(benchmark::kMillisecond);
 
+// All obstacles of a window of 100 x 100 cells are exchanged for others as dense.
+void distance_field_other_window(benchmark::State& state) {
+  constexpr fairway::CellWindow kWindow{.first = {500, 500}, .last = {599, 599}};
+  BitGrid map = cluttered_map(1000);
+  const BitGrid maps[2] = {
+      map, [&] {
+        BitGrid other = map;
+        const BitGrid from = map.part({.first = {300, 300}, .last = {399, 399}});
+        for (int y = 0; y < 100; ++y) {
+          for (int x = 0; x < 100; ++x)
+            other.set({500 + x, 500 + y}, from.blocked({x, y}));
+        }
+        return other;
+      }()};
+  DistanceField field(map);
+  std::size_t next = 1;
+  for (auto _ : state) {
+    map.copy(maps[next], kWindow);
+    field.update(map, kWindow);
+    next = 1 - next;
+    benchmark::DoNotOptimize(field.cells().data());
+  }
+}
+BENCHMARK(distance_field_other_window)->Unit(benchmark::kMillisecond);
+
 // Repeats one query with a planner that knows the map, there and back by turns, so that no search
 // continues the one before. `cold` uses a new planner each time, like the tool's first plan.
 void find_path(benchmark::State& state,

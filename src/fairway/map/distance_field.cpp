@@ -23,61 +23,25 @@ namespace fairway {
 
 namespace {
 
-constexpr std::size_t kLanes = 8;
-
-// Lane masks for every pattern of 8 cells: all bits are set in the lanes of free cells.
-constexpr auto kFreeLanes = [] {
-  std::array<std::array<std::uint16_t, kLanes>, 256> masks{};
-  for (std::size_t bits = 0; bits < 256; ++bits) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      masks[bits][lane] = (bits >> lane & 1U) != 0 ? 0 : 0xFFFF;
-    }
-  }
-  return masks;
-}();
-
-// Advances the step counts by one row: 0 in blocked cells, one more than in row `previous` in
-// others. With kBounded the value already in `steps` is an upper bound.
-template <bool kBounded>
-void step_columns(std::span<const std::uint64_t> words,
-                  const std::uint16_t* previous,
-                  std::uint16_t* steps) {
-  for (const std::uint64_t word : words) {
-    for (std::size_t byte = 0; byte < 8; ++byte) {
-      const auto& free_lanes = kFreeLanes[word >> (8 * byte) & 0xFFU];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const auto next = static_cast<std::uint16_t>((previous[lane] + 1) & free_lanes[lane]);
-        steps[lane] = kBounded ? std::min(steps[lane], next) : next;
-      }
-      previous += kLanes;
-      steps += kLanes;
-    }
-  }
-}
-
-// Limits step counts to `most`. Rows that differ only beyond that limit then compare as equal.
-void shorten(std::vector<std::uint16_t>& steps, int most) {
-  const auto limit = static_cast<std::uint16_t>(most);
-  for (std::uint16_t& step : steps)
-    step = std::min(step, limit);
-}
-
 // Counts steps to the nearest blocked cell of the column, or to the outside. It does so for the
-// columns of some words and for rows `first` to `last`. `steps` points to row `first`; the rows
-// before and after are already correct.
+// columns of some words and for rows `first` to `last`, up to `most`. `steps` points to row
+// `first`; the rows before and after are already correct.
 void measure_columns(const BitGrid& obstacles,
                      int first,
                      int last,
                      std::size_t first_word,
                      std::size_t word_count,
+                     std::uint16_t most,
                      std::uint16_t* steps,
                      std::size_t stride) {
   std::uint16_t* row = steps;
   for (int y = first; y <= last; ++y, row += stride)
-    step_columns<false>(obstacles.row(y).subspan(first_word, word_count), row - stride, row);
+    DistanceRow::step(obstacles.row(y).subspan(first_word, word_count), row - stride, most, false,
+                      row);
   for (int y = last; y >= first; --y) {
     row -= stride;
-    step_columns<true>(obstacles.row(y).subspan(first_word, word_count), row + stride, row);
+    DistanceRow::step(obstacles.row(y).subspan(first_word, word_count), row + stride, most, true,
+                      row);
   }
 }
 
@@ -125,16 +89,46 @@ void DistanceField::update(const BitGrid& obstacles) {
     eighths_.resize(n + 1);
     eighths_[n] = 0.125 / static_cast<double>(n);
   }
-  measure_columns(obstacles, 0, frame_.height - 1, 0, stride_ / 64, steps_of(0), stride_);
-  if (near_ > 0) shorten(column_steps_, near_);
   for (int y = 0; y < frame_.height; ++y)
+    DistanceRow::step(obstacles.row(y), steps_of(y - 1), most_steps(), false, steps_of(y));
+  // The second pass follows row by row, while the steps of the row are in the cache.
+  for (int y = frame_.height - 1; y >= 0; --y) {
+    DistanceRow::step(obstacles.row(y), steps_of(y + 1), most_steps(), true, steps_of(y));
     update_row(y, 0, frame_.width - 1);
+  }
+}
+
+// Returns the cells of a window whose obstacles are others than at the last update.
+CellWindow DistanceField::changed_part(const BitGrid& obstacles, const CellWindow& window) {
+  const auto first_word = static_cast<std::size_t>(window.first.x) / 64;
+  const std::size_t words = static_cast<std::size_t>(window.last.x) / 64 - first_word + 1;
+  window_steps_.assign(words * 64, 0);
+  CellWindow part{.first = {window.last.x + 1, window.last.y + 1}, .last = {-1, -1}};
+  for (int y = window.first.y; y <= window.last.y; ++y) {
+    const bool differs =
+        DistanceRow::mark_changes(obstacles.row(y).subspan(first_word, words),
+                                  steps_of(y) + 64 * first_word, window_steps_.data());
+    if (!differs) continue;
+    part.first.y = std::min(part.first.y, y);
+    part.last.y = y;
+  }
+  const auto changed = [](std::uint16_t lane) { return lane != 0; };
+  const auto first = std::ranges::find_if(window_steps_, changed);
+  if (first == window_steps_.end()) return part;
+  const auto last = std::find_if(window_steps_.rbegin(), window_steps_.rend(), changed);
+  part.first.x =
+      static_cast<int>(64 * first_word) + static_cast<int>(first - window_steps_.begin());
+  part.last.x = static_cast<int>(64 * (first_word + words)) - 1 -
+                static_cast<int>(last - window_steps_.rbegin());
+  return part;
 }
 
 void DistanceField::update(const BitGrid& obstacles, const CellWindow& changed) {
   FAIRWAY_EXPECTS(obstacles.frame().width == frame_.width &&
                   obstacles.frame().height == frame_.height);
-  const CellWindow window = clipped(changed, frame_);
+  CellWindow window = clipped(changed, frame_);
+  if (is_empty(window)) return;
+  window = changed_part(obstacles, window);
   if (is_empty(window)) return;
   const int first = window.first.x;
   const int last = window.last.x;
@@ -149,8 +143,8 @@ void DistanceField::update(const BitGrid& obstacles, const CellWindow& changed) 
   std::copy_n(steps_of(bottom - 1) + 64 * first_word, lanes, window_steps_.begin());
   std::copy_n(steps_of(top + 1) + 64 * first_word, lanes,
               window_steps_.end() - static_cast<std::ptrdiff_t>(lanes));
-  measure_columns(obstacles, bottom, top, first_word, words, window_steps_.data() + lanes, lanes);
-  if (near_ > 0) shorten(window_steps_, near_);
+  measure_columns(obstacles, bottom, top, first_word, words, most_steps(),
+                  window_steps_.data() + lanes, lanes);
   const std::uint16_t* now = window_steps_.data() + lanes;
   for (int y = bottom; y <= top; ++y, now += lanes) {
     std::uint16_t* const before = steps_of(y) + 64 * first_word;
@@ -159,16 +153,22 @@ void DistanceField::update(const BitGrid& obstacles, const CellWindow& changed) 
     std::ptrdiff_t last_change = static_cast<std::ptrdiff_t>(lanes) - 1;
     while (now[last_change] == before[last_change])
       --last_change;
+    std::uint16_t lowest = std::numeric_limits<std::uint16_t>::max();
+    for (std::ptrdiff_t i = changes; i <= last_change; ++i) {
+      const std::uint16_t steps = std::min(now[i], before[i]);
+      lowest = std::min(lowest, now[i] != before[i] ? steps : lowest);
+    }
     std::copy(now, now + lanes, before);
     const auto left = static_cast<int>(64 * first_word);
-    update_around(y, left + static_cast<int>(changes), left + static_cast<int>(last_change));
+    update_around(y, left + static_cast<int>(changes), left + static_cast<int>(last_change),
+                  lowest);
   }
 }
 
-// Updates row y after a change of the steps of columns `first` to `last`. A column k cells away
-// concerns a cell only if it is at most as far as the obstacle known so far; and towards either
-// side that distance grows by at most one cell per cell.
-void DistanceField::update_around(int y, int first, int last) {
+// Updates row y after a change of the steps of columns `first` to `last`, of which none had or has
+// fewer than `lowest`. A column k cells away concerns a cell only if it is at most as far as the
+// obstacle known so far; and towards either side that distance grows by at most one cell per cell.
+void DistanceField::update_around(int y, int first, int last, int lowest) {
   const float* const distances =
       cells_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width);
   constexpr double kRounding = 1e-5;
@@ -182,7 +182,18 @@ void DistanceField::update_around(int y, int first, int last) {
   int right = std::min(last, frame_.width - 1);
   while (right + 1 < frame_.width && concerned(right + 1, right + 1 - last))
     ++right;
-  update_row(y, left, right);
+  // The changed obstacles are not in this row, but some rows away.
+  const double across = std::max(2 * lowest - 1, 0) * half;
+  const auto reached = [&](int x) {
+    const double along = std::max({2 * (first - x) - 1, 2 * (x - last) - 1, 0}) * half;
+    const auto distance = static_cast<double>(distances[x]);
+    return distance * distance >= along * along + across * across;
+  };
+  while (left <= right && !reached(left))
+    ++left;
+  while (left <= right && !reached(right))
+    --right;
+  if (left <= right) update_row(y, left, right);
 }
 
 void DistanceField::update_row(int y, int first, int last) {

@@ -11,8 +11,9 @@
 
 namespace fairway {
 
-/// The second pass of the distance transform for one row, by trial of all columns that can matter.
+/// The two passes of the distance transform for one row, many cells at once.
 ///
+/// The second pass tries all columns that can matter.
 /// Cells are processed in parts of 64, many at once. The columns around a part are tried from the
 /// nearest outwards, until none can be nearer than the best so far. Squared distances are in (half
 /// cells)^2 and have 16 bits, so the search ends kMostColumns columns away.
@@ -20,6 +21,21 @@ class DistanceRow {
  public:
   static constexpr int kPart = 64;         ///< cells that are processed together
   static constexpr int kMostColumns = 61;  ///< furthest column that is tried
+
+  /// Advances the first pass by one row: steps along each column to the last blocked cell. They are
+  /// 0 in blocked cells, one more than in row `previous` in others, and at most `most`; with
+  /// `bounded` also at most the present ones. 64 columns belong to each word of blocked cells.
+  static void step(std::span<const std::uint64_t> words,
+                   const std::uint16_t* previous,
+                   std::uint16_t most,
+                   bool bounded,
+                   std::uint16_t* steps) noexcept;
+
+  /// Sets the lanes in `changes` of the columns that are blocked and had steps, or the reverse.
+  /// Returns whether there is one.
+  static bool mark_changes(std::span<const std::uint64_t> words,
+                           const std::uint16_t* steps,
+                           std::uint16_t* changes) noexcept;
 
   /// Loads the steps along each column to its nearest obstacle. Cells `first` to `last` determine
   /// how far; steps above `most` count as `most`. Outside the row everything is blocked.
@@ -94,9 +110,15 @@ class DistanceField {
   [[nodiscard]] std::span<const float> cells() const noexcept { return cells_; }
 
  private:
-  void update_around(int y, int first, int last);
+  [[nodiscard]] CellWindow changed_part(const BitGrid& obstacles, const CellWindow& window);
+  void update_around(int y, int first, int last, int lowest);
   void update_row(int y, int first, int last);
   void update_run(const std::uint16_t* steps, int first, int end, float* distances);
+  // Steps above this are not counted; rows that differ only beyond it then compare as equal.
+  [[nodiscard]] std::uint16_t most_steps() const noexcept {
+    return near_ > 0 ? static_cast<std::uint16_t>(near_)
+                     : std::numeric_limits<std::uint16_t>::max();
+  }
   [[nodiscard]] std::uint16_t* steps_of(int y) noexcept {
     return column_steps_.data() + (static_cast<std::size_t>(y) + 1) * stride_;
   }

@@ -140,6 +140,32 @@ TEST(DistanceField, WithAReachGivesTheSameBitsUpToIt) {
   }
 }
 
+// Only some cells of the window differ, or none, and some changes are far from the cells that they
+// concern.
+TEST(DistanceField, AWindowMayBeLargerThanTheChange) {
+  test::Random random(17);
+  for (int trial = 0; trial < 60; ++trial) {
+    const int width = random.integer(100, 300);
+    BitGrid obstacles({.width = width, .height = 120, .resolution = 0.1, .origin = {}}, false);
+    for (int i = random.integer(0, 60); i > 0; --i)
+      obstacles.set({random.integer(0, width - 1), random.integer(0, 119)}, true);
+    DistanceField field;
+    if (trial % 3 == 0) field.set_reach(random.uniform(0.5, 5.0));
+    field.update(obstacles);
+    for (int change = 0; change < 6; ++change) {
+      for (int i = random.integer(0, 4); i > 0; --i) {
+        const CellIndex cell{random.integer(10, width - 20), random.integer(5, 110)};
+        obstacles.set(cell, !obstacles.blocked(cell));
+      }
+      field.update(obstacles, {.first = {10, 5}, .last = {width - 20, 110}});
+      DistanceField all;
+      all.set_reach(field.reach());
+      all.update(obstacles);
+      ASSERT_TRUE(std::ranges::equal(field.cells(), all.cells()));
+    }
+  }
+}
+
 TEST(DistanceField, AnEmptyWindowChangesNothing) {
   BitGrid obstacles({.width = 20, .height = 20, .resolution = 0.5, .origin = {}}, false);
   DistanceField field(obstacles);
