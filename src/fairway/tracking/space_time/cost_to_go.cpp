@@ -58,6 +58,10 @@ void CostToGo::add_obstacle(const Forecast& forecast,
   const auto contact_far = static_cast<float>(shape.contact_far * shape.contact_far);
   const auto contact_per = static_cast<float>(
       1.0 / (shape.contact_far * shape.contact_far - shape.contact_near * shape.contact_near));
+  const auto turn_far = static_cast<float>(shape.turn_far * shape.turn_far);
+  const auto turn_per = static_cast<float>(
+      1.0 / (shape.turn_far * shape.turn_far - shape.turn_near * shape.turn_near));
+  const auto turn_cost = stage_ * static_cast<float>(shape.turn);
   const auto comfort_cost = stage_ * static_cast<float>(shape.comfort);
   const auto contact_cost = stage_ * static_cast<float>(shape.contact);
   for (auto r = static_cast<std::size_t>(std::ceil(row(y - shape.reach))); r < top; ++r) {
@@ -67,12 +71,14 @@ void CostToGo::add_obstacle(const Forecast& forecast,
     for (std::size_t c = first; c < end; ++c) {
       const float dx = x0 + size * static_cast<float>(static_cast<int>(c));
       const float from_ahead = dx - ahead_x;
-      const float contact = (contact_far - (dx * dx + dy * dy)) * contact_per;
+      const float squared = dx * dx + dy * dy;
+      const float contact = (contact_far - squared) * contact_per;
+      const float turn = smaller_of(1.0F, greater_of(0.0F, (turn_far - squared) * turn_per));
       const float comfort =
           (comfort_far - (from_ahead * from_ahead + ahead_y * ahead_y)) * comfort_per;
       const float near_by = smaller_of(1.0F, greater_of(0.0F, comfort));
       cells[c] += contact_cost * smaller_of(1.0F, greater_of(0.0F, contact)) +
-                  comfort_cost * near_by * near_by;
+                  comfort_cost * near_by * near_by + turn_cost * turn * turn;
     }
   }
 }

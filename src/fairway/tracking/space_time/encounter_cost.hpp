@@ -18,11 +18,13 @@ struct NearObstacles {
 
 /// What being near moving obstacles costs, in seconds of delay per second.
 ///
-/// Two terms per obstacle. Contact: `kContact` times the probability that the bodies, with the
+/// Three terms per obstacle. Contact: `kContact` times the probability that the bodies, with the
 /// safety distance between them, would overlap. Comfort: rises to `kComfort` as the gap, less what
 /// the obstacle closes within the time headway, falls from the comfort distance to zero. The
 /// comfort distance grows with the distance in which the robot stops, so a slow robot may come
-/// nearer.
+/// nearer. Turns: an obstacle may turn towards the robot at any time, and a robot within the
+/// distance of `kTurnTime` at the obstacle's speed cannot leave its path any more. The term rises
+/// to `kTurn` as the gap falls from that distance to zero, on all sides of the obstacle.
 class EncounterCost {
  public:
   struct Settings {
@@ -73,6 +75,7 @@ class EncounterCost {
     const double per_wanted = 1.0 / wanted;
     double contact = 0.0;
     double comfort = 0.0;
+    double turn = 0.0;
     for (std::size_t k = 0; k < near.count; ++k) {
       const std::size_t i = near.index[k];
       const double dx = x - forecast.x[sample][i];
@@ -82,6 +85,10 @@ class EncounterCost {
       const double distance = std::sqrt(squared);
       const double gap = distance - bodies_[i];
       const double spread = kSpread * forecast.deviation[sample][i];
+      if (gap < turn_reach_[i]) {
+        const double share = std::min(1.0, 1.0 - gap / turn_reach_[i]);
+        turn += share * share;
+      }
       if (gap < spread) contact += std::min(2.0 * spread, spread - gap) * weight_[sample][i];
       const double closing = dx * forecast.velocity_x[i] + dy * forecast.velocity_y[i];
       const double open = gap - (closing > 0.0 ? settings_.headway * closing / distance : 0.0);
@@ -90,11 +97,11 @@ class EncounterCost {
         comfort += near_by * near_by;
       }
     }
-    return contact + kComfort * comfort;
+    return contact + kComfort * comfort + kTurn * turn;
   }
 
   /// The cost around one obstacle at one sample, for a grid. Contact rises between two distances
-  /// from it, comfort between two distances from a place ahead of it.
+  /// from it, as turns do, comfort between two distances from a place ahead of it.
   struct Shape {
     double reach = 0.0;        ///< beyond which it costs nothing [m]
     double contact = 0.0;      ///< greatest cost [s/s]
@@ -105,6 +112,9 @@ class EncounterCost {
     double comfort_near = 0.0;
     double ahead_x = 0.0;  ///< from the obstacle to that place [m]
     double ahead_y = 0.0;
+    double turn = 0.0;  ///< greatest cost [s/s]
+    double turn_far = 0.0;
+    double turn_near = 0.0;
   };
 
   [[nodiscard]] Shape shape(const Forecast& forecast,
@@ -117,7 +127,8 @@ class EncounterCost {
     const double ahead_y = ahead * forecast.velocity_y[i];
     const double offset = std::hypot(ahead_x, ahead_y);
     const double far = bodies_[i] + comfort_at(speed) + offset;
-    return {.reach = std::max(bodies_[i] + spread, far + offset),
+    const double turn_far = bodies_[i] + turn_reach_[i];
+    return {.reach = std::max({bodies_[i] + spread, far + offset, turn_far}),
             .contact = 2.0 * spread * weight_[sample][i],
             .contact_far = bodies_[i] + spread,
             .contact_near = std::max(0.0, bodies_[i] - spread),
@@ -125,16 +136,23 @@ class EncounterCost {
             .comfort_far = far,
             .comfort_near = bodies_[i] + offset,
             .ahead_x = ahead_x,
-            .ahead_y = ahead_y};
+            .ahead_y = ahead_y,
+            .turn = turn_reach_[i] > 0.0 ? kTurn : 0.0,
+            .turn_far = std::max(turn_far, bodies_[i] + kLeast),
+            .turn_near = bodies_[i]};
   }
 
  private:
   static constexpr double kContact = 60.0;  // [s/s]
-  static constexpr double kComfort = 1.5;   // [s/s]
+  static constexpr double kComfort = 0.5;   // [s/s]
+  static constexpr double kTurn = 1.0;      // [s/s]
+  static constexpr double kTurnTime = 1.0;  // [s]
+  static constexpr double kLeast = 1e-3;    // [m], where an obstacle is at standstill
   static constexpr double kSpread = 1.5;    // standard deviations
 
   Settings settings_;
   std::array<double, Forecast::kMaxObstacles> bodies_{};  // distance at the safety distance [m]
+  std::array<double, Forecast::kMaxObstacles> turn_reach_{};  // of the gap, for turns [m]
   std::array<double, Forecast::kMaxObstacles> reach_{};   // beyond which nothing is counted [m]
   std::array<double, Forecast::kMaxObstacles> step_{};    // of the obstacle between samples [m]
   /// Of contact, per metre of overlap, by sample and obstacle.
@@ -148,8 +166,9 @@ inline void EncounterCost::prepare(const Forecast& forecast) noexcept {
     const double speed = std::hypot(forecast.velocity_x[i], forecast.velocity_y[i]);
     bodies_[i] = settings_.radius + forecast.radius[i] + settings_.margin;
     step_[i] = speed * forecast.interval;
-    reach_[i] = bodies_[i] +
-                std::max(kSpread * forecast.deviation[last][i], far + settings_.headway * speed);
+    turn_reach_[i] = kTurnTime * speed;
+    reach_[i] = bodies_[i] + std::max({kSpread * forecast.deviation[last][i],
+                                       far + settings_.headway * speed, turn_reach_[i]});
   }
   for (std::size_t k = 0; k < forecast.samples; ++k) {
     for (std::size_t i = 0; i < forecast.count; ++i) {

@@ -62,5 +62,20 @@ TEST_F(Encounters, CostMoreNearerInFrontAndAtSpeed) {
   EXPECT_GT(at(0.5, 0.0, 0.0, 0), 10.0);
 }
 
+// A robot beside or behind a quick obstacle cannot leave its path where it turns back suddenly. At
+// standstill the robot has no comfort distance but its own, so the rest is due to turns.
+TEST_F(Encounters, QuickOnesCostMoreOnAllSides) {
+  forecast({{.position = {0, 0}, .velocity = {1.8, 0}, .radius = 0.3}});
+  const double beside = at(0.0, 1.3, 0.0, 0);
+  const double behind = at(-1.3, 0.0, 0.0, 0);
+  EXPECT_GT(beside, 0.1);
+  EXPECT_GT(behind, 0.1);
+  EXPECT_GT(at(-1.0, 0.0, 0.0, 0), behind);
+  forecast({{.position = {0, 0}, .velocity = {0.4, 0}, .radius = 0.3}});
+  EXPECT_LT(at(0.0, 1.3, 0.0, 0), 0.2 * beside);
+  forecast({{.position = {0, 0}, .velocity = {0, 0}, .radius = 0.3}});
+  EXPECT_EQ(at(0.0, 1.3, 0.0, 0), 0.0);
+}
+
 }  // namespace
 }  // namespace fairway
