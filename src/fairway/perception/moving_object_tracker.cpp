@@ -131,7 +131,7 @@ void MovingObjectTracker::drop_lost(double time) noexcept {
   const auto lost = [&](const MovingTrack& track) {
     constexpr double kForgetUnproven = 0.3;  // [s]
     constexpr double kPostAfter = 1.0;  // [s]; what has not left its place until then is a post
-    if (track.may_be_post && time - track.born_time > kPostAfter) return true;
+    if (track.may_be_post && time - track.born_time > kPostAfter && !is_leaving(track)) return true;
     const double hidden = time - track.last_seen;
     const double patience = std::min(settings_.forget_after, kForgetUnproven + track.moving_for);
     return !track.state.allFinite() || track.seen_through > kSeenThroughFor ||

@@ -49,7 +49,9 @@ class MovingObjectTracker {
   void correct(std::size_t track, double time, std::span<const Beam> beams) noexcept;
   void judge_unseen(MovingTrack& track, double dt, std::span<const Beam> beams) const noexcept;
   void count_from_here(MovingTrack& track) const noexcept;
-  [[nodiscard]] bool walks_steadily(const MovingTrack& track) const noexcept;
+  [[nodiscard]] bool walks_steadily(const MovingTrack& track, double least) const noexcept;
+  [[nodiscard]] bool is_leaving(const MovingTrack& track) const noexcept;
+  [[nodiscard]] bool keeps_its_pace(const MovingTrack& track, double dt) const noexcept;
   [[nodiscard]] bool has_jumped(const MovingTrack& track, double moved) const noexcept;
   void judge_motion(std::size_t track,
                     double dt,

@@ -46,6 +46,7 @@ void MovingTrack::resize(double new_radius, const Vector2d& sensor) noexcept {
   born_at += shift;
   born_radius += new_radius - radius;
   stayed_at += shift;
+  counted_at += shift;
   radius = new_radius;
 }
 

@@ -15,11 +15,14 @@ struct MovingTrack {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
   double radius = 0.0;         ///< radius of the disc that represents it [m]
   double radius_weight = 0.0;  ///< number of scans from which the radius was estimated
-  Eigen::Vector2d born_at = Eigen::Vector2d::Zero();    ///< position at the first sighting [m]
-  Eigen::Vector2d stayed_at = Eigen::Vector2d::Zero();  ///< centre of the place where it is [m]
-  double stayed_since = 0.0;                            ///< time since when it is there [s]
-  double born_time = 0.0;                               ///< time of that sighting [s]
-  double born_radius = 0.0;                             ///< radius at the first sighting [m]
+  Eigen::Vector2d born_at = Eigen::Vector2d::Zero();     ///< position at the first sighting [m]
+  Eigen::Vector2d stayed_at = Eigen::Vector2d::Zero();   ///< centre of the place where it is [m]
+  double stayed_since = 0.0;                             ///< time since when it is there [s]
+  double born_time = 0.0;                                ///< time of that sighting [s]
+  double born_radius = 0.0;                              ///< radius at the first sighting [m]
+  Eigen::Vector2d counted_at = Eigen::Vector2d::Zero();  ///< where it began to count as moving [m]
+  double counted_since = 0.0;  ///< time since when it counts as moving [s]
+  double first_pace = 0.0;     ///< mean speed until then [m/s]
   /// Whether it was there when it came into view, as a post is, and has not moved since.
   bool may_be_post = false;
   int sightings = 0;           ///< number of scans in which it was seen

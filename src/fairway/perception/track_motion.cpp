@@ -49,12 +49,20 @@ void MovingObjectTracker::count_from_here(MovingTrack& track) const noexcept {
 // Whether the mean velocity since the first sighting is that of a moving object, and the present
 // one agrees with it. The error of a mean shrinks with time. That of the filter's velocity does
 // not: it stays at 0.5 m/s, so that a person who walks at 0.4 m/s would never count.
-bool MovingObjectTracker::walks_steadily(const MovingTrack& track) const noexcept {
+bool MovingObjectTracker::walks_steadily(const MovingTrack& track, double least) const noexcept {
   constexpr double kSameDirection = 0.8;  // cosine
   const Vector2d moved = track.position() - track.born_at;
   const double mean = moved.norm() / std::max(time_ - track.born_time, 1e-3);
-  return mean > settings_.moving_speed &&
+  return mean > least &&
          moved.dot(track.velocity()) > kSameDirection * moved.norm() * track.velocity().norm();
+}
+
+// Whether a track that may be a post seems to be on its way out of its place: a slow walker needs
+// more than a second until it counts. The mean speed of a short time is not exact.
+bool MovingObjectTracker::is_leaving(const MovingTrack& track) const noexcept {
+  constexpr double kShare = 0.75;  // of the speed of the slowest moving object
+  return track.changed_share >= 0.5 * kLeastChange &&
+         walks_steadily(track, kShare * settings_.moving_speed);
 }
 
 // Updates how much of a track's surface moves: hits in cells that were free before, and beams that
@@ -112,6 +120,17 @@ bool MovingObjectTracker::has_jumped(const MovingTrack& track, double moved) con
   return track.velocity().norm() > 2.0 * mean;
 }
 
+// Whether a track that counts as moving has gone on: the centre of a part of a wall may jump once
+// as more of it comes into view, but it stays there. Judged once, some time after it began to
+// count.
+bool MovingObjectTracker::keeps_its_pace(const MovingTrack& track, double dt) const noexcept {
+  constexpr double kJudgedAfter = 0.4;  // [s]
+  constexpr double kShare = 0.5;        // of the distance at its mean speed before
+  const double since = time_ - track.counted_since;
+  if (since < kJudgedAfter || since - dt >= kJudgedAfter) return true;
+  return (track.position() - track.counted_at).norm() >= kShare * since * track.first_pace;
+}
+
 void MovingObjectTracker::judge_motion(std::size_t index,
                                        double dt,
                                        std::span<const Beam> beams,
@@ -121,6 +140,7 @@ void MovingObjectTracker::judge_motion(std::size_t index,
   MovingTrack& track = tracks_[index];
   const double speed = track.velocity().norm();
   const bool fast = speed > settings_.moving_speed;
+  const bool steady = walks_steadily(track, settings_.moving_speed);
   track.slow_for = fast ? 0.0 : track.slow_for + dt;
   if (track.last_seen >= time_) note_changes(index, beams, grid);
   // The velocity of an object at rest has errors; its place has not.
@@ -131,7 +151,8 @@ void MovingObjectTracker::judge_motion(std::size_t index,
   }
   if (track.moving) {
     if (track.last_seen >= time_) track.moving_for += dt;
-    track.moving = track.slow_for < kStoppedFor && time_ - track.stayed_since <= kStoppedFor;
+    track.moving = track.slow_for < kStoppedFor && time_ - track.stayed_since <= kStoppedFor &&
+                   keeps_its_pace(track, dt);
     if (!track.moving) count_from_here(track);
     return;
   }
@@ -143,13 +164,13 @@ void MovingObjectTracker::judge_motion(std::size_t index,
   // A slow object changes little from scan to scan, but it leaves its place. One that moves away
   // does not leave it soon, but changes.
   const bool changes = track.changed_share >= kLeastChange;
-  const bool may_move =
-      track.sightings >= kFewestSightings && track.last_seen >= time_ && fast &&
-      moved > far_enough && moved > 3.0 * track.position_sigma() &&
-      (speed > track.velocity_sigma() || walks_steadily(track) || (changes && moved > kClearly));
+  const bool may_move = track.sightings >= kFewestSightings && track.last_seen >= time_ &&
+                        (fast || steady) && moved > far_enough &&
+                        moved > 3.0 * track.position_sigma() &&
+                        (speed > track.velocity_sigma() || steady || (changes && moved > kClearly));
   const bool shape_known =
       track.may_be_post || track.radius_weight >= kFewFits || track.sightings >= kManySightings;
-  const bool walks_far = moved > kFar && walks_steadily(track) && !has_jumped(track, moved);
+  const bool walks_far = moved > kFar && steady && !has_jumped(track, moved);
   const bool has_left =
       track.changed_share >= 0.5 * kLeastChange && has_left_its_place(index, beams, grid);
   const bool seems_to_move =
@@ -163,6 +184,9 @@ void MovingObjectTracker::judge_motion(std::size_t index,
   }
   track.may_be_post = false;
   track.moving_for = 0.0;
+  track.counted_at = track.position();
+  track.counted_since = time_;
+  track.first_pace = moved / std::max(time_ - track.born_time, 1e-3);
   track.stayed_at = track.position();
   track.stayed_since = time_;
 }

@@ -70,6 +70,33 @@ TEST(MovingObjectTracker, FollowsAPersonWhoWalksSlowly) {
   }
 }
 
+// A person who stood is part of the map. The slower the walk, the more of it lies inside of the
+// cells of the person before.
+TEST(MovingObjectTracker, NoticesAPersonWhoWalksOffSlowly) {
+  constexpr double kStood = 3.0;  // [s]
+  for (const double speed : {0.21, 0.25, 0.32}) {
+    for (const double turn : {0.5, 0.75, 1.0, 1.25, 1.5}) {  // of the walk from the view, in pi
+      Hall hall(5);
+      const Vector2d velocity = speed * direction(turn * std::numbers::pi);
+      double noticed = -1.0;
+      int missed = 0;
+      while (hall.time() < kStood + 4.0) {
+        const double walked = std::max(0.0, hall.time() - kStood);
+        const MovingObstacle truth{.position = Vector2d(2.7, 0.0) + walked * velocity,
+                                   .velocity = walked > 0.0 ? velocity : Vector2d(0.0, 0.0),
+                                   .radius = 0.28};
+        const MovingObstacles seen = hall.scan({truth}, {}).tracker().obstacles();
+        const bool found = seen.size() == 1 && (seen[0].position - truth.position).norm() < 0.15;
+        if (found && noticed < 0.0) noticed = speed * walked;
+        if (noticed >= 0.0 && !found) ++missed;
+      }
+      EXPECT_GT(noticed, 0.0) << "speed " << speed << ", turn " << turn;
+      EXPECT_LT(noticed, 0.58) << "speed " << speed << ", turn " << turn;
+      EXPECT_EQ(missed, 0) << "speed " << speed << ", turn " << turn;
+    }
+  }
+}
+
 TEST(MovingObjectTracker, GivesNoTracksInAStaticWorld) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Hall hall(seed);
@@ -161,6 +188,29 @@ TEST(MovingObjectTracker, AStoppedDiscBecomesPartOfTheMap) {
     }
   }
   EXPECT_TRUE(near);
+}
+
+// As the centre of a part of a wall does, when more of the wall comes into view.
+TEST(MovingObjectTracker, AShiftThatEndsDoesNotCountForLong) {
+  constexpr double kLongest = 0.5;  // [s]
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Hall hall(seed);
+    while (hall.time() < 2.0)
+      hall.scan({}, {});
+    double counted = 0.0;
+    double shifted_at = -1.0;
+    double shift = 0.0;
+    while (hall.time() < 5.0) {
+      // It has appeared beside the robot, and moves only until it begins to count.
+      const MovingObstacle truth{.position = Vector2d(2.0 + shift, 1.5), .radius = 0.3};
+      const bool moves = !hall.scan({truth}, {}).tracker().obstacles().empty();
+      if (moves && shifted_at < 0.0) shifted_at = hall.time();
+      if (moves) counted += 0.05;
+      if (hall.time() > 2.5 && shifted_at < 0.0) shift += 0.04;
+    }
+    EXPECT_GT(shifted_at, 0.0);
+    EXPECT_LT(counted, kLongest) << "seed " << seed;
+  }
 }
 
 TEST(MovingObjectTracker, AMovingDiscLeavesNoTrailInTheMap) {
