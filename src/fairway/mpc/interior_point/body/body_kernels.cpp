@@ -5,6 +5,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 #include "fairway/mpc/interior_point/body/body_kernels.hpp"
 
+#include "fairway/mpc/interior_point/body/body_guess.hpp"
 #include "fairway/mpc/interior_point/body/body_iteration.hpp"
 #pragma GCC diagnostic pop
 
@@ -12,6 +13,12 @@ namespace fairway::interior_point {
 namespace {
 
 #define FAIRWAY_BODY_KERNELS(width, Lanes, TARGET)                                                \
+  template <typename Motion>                                                                      \
+  TARGET std::size_t body_candidate_##width(const BodyWorkspace<Motion>& w, const Pose2& pose,    \
+                                            std::size_t first,                                    \
+                                            const Candidates<Motion>& candidates) noexcept {      \
+    return best_candidate<Lanes>(w, pose, first, candidates);                                     \
+  }                                                                                               \
   template <typename Motion>                                                                      \
   TARGET void body_evaluate_##width(const BodyWorkspace<Motion>& w,                               \
                                     BodyPoint<Motion>& point) noexcept {                          \
@@ -45,7 +52,8 @@ FAIRWAY_BODY_KERNELS(256, Lanes256, [[gnu::target("avx2")]])
 
 template <typename Motion>
 const BodyKernels<Motion>& body_kernels_128() noexcept {
-  static constexpr BodyKernels<Motion> kKernels = {.evaluate = body_evaluate_128<Motion>,
+  static constexpr BodyKernels<Motion> kKernels = {.best_candidate = body_candidate_128<Motion>,
+                                                   .evaluate = body_evaluate_128<Motion>,
                                                    .start = body_start_128<Motion>,
                                                    .linearise = body_linearise_128<Motion>,
                                                    .solve_newton_system = body_newton_128<Motion>,
@@ -56,7 +64,8 @@ const BodyKernels<Motion>& body_kernels_128() noexcept {
 template <typename Motion>
 const BodyKernels<Motion>* body_kernels_256() noexcept {
 #ifdef FAIRWAY_HAS_LANES256
-  static constexpr BodyKernels<Motion> kKernels = {.evaluate = body_evaluate_256<Motion>,
+  static constexpr BodyKernels<Motion> kKernels = {.best_candidate = body_candidate_256<Motion>,
+                                                   .evaluate = body_evaluate_256<Motion>,
                                                    .start = body_start_256<Motion>,
                                                    .linearise = body_linearise_256<Motion>,
                                                    .solve_newton_system = body_newton_256<Motion>,

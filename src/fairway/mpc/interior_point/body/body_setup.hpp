@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "fairway/mpc/interior_point/body/body_kernels.hpp"
 #include "fairway/mpc/interior_point/body/body_workspace.hpp"
 
 namespace fairway::interior_point {
@@ -17,7 +18,8 @@ void load_body_constraints(const BodyProblem<Motion>& problem, BodyWorkspace<Mot
 /// Fills in initial inputs strictly inside every bound: the guess with its last input repeated, or
 /// without a guess a drive towards the targets.
 template <typename Motion>
-void load_body_guess(const BodyGuess<Motion>& guess,
+void load_body_guess(const BodyKernels<Motion>& kernels,
+                     const BodyGuess<Motion>& guess,
                      const BodyWorkspace<Motion>& w,
                      BodyPoint<Motion>& point) noexcept;
 

@@ -91,7 +91,7 @@ void leave_body_saddle(const BodyKernels<Motion>& kernels,
     double& turn = beside.inputs[k][Motion::kTurn];
     turn += kNudge * (w.input_bounds.high[k][Motion::kTurn] - turn);
   }
-  load_body_guess(beside, w, *w.now);
+  load_body_guess(kernels, beside, w, *w.now);
   InteriorPointSettings rest = settings;
   rest.max_iterations -= iterations;
   int more = 0;
@@ -158,14 +158,14 @@ const BodySolution<Motion>& BodySolver<Motion>::solve(
   }
   interior_point::BodyWorkspace<Motion>& w = workspace_;
   interior_point::load_body_problem(problem, w);
-  interior_point::load_body_guess(guess, w, *w.now);
+  interior_point::load_body_guess(*kernels_, guess, w, *w.now);
   solution_.status = interior_point::iterate(*kernels_, settings, w, solution_.iterations);
   if (solution_.status == SolveStatus::Solved && !w.step.convex)
     interior_point::leave_body_saddle(*kernels_, settings, w, solution_.iterations);
   kernels_->evaluate(w, *w.now);
   if (solution_.status != SolveStatus::Solved) {
     // The result of an unfinished solve must not be worse than the guess.
-    interior_point::load_body_guess(guess, w, *w.trial);
+    interior_point::load_body_guess(*kernels_, guess, w, *w.trial);
     kernels_->evaluate(w, *w.trial);
     if (!(interior_point::penalised(w, *w.now) <= interior_point::penalised(w, *w.trial)))
       std::swap(w.now, w.trial);
