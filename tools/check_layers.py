@@ -13,10 +13,10 @@ import sys
 # targets that it links.
 TARGETS = [
     ("fairway", [], [
-        "base", "geometry", "monitor", "zones", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc",
+        "base", "geometry", "monitor", "zones", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc", "mpc/body",
         "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
         "mpc/interior_point/lockstep",
-        "mpc/interior_point", "planning", "tracking", "tracking/space_time", "safety", "fleet", "localization", "perception", "navigation",
+        "mpc/interior_point", "mpc/interior_point/body", "planning", "tracking", "tracking/space_time", "safety", "fleet", "localization", "perception", "navigation",
         "navigation/facade", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [

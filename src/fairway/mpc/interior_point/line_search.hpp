@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "fairway/mpc/interior_point/constraints/bounds.hpp"
@@ -62,31 +61,15 @@ template <typename Lanes>
                                              double mu,
                                              double fraction_to_boundary,
                                              Filter& filter) noexcept {
-  constexpr double kSufficient = 1e-4;  // share of the predicted decrease that is required
-  constexpr double kRounding = 1e-12;   // of the barrier function, relative
-  constexpr int kMaxHalvings = 15;
-
   const double used_by_bounds = step_bounds<Lanes>(w, mu);
   const auto soft = step_soft_constraints<Lanes>(w, mu);
   const double used = std::max(used_by_bounds, greatest_of(soft.used));
-  const double slope = w.step.slope + sum_of(soft.product + soft.slope);  // Eq. (S16)
-  const Progress before = progress(w, mu, *w.now);
-  const double rounding = kRounding * std::abs(before.barrier);
-
+  const LineSearch search(progress(w, mu, *w.now),
+                          w.step.slope + sum_of(soft.product + soft.slope));
   double length = used > fraction_to_boundary ? fraction_to_boundary / used : 1.0;
   for (int halvings = 0; halvings <= kMaxHalvings; ++halvings, length *= 0.5) {
     move_to_trial<Lanes>(w, length);
-    Progress after = progress(w, mu, *w.trial);
-    after.barrier -= rounding;
-    if (!std::isfinite(after.barrier + after.residual) || !filter.accepts(after)) continue;
-    // If the barrier function decreases fast compared with the residual, it must decrease as
-    // predicted. Otherwise one of the two must improve, and the filter stores the pair.
-    const bool falls =
-        slope < 0.0 && (before.residual <= kNoResidual || length * slope * slope > before.residual);
-    const bool accepted = falls ? after.barrier <= before.barrier + kSufficient * length * slope
-                                : Filter::improves(after, before);
-    if (!accepted) continue;
-    if (!falls) filter.add(before);
+    if (!search.accepts(progress(w, mu, *w.trial), length, filter)) continue;
     std::swap(w.now, w.trial);
     return true;
   }

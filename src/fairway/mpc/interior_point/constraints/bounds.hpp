@@ -62,40 +62,57 @@ FAIRWAY_LANES void start_bounds(Workspace& w, double mu) noexcept {
   }
 }
 
-/// Computes the terms that the bounds add to the model at `w.now`. Before, the duals are kept near
-/// the central path of `mu`, Eq. (S13).
+/// Computes the terms that one block of bounds of `t` adds to the model. Before, the duals are kept
+/// near the central path of `mu`, Eq. (S13).
+template <typename Lanes>
+FAIRWAY_LANES void linearise_bound(Bounds& bounds,
+                                   std::size_t b,
+                                   const Lanes& t,
+                                   double mu,
+                                   ConstraintErrors<Lanes>& errors) noexcept {
+  const double most = kCentrality * mu;
+  const double least_product = mu / kCentrality;
+  Bounds::Block& block = bounds.blocks[b];
+  const BoundSlacks<Lanes> slack = slacks_of(block, t);
+  const Lanes inverse = 1.0 / (slack.below * slack.above);
+  const Lanes below = slack.above * inverse;  // 1 / below
+  const Lanes above = slack.below * inverse;
+  const Lanes low = least(greatest(Lanes(block.dual_low), least_product * below), most * below);
+  const Lanes high = least(greatest(Lanes(block.dual_high), least_product * above), most * above);
+  block.inverse_below = below;
+  block.inverse_above = above;
+  block.dual_low = low;
+  block.dual_high = high;
+  put(bounds.curvature, kLanes * b, low * below + high * above);
+  put(bounds.by_mu, kLanes * b, above - below);
+  put(bounds.dual, kLanes * b, high - low);
+  const Lanes low_product = slack.below * low;
+  const Lanes high_product = slack.above * high;
+  errors.least_product = least(errors.least_product, least(low_product, high_product));
+  errors.greatest_product = greatest(errors.greatest_product, greatest(low_product, high_product));
+}
+
+/// Computes the terms that the bounds add to the model at `w.now`.
 template <typename Lanes>
 FAIRWAY_LANES void linearise_bounds(Workspace& w,
                                     double mu,
                                     ConstraintErrors<Lanes>& errors) noexcept {
-  const double most = kCentrality * mu;
-  const double least_product = mu / kCentrality;
   for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
-    Bounds& bounds = w.bounds[kind];
-    for (std::size_t b = 0; b < w.num_blocks; ++b) {
-      Bounds::Block& block = bounds.blocks[b];
-      const BoundSlacks<Lanes> slack =
-          slacks_of(block, bounded<Lanes>(w.now->commands, kind, kLanes * b));
-      const Lanes inverse = 1.0 / (slack.below * slack.above);
-      const Lanes below = slack.above * inverse;  // 1 / below
-      const Lanes above = slack.below * inverse;
-      const Lanes low = least(greatest(Lanes(block.dual_low), least_product * below), most * below);
-      const Lanes high =
-          least(greatest(Lanes(block.dual_high), least_product * above), most * above);
-      block.inverse_below = below;
-      block.inverse_above = above;
-      block.dual_low = low;
-      block.dual_high = high;
-      put(bounds.curvature, kLanes * b, low * below + high * above);
-      put(bounds.by_mu, kLanes * b, above - below);
-      put(bounds.dual, kLanes * b, high - low);
-      const Lanes low_product = slack.below * low;
-      const Lanes high_product = slack.above * high;
-      errors.least_product = least(errors.least_product, least(low_product, high_product));
-      errors.greatest_product =
-          greatest(errors.greatest_product, greatest(low_product, high_product));
-    }
+    for (std::size_t b = 0; b < w.num_blocks; ++b)
+      linearise_bound(w.bounds[kind], b, bounded<Lanes>(w.now->commands, kind, kLanes * b), mu,
+                      errors);
   }
+}
+
+/// Computes the duals of one block after a step that changes its quantity by `change`.
+/// @return The share of a slack that the step would use up.
+template <typename Lanes>
+FAIRWAY_LANES Lanes step_bound(Bounds::Block& block, const Lanes& change, double mu) noexcept {
+  const Lanes down = -change * block.inverse_below;
+  const Lanes up = change * block.inverse_above;
+  block.dual_low = mu * Lanes(block.inverse_below) + block.dual_low * down;
+  block.dual_high = mu * Lanes(block.inverse_above) + block.dual_high * up;
+  return greatest(down, up);
 }
 
 /// Computes the duals after the Newton step.
@@ -104,15 +121,9 @@ template <typename Lanes>
 FAIRWAY_LANES double step_bounds(Workspace& w, double mu) noexcept {
   Lanes used = 0.0;
   for (std::size_t kind = 0; kind < w.num_bounds; ++kind) {
-    for (std::size_t b = 0; b < w.num_blocks; ++b) {
-      Bounds::Block& block = w.bounds[kind].blocks[b];
-      const Lanes change = bounded<Lanes>(w.step.commands, kind, kLanes * b);
-      const Lanes down = -change * block.inverse_below;
-      const Lanes up = change * block.inverse_above;
-      used = greatest(used, greatest(down, up));
-      block.dual_low = mu * Lanes(block.inverse_below) + block.dual_low * down;
-      block.dual_high = mu * Lanes(block.inverse_above) + block.dual_high * up;
-    }
+    for (std::size_t b = 0; b < w.num_blocks; ++b)
+      used = greatest(used, step_bound(w.bounds[kind].blocks[b],
+                                       bounded<Lanes>(w.step.commands, kind, kLanes * b), mu));
   }
   return greatest_of(used);
 }

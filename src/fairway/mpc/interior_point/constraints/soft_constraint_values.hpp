@@ -58,6 +58,24 @@ FAIRWAY_LANES void evaluate_soft_constraints(const Workspace& w, Point& point) n
   }
 }
 
+/// Initialises the slacks and duals of a constraint of value `value` at `mu`.
+template <typename Lanes, typename Constraint>
+FAIRWAY_LANES void start_soft_constraint(const Lanes& value,
+                                         double mu,
+                                         double penalty_weight,
+                                         double first_slack,
+                                         Constraint& constraint,
+                                         SoftConstraintState& state) noexcept {
+  const Lanes slack = greatest(value, Lanes(first_slack));
+  const Lanes dual = least(mu / slack, Lanes(0.5 * penalty_weight));
+  constraint.dual = dual;
+  constraint.violation_dual = penalty_weight - dual;
+  constraint.dual_change = Lanes(0.0);
+  state.value = value;
+  state.slack = slack;
+  state.violation_slack = mu / (penalty_weight - dual);
+}
+
 /// Admits watched constraint i if it is near at `w.now`, where it has value `value`. It is swapped
 /// with the first watched one and initialised at `mu`.
 template <typename Lanes>
@@ -68,17 +86,8 @@ FAIRWAY_LANES void admit_if_near(Workspace& w,
                                  std::size_t& first_watched) noexcept {
   if (!(least_of(value - w.soft_constraints[i].near) < 0.0)) return;
   std::swap(w.soft_constraints[i], w.soft_constraints[first_watched]);
-  const double penalty_weight = w.problem->violation_weight;
-  const Lanes slack = greatest(value, Lanes(w.first_slack));
-  const Lanes dual = least(mu / slack, Lanes(0.5 * penalty_weight));
-  SoftConstraintBlock& constraint = w.soft_constraints[first_watched];
-  constraint.dual = dual;
-  constraint.violation_dual = penalty_weight - dual;
-  constraint.dual_change = Lanes(0.0);
-  SoftConstraintState& state = w.now->constraints[first_watched];
-  state.value = value;
-  state.slack = slack;
-  state.violation_slack = mu / (penalty_weight - dual);
+  start_soft_constraint(value, mu, w.problem->violation_weight, w.first_slack,
+                        w.soft_constraints[first_watched], w.now->constraints[first_watched]);
   ++first_watched;
 }
 
@@ -119,7 +128,8 @@ struct SoftConstraintSums {
     violation_slack += state.violation_slack;
     residual += magnitude(Lanes(state.value) + state.violation_slack - state.slack);
   }
-  FAIRWAY_LANES void store(Point& point) const noexcept {
+  template <typename AnyPoint>
+  FAIRWAY_LANES void store(AnyPoint& point) const noexcept {
     point.violation_sum = sum_of(violation_slack);
     point.residual_sum = sum_of(residual);
   }
@@ -141,22 +151,19 @@ FAIRWAY_LANES void sum_soft_constraints(const Workspace& w,
   sums.store(point);
 }
 
-/// Computes the value and slacks of one constraint of `w.trial` at `length` along the step. Slacks
-/// that are too small for their constraint are reset, which lowers every merit function. Violation
-/// slacks are usually tiny and must not shorten the step; one that would be used up keeps a part of
-/// itself.
-template <typename Lanes>
-FAIRWAY_LANES void move_constraint(Workspace& w,
-                                   double length,
-                                   std::size_t i,
-                                   const Lanes& value) noexcept {
-  const SoftConstraintState& now = w.now->constraints[i];
-  const SoftConstraintBlock& constraint = w.soft_constraints[i];
+/// Computes the value and slacks of one constraint at `length` along the step. Slacks that are too
+/// small for their constraint are reset, which lowers every merit function. Violation slacks are
+/// usually tiny and must not shorten the step; one that would be used up keeps a part of itself.
+template <typename Lanes, typename Constraint>
+FAIRWAY_LANES void move_slacks(const Constraint& constraint,
+                               const SoftConstraintState& now,
+                               double length,
+                               const Lanes& value,
+                               SoftConstraintState& trial) noexcept {
   constexpr double kLeastPart = 1e-3;
   const Lanes part = greatest(1.0 + length * Lanes(constraint.violation_ratio), Lanes(kLeastPart));
   const Lanes violation_slack = now.violation_slack * part;
   const Lanes slack = now.slack * (1.0 + length * Lanes(constraint.slack_ratio));
-  SoftConstraintState& trial = w.trial->constraints[i];
   trial.value = value;
   trial.slack = greatest(slack, value + violation_slack);
   trial.violation_slack = violation_slack;
@@ -174,11 +181,13 @@ FAIRWAY_LANES void move_soft_constraints(Workspace& w,
     const ConstraintRange& range = w.constraint_ranges[b];
     const auto p = positions_of<Lanes>(point.x, point.y, b);
     for (std::size_t i = range.corridor; i < range.watched_corridor; ++i) {
-      move_constraint(w, length, i, corridor_value(w.soft_constraints[i], p));
+      move_slacks(w.soft_constraints[i], w.now->constraints[i], length,
+                  corridor_value(w.soft_constraints[i], p), point.constraints[i]);
       sums.add(point.constraints[i], logs);
     }
     for (std::size_t i = range.barrier; i < range.watched_barrier; ++i) {
-      move_constraint(w, length, i, barrier_value(w.soft_constraints[i], p));
+      move_slacks(w.soft_constraints[i], w.now->constraints[i], length,
+                  barrier_value(w.soft_constraints[i], p), point.constraints[i]);
       sums.add(point.constraints[i], logs);
     }
   }

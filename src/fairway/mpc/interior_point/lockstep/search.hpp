@@ -58,7 +58,7 @@ FAIRWAY_LANES void sum_now(Lockstep& s) noexcept {
   sums.store(s.points[s.now]);
 }
 
-/// Computes slacks of one constraint of the trial point; see move_constraint.
+/// Computes slacks of one constraint of the trial point; see move_slacks.
 template <typename Lanes>
 FAIRWAY_LANES void move_slacks(NearConstraint& c,
                                std::size_t now,

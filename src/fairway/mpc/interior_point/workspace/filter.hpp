@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace fairway::interior_point {
@@ -46,6 +47,35 @@ class Filter {
   static constexpr int kCapacity = 32;
   std::array<Progress, kCapacity> entries_;
   int count_ = 0;
+};
+
+inline constexpr int kMaxHalvings = 15;  ///< of the length of a step
+
+/// Decides which lengths of one step are accepted.
+class LineSearch {
+ public:
+  /// `slope` is the derivative of the barrier function along the step, Eq. (S16).
+  LineSearch(const Progress& before, double slope) noexcept : before_(before), slope_(slope) {}
+
+  /// Returns whether the point at `length` is accepted; the filter then stores what it must. If the
+  /// barrier function decreases fast compared with the residual, it must decrease as predicted.
+  /// Otherwise one of the two must improve.
+  [[nodiscard]] bool accepts(Progress after, double length, Filter& filter) const noexcept {
+    constexpr double kSufficient = 1e-4;  // share of the predicted decrease that is required
+    constexpr double kRounding = 1e-12;   // of the barrier function, relative
+    after.barrier -= kRounding * std::abs(before_.barrier);
+    if (!std::isfinite(after.barrier + after.residual) || !filter.accepts(after)) return false;
+    const bool falls = slope_ < 0.0 && (before_.residual <= kNoResidual ||
+                                        length * slope_ * slope_ > before_.residual);
+    const bool accepted = falls ? after.barrier <= before_.barrier + kSufficient * length * slope_
+                                : Filter::improves(after, before_);
+    if (accepted && !falls) filter.add(before_);
+    return accepted;
+  }
+
+ private:
+  Progress before_;
+  double slope_;
 };
 
 }  // namespace fairway::interior_point

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point/body/body_setup.hpp"
+
+#include <algorithm>
+
+#include "fairway/geometry/angle.hpp"
+
+namespace fairway::interior_point {
+namespace {
+
+// Bounds of constraints that are not needed: so far away that they have no weight.
+constexpr double kFarInput = 1e8;
+
+// Sets the entries from `first` on to zero, as far as the blocks of lanes read.
+template <typename Motion, std::size_t n>
+void clear_from(std::size_t first,
+                const BodyWorkspace<Motion>& w,
+                std::array<double, n>& array) noexcept {
+  for (std::size_t k = first; k < std::min(n, kLanes * w.num_blocks + 2); ++k)
+    array[k] = 0.0;
+}
+
+template <typename Motion>
+void load_body_targets(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& w) noexcept {
+  const Eigen::Vector2d origin = problem.start.position;
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    const StepTarget& target = problem.targets[k + 1];
+    w.target_x[k] = target.position.x() - origin.x();
+    w.target_y[k] = target.position.y() - origin.y();
+    w.target_heading[k] = target.heading - w.full_turns;
+    w.weight_x[k] = target.weight.x();
+    w.weight_y[k] = target.weight.y();
+    w.weight_heading[k] = target.weight.z();
+    w.is_step[k] = 1.0;
+  }
+  for (StepArray* array : {&w.target_x, &w.target_y, &w.target_heading, &w.weight_x, &w.weight_y,
+                           &w.weight_heading, &w.is_step})
+    clear_from(w.horizon, w, *array);
+  for (std::size_t j = 0; j < Motion::kInputs; ++j) {
+    const auto input = static_cast<Eigen::Index>(j);
+    const auto n = static_cast<std::ptrdiff_t>(w.horizon);
+    std::fill_n(w.input_weight[j].begin(), n, problem.input_weight[input]);
+    std::fill_n(w.change_weight[j].begin(), n, problem.change_weight[input]);
+    if (!problem.penalise_first_change) w.change_weight[j][0] = 0.0;
+    clear_from(w.horizon, w, w.input_weight[j]);
+    clear_from(w.horizon, w, w.change_weight[j]);
+  }
+}
+
+void set_interval(Bounds& bounds, std::size_t k, double low, double high) noexcept {
+  bounds.blocks[k / kLanes].low[k % kLanes] = low;
+  bounds.blocks[k / kLanes].high[k % kLanes] = high;
+}
+
+template <typename Motion>
+void load_input_bounds(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& w) noexcept {
+  constexpr std::size_t n = Motion::kInputs;
+  const InputBounds<Motion>& bounds = w.input_bounds;
+  w.num_limits = static_cast<std::size_t>(problem.num_input_limits);
+  w.has_change_bounds = false;
+  for (std::size_t j = 0; j < n; ++j) {
+    const auto input = static_cast<Eigen::Index>(j);
+    const double change = problem.max_change[input];
+    const double previous = problem.previous_input[input];
+    const bool is_limited = change < std::max(problem.input_max[input], previous) -
+                                         std::min(problem.input_min[input], previous);
+    w.has_change_bounds = w.has_change_bounds || is_limited;
+    for (std::size_t k = 0; k < kLanes * w.num_blocks; ++k) {
+      const bool inside = k < w.horizon;
+      set_interval(w.bounds[j], k, inside ? bounds.low[k][input] : -1.0,
+                   inside ? bounds.high[k][input] : 1.0);
+      const double most = inside && is_limited ? change : kFarInput;
+      set_interval(w.bounds[n + j], k, -most, most);
+    }
+  }
+  for (std::size_t i = 0; i < w.num_limits; ++i) {
+    for (std::size_t k = 0; k < kLanes * w.num_blocks; ++k)
+      set_interval(w.bounds[2 * n + i], k, -kFarInput,
+                   k < w.horizon ? bounds.limits[k][i] : kFarInput);
+  }
+  for (Bounds& each : w.bounds) {
+    for (PoseArray* array : {&each.curvature, &each.by_mu, &each.dual})
+      clear_from(kLanes * w.num_blocks, w, *array);
+  }
+  clear_from(w.horizon, w, w.model.turn_turn);
+}
+
+template <typename Motion>
+void load_body_start(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& w) noexcept {
+  w.num_marks = 0;
+  for (int i = 0; i < problem.num_points; ++i)
+    w.marks[w.num_marks++] = problem.points[static_cast<std::size_t>(i)];
+  if (problem.num_obstacles > 0) {
+    for (int i = 0; i < problem.num_discs; ++i)
+      w.marks[w.num_marks++] = problem.discs[static_cast<std::size_t>(i)].center;
+  }
+  const Pose2 start = {.position = Eigen::Vector2d::Zero(),
+                       .heading = problem.start.heading - w.full_turns};
+  for (BodyPoint<Motion>& point : w.points) {
+    point.x[0] = point.y[0] = 0.0;
+    point.heading[0] = start.heading;
+    for (PoseArray* array : {&point.x, &point.y, &point.heading})
+      clear_from(w.horizon + 1, w, *array);
+    for (std::size_t j = 0; j < Motion::kInputs; ++j) {
+      point.inputs[j][0] = problem.previous_input[static_cast<Eigen::Index>(j)];
+      clear_from(w.horizon + 1, w, point.inputs[j]);
+    }
+    for (std::size_t m = 0; m < w.num_marks; ++m) {
+      const Eigen::Vector2d place = transform(start, w.marks[m]);
+      point.marks[m].x[0] = place.x();
+      point.marks[m].y[0] = place.y();
+    }
+  }
+  for (PoseArray* array : {&w.step.x, &w.step.y, &w.step.turn}) {
+    (*array)[0] = 0.0;
+    clear_from(w.horizon + 1, w, *array);
+  }
+  for (PoseArray& inputs : w.step.inputs) {
+    inputs[0] = 0.0;
+    clear_from(w.horizon + 1, w, inputs);
+  }
+  w.now = w.points.data();
+  w.trial = &w.points[1];
+}
+
+}  // namespace
+
+template <typename Motion>
+void load_body_problem(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& w) noexcept {
+  w.problem = &problem;
+  w.horizon = static_cast<std::size_t>(problem.horizon);
+  w.num_blocks = (w.horizon + kLanes - 1) / kLanes;
+  w.full_turns = problem.start.heading - wrap_to_pi(problem.start.heading);
+  find_input_bounds(problem, w.input_bounds);
+  load_body_start(problem, w);
+  load_body_targets(problem, w);
+  load_input_bounds(problem, w);
+  load_body_constraints(problem, w);
+}
+
+template void load_body_problem(const BodyProblem<UnicycleMotion>&,
+                                BodyWorkspace<UnicycleMotion>&) noexcept;
+template void load_body_problem(const BodyProblem<SteeredMotion>&,
+                                BodyWorkspace<SteeredMotion>&) noexcept;
+template void load_body_problem(const BodyProblem<OmniMotion>&,
+                                BodyWorkspace<OmniMotion>&) noexcept;
+
+}  // namespace fairway::interior_point

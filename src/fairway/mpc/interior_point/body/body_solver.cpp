@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/mpc/interior_point/body/body_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fairway/mpc/interior_point/body/body_setup.hpp"
+#include "fairway/mpc/interior_point/workspace/iteration_rules.hpp"
+
+namespace fairway {
+namespace interior_point {
+namespace {
+
+struct BodyViolation {
+  double sum = 0.0;
+  double greatest = 0.0;
+};
+
+template <typename Motion>
+BodyViolation violation_of(const BodyWorkspace<Motion>& w,
+                           const BodyPoint<Motion>& point) noexcept {
+  Lanes128 sum = 0.0;
+  Lanes128 worst = 0.0;
+  for (std::size_t i = 0; i < w.num_soft_constraints; ++i) {
+    const Lanes128 violation = greatest(-Lanes128(point.constraints[i].value), Lanes128(0.0));
+    sum += violation;
+    worst = greatest(worst, violation);
+  }
+  return {.sum = sum_of(sum), .greatest = greatest_of(worst)};
+}
+
+// Cost plus the penalty of all violations; the slacks do not matter.
+template <typename Motion>
+double penalised(const BodyWorkspace<Motion>& w, const BodyPoint<Motion>& point) noexcept {
+  return point.cost + w.problem->violation_weight * violation_of(w, point).sum;
+}
+
+template <typename Motion>
+bool is_rounding(const BodyWorkspace<Motion>& w) noexcept {
+  return std::all_of(w.step.inputs.begin(), w.step.inputs.end(), [&](const PoseArray& inputs) {
+    return std::all_of(inputs.begin() + 1, inputs.begin() + 1 + static_cast<int>(w.horizon),
+                       [](double change) { return std::abs(change) < kRoundingStep; });
+  });
+}
+
+template <typename Motion>
+SolveStatus iterate(const BodyKernels<Motion>& kernels,
+                    const InteriorPointSettings& settings,
+                    BodyWorkspace<Motion>& w,
+                    int& iterations) noexcept {
+  const double least = least_barrier(settings);
+  w.step.convex = true;
+  kernels.evaluate(w, *w.now);
+  double mu =
+      first_barrier(settings, violation_of(w, *w.now).greatest, w.problem->violation_weight);
+  w.first_slack = settings.first_slack;
+  kernels.start(w, mu);
+  Filter filter;
+  for (iterations = 0;; ++iterations) {
+    const OptimalityError error = kernels.linearise(w, mu);
+    if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
+      return SolveStatus::Solved;
+    if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
+    const double next = next_barrier(mu, least, error);
+    const bool lowered = next < mu;
+    if (lowered) filter.clear();
+    mu = next;
+    if (!kernels.solve_newton_system(w, mu)) return SolveStatus::Stalled;
+    if (!lowered && is_rounding(w)) return SolveStatus::Stalled;
+    if (!kernels.take_step(w, mu, fraction_of_slack(mu, error), filter))
+      return SolveStatus::Stalled;
+  }
+}
+
+// Continues from a stationary point that is not a minimum, as `leave_saddle` of a disc: the input
+// that turns the body is moved towards its upper bound.
+template <typename Motion>
+void leave_body_saddle(const BodyKernels<Motion>& kernels,
+                       const InteriorPointSettings& settings,
+                       BodyWorkspace<Motion>& w,
+                       int& iterations) noexcept {
+  constexpr double kNudge = 0.2;  // share of the distance to the bound
+  const auto saddle = w.now->inputs;
+  const double merit = penalised(w, *w.now);
+  BodyGuess<Motion> beside;
+  beside.count = static_cast<int>(w.horizon);
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    for (int j = 0; j < Motion::kInputs; ++j)
+      beside.inputs[k][j] = saddle[static_cast<std::size_t>(j)][k + 1];
+    double& turn = beside.inputs[k][Motion::kTurn];
+    turn += kNudge * (w.input_bounds.high[k][Motion::kTurn] - turn);
+  }
+  load_body_guess(kernels, beside, w, *w.now);
+  InteriorPointSettings rest = settings;
+  rest.max_iterations -= iterations;
+  int more = 0;
+  const SolveStatus status = iterate(kernels, rest, w, more);
+  iterations += more;
+  if (status == SolveStatus::Solved && penalised(w, *w.now) < merit) return;
+  w.now->inputs = saddle;
+  kernels.evaluate(w, *w.now);
+}
+
+// Fills in the inputs of `w.now` and what follows from them. @return Whether all is finite.
+template <typename Motion>
+bool report_body(const BodyWorkspace<Motion>& w, BodySolution<Motion>& solution) noexcept {
+  const BodyPoint<Motion>& p = *w.now;
+  const Eigen::Vector2d& origin = w.problem->start.position;
+  solution.horizon = w.problem->horizon;
+  solution.cost = p.cost;
+  const BodyViolation violation = violation_of(w, p);
+  solution.max_violation = violation.greatest;
+  solution.sum_violation = violation.sum;
+  bool finite = std::isfinite(p.cost) && std::isfinite(violation.sum);
+  for (std::size_t k = 0; k < w.horizon; ++k) {
+    for (int j = 0; j < Motion::kInputs; ++j)
+      solution.inputs[k][j] = p.inputs[static_cast<std::size_t>(j)][k + 1];
+    finite = finite && solution.inputs[k].allFinite();
+  }
+  for (std::size_t k = 0; k <= w.horizon; ++k) {
+    solution.poses[k] = {.position = origin + Eigen::Vector2d(p.x[k], p.y[k]),
+                         .heading = p.heading[k] + w.full_turns};
+    finite = finite && is_finite(solution.poses[k]);
+  }
+  return finite;
+}
+
+template <typename Motion>
+void report_invalid_body(const BodyProblem<Motion>& problem,
+                         BodySolution<Motion>& solution) noexcept {
+  const Pose2 start = is_finite(problem.start) ? problem.start : Pose2{};
+  solution.status = SolveStatus::InvalidProblem;
+  solution.horizon = std::clamp(problem.horizon, 0, kMaxHorizon);
+  solution.iterations = 0;
+  solution.cost = solution.max_violation = solution.sum_violation = 0.0;
+  solution.inputs.fill(Motion::Input::Zero());
+  solution.poses.fill(start);
+}
+
+}  // namespace
+}  // namespace interior_point
+
+template <typename Motion>
+BodySolver<Motion>::BodySolver() noexcept
+    : kernels_(interior_point::body_kernels_256<Motion>() != nullptr
+                   ? interior_point::body_kernels_256<Motion>()
+                   : &interior_point::body_kernels_128<Motion>()) {}
+
+template <typename Motion>
+const BodySolution<Motion>& BodySolver<Motion>::solve(
+    const BodyProblem<Motion>& problem,
+    const BodyGuess<Motion>& guess,
+    const InteriorPointSettings& settings) noexcept {
+  if (validate(problem) != ProblemFault::None) {
+    interior_point::report_invalid_body(problem, solution_);
+    return solution_;
+  }
+  interior_point::BodyWorkspace<Motion>& w = workspace_;
+  interior_point::load_body_problem(problem, w);
+  interior_point::load_body_guess(*kernels_, guess, w, *w.now);
+  solution_.status = interior_point::iterate(*kernels_, settings, w, solution_.iterations);
+  if (solution_.status == SolveStatus::Solved && !w.step.convex)
+    interior_point::leave_body_saddle(*kernels_, settings, w, solution_.iterations);
+  kernels_->evaluate(w, *w.now);
+  if (solution_.status != SolveStatus::Solved) {
+    // The result of an unfinished solve must not be worse than the guess.
+    interior_point::load_body_guess(*kernels_, guess, w, *w.trial);
+    kernels_->evaluate(w, *w.trial);
+    if (!(interior_point::penalised(w, *w.now) <= interior_point::penalised(w, *w.trial)))
+      std::swap(w.now, w.trial);
+  }
+  if (!interior_point::report_body(w, solution_)) {
+    interior_point::report_invalid_body(problem, solution_);
+    return solution_;
+  }
+  const bool violated = solution_.max_violation > kFeasibilityTolerance || w.input_bounds.relaxed;
+  if (solution_.status == SolveStatus::Solved && violated)
+    solution_.status = SolveStatus::LeastViolation;
+  return solution_;
+}
+
+template class BodySolver<UnicycleMotion>;
+template class BodySolver<SteeredMotion>;
+template class BodySolver<OmniMotion>;
+
+}  // namespace fairway
