@@ -8,8 +8,8 @@
 
 #include "fairway/map/body_zones.hpp"
 #include "fairway/navigation/body/body_navigator_state.hpp"
-#include "fairway/navigation/body/evasion.hpp"
-#include "fairway/navigation/body/zone_rates.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
+#include "fairway/navigation/body/drive/zone_rates.hpp"
 
 namespace fairway {
 

@@ -7,7 +7,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/map/body_zones.hpp"
-#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
 #include "fairway/navigation/facade/navigation_task.hpp"
 #include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/navigation/input_check.hpp"

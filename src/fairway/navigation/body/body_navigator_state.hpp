@@ -8,7 +8,7 @@
 #include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/body/body_planning.hpp"
 #include "fairway/navigation/body/body_surroundings.hpp"
-#include "fairway/navigation/body/drive_follower.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
 #include "fairway/navigation/cycle_timing.hpp"
 
 namespace fairway {

@@ -9,7 +9,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/navigation/body/body_surroundings.hpp"
-#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
 #include "fairway/path/se2/goal_distance.hpp"
 
 namespace fairway {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "fairway/geometry/robot_model.hpp"
-#include "fairway/navigation/body/body_stop.hpp"
+#include "fairway/navigation/body/proof/body_stop.hpp"
 #include "fairway/navigation/navigation_status.hpp"
 #include "fairway/safety/safety_settings.hpp"
 #include "fairway/trajectory/tracking_law.hpp"
