@@ -48,24 +48,37 @@ Trajectory stretched(const BaseModel& base, const Trajectory& trajectory, double
 
 DrivePlan plan_one(const BodyClearance& clearance,
                    const BaseModel& base,
-                   const Pose2& start,
+                   const Trajectory& lead,
                    const Pose2& goal,
                    double period,
                    const DriveSettings& settings) {
   DrivePlan plan;
+  const BaseInput& begin = lead.inputs.front();
+  const bool moves = !lead.steps.empty();
+  std::vector<TrajectoryRow> lead_rows;
+  if (moves) lead_rows = sampled(base, lead, period);
+  if (!is_free(clearance, lead_rows, period, 0.0)) {
+    plan.path.status = BodyPathStatus::StartBlocked;
+    return plan;
+  }
+  const Pose2 start = moves ? knot_poses(base, lead).back() : lead.start;
   const BaseModel planned = with_reserve(base, settings.limit_share, settings.speed_share);
   plan.path = plan_body_path(clearance, planned, start, goal, settings.path);
   if (plan.path.status != BodyPathStatus::Found) return plan;
   plan.clearance = std::min(settings.clearance, 0.3 * plan.path.margin);
-  plan.trajectory = stopping_trajectory(planned, plan.path.path, settings.knot_step);
+  if (!is_free(clearance, lead_rows, period, plan.clearance)) plan.clearance = 0.0;
+  plan.trajectory = lead;
+  append(
+      stopping_trajectory(planned, plan.path.path, settings.knot_step, lead.inputs.back().turn),
+      plan.trajectory);
   plan.rows = sampled(base, plan.trajectory, period);
   if (settings.iterations <= 0 || plan.trajectory.steps.empty()) return plan;
   // The rows that are driven decide, exactly: within the limits, free, and at the goal.
   const auto judge = [&](const Trajectory& candidate) {
     Trajectory driven = candidate;
     std::vector<TrajectoryRow> rows = sampled(base, driven, period);
-    const double load = greatest_load(planned, rows, period);
-    if (load > 1.0) {
+    const double load = greatest_load(planned, rows, period, begin);
+    if (load > 1.0 && !moves) {  // the motion at the begin is given
       driven = stretched(base, driven, load);
       rows = sampled(base, driven, period);
     }
@@ -76,7 +89,7 @@ DrivePlan plan_one(const BodyClearance& clearance,
                       std::abs(shortest_turn(verdict.end.heading, goal.heading)) < kAtGoal;
     constexpr double kMostStretch = 1.2;
     verdict.accepted =
-        verdict.at_goal && load <= kMostStretch && greatest_load(base, rows, period) <= 1.0 &&
+        verdict.at_goal && load <= kMostStretch && greatest_load(base, rows, period, begin) <= 1.0 &&
         rows.size() <= plan.rows.size() && is_free(clearance, rows, period, plan.clearance);
     if (verdict.accepted) {
       plan.trajectory = std::move(driven);
@@ -123,14 +136,24 @@ DrivePlan plan_drive(const BodyClearance& clearance,
                      const Pose2& goal,
                      double period,
                      const DriveSettings& settings) {
-  DrivePlan best = plan_one(clearance, base, start, goal, period, settings);
+  const Trajectory rest{.start = start, .inputs = {BaseInput{}}, .steps = {}};
+  return plan_drive(clearance, base, rest, goal, period, settings);
+}
+
+DrivePlan plan_drive(const BodyClearance& clearance,
+                     const BaseModel& base,
+                     const Trajectory& lead,
+                     const Pose2& goal,
+                     double period,
+                     const DriveSettings& settings) {
+  DrivePlan best = plan_one(clearance, base, lead, goal, period, settings);
   if (!is_steered(base) || best.rows.empty()) return best;
   double least = drive_cost(base, best.rows, period, settings.cost);
   DriveSettings other = settings;
   for (int i = 0; i < settings.alternatives; ++i) {
     constexpr double kDearer = 3.0;
     other.path.cusp_factor *= kDearer;
-    DrivePlan plan = plan_one(clearance, base, start, goal, period, other);
+    DrivePlan plan = plan_one(clearance, base, lead, goal, period, other);
     const double now = plan.rows.empty() ? least : drive_cost(base, plan.rows, period, other.cost);
     if (now >= least) continue;
     least = now;

@@ -51,4 +51,16 @@ struct DrivePlan {
                                    double period,
                                    const DriveSettings& settings);
 
+/// Plans a drive that begins in motion.
+/// @param lead  Motion from the present one to rest, along which the base stops at any rate. The
+///              path begins at its end. The optimisation removes that stop where it can; where it
+///              cannot, the drive stops there.
+/// @return a plan without rows, with the status StartBlocked, where the lead is not free.
+[[nodiscard]] DrivePlan plan_drive(const BodyClearance& clearance,
+                                   const BaseModel& base,
+                                   const Trajectory& lead,
+                                   const Pose2& goal,
+                                   double period,
+                                   const DriveSettings& settings);
+
 }  // namespace fairway

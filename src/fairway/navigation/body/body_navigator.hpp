@@ -26,8 +26,9 @@ struct PreparedMap;
 ///
 /// The navigator plans a drive that is proven free for the true body, and follows it. Before every
 /// command it proves that the base can stop on its drive without contact. Moving obstacles make the
-/// robot slower; if one stays in its path, it plans another drive around that. New drives begin at
-/// standstill.
+/// robot slower; if one stays in its path, it plans another drive around that. A drive to a new goal,
+/// or one for another map, continues from the present motion. Where there is none that can, the
+/// robot stops first.
 ///
 /// Limits and outline come from the robot model; of Settings, the groups navigation, safety,
 /// prediction, planning and map apply. If `planning.background` is false the cycle that needs a

@@ -187,7 +187,7 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
                           .no_refuge = no_refuge_};
   end_evasion(m);
   if (has_drive_ && follower.is_lost(m.pose)) wants_plan_ = true;
-  if (!has_drive_ || wants_plan_) {
+  if ((!has_drive_ || wants_plan_) && !keeps_driving(m)) {
     const bool plans = planning.busy();
     const FollowerStep braked = follower.brake(view);
     const bool rests = follower.at_rest();
@@ -200,7 +200,7 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
     return step_of(braked.input, status, zone != LimitingFactor::None ? zone : limit);
   }
   const FollowerStep driven = follower.update(view);
-  if (follower.settled() && !is_evading_) {
+  if (follower.settled() && !is_evading_ && has_drive_) {
     if (at_goal(m.pose)) {
       reached_ = true;
       return step_of(driven.input, NavigationStatus::GoalReached, LimitingFactor::None);

@@ -45,7 +45,10 @@ struct BodyNavigator::State {
   [[nodiscard]] bool at_goal(const Pose2& pose) const noexcept;
   [[nodiscard]] double retry_period() const noexcept;
   [[nodiscard]] bool needs_plan(const Measurements& m, bool at_once) const noexcept;
-  void take_plan();
+  void take_plan(const Measurements& m);
+  [[nodiscard]] bool can_begin(const BodyPlan& made, const Measurements& m) const noexcept;
+  [[nodiscard]] double ahead_of_plan() const noexcept;
+  [[nodiscard]] bool keeps_driving(const Measurements& m) const noexcept;
   void meet_zone_speeds();
   [[nodiscard]] LimitingFactor zone_here(const Pose2& pose) const noexcept;
   [[nodiscard]] Measurements merged(const Measurements& m);
@@ -66,6 +69,7 @@ struct BodyNavigator::State {
   bool in_known_space_ = false;  // the next plan leads only through what was seen
   bool goal_is_new_ = false;
   bool reached_ = false;
+  bool tried_moving_ = false;  // no drive that begins in motion was found since the last one
   int failures_ = 0;  // plans that failed, one after the other
   int goal_number_ = 0;
   int asked_number_ = 0;

@@ -120,6 +120,22 @@ std::vector<double> goal_headings(const BodyClearance& clearance,
 
 namespace {
 
+Trajectory lead_of(const BodyPlanRequest& request) {
+  if (!request.lead.stop.inputs.empty()) return request.lead.stop;
+  return {.start = request.start, .inputs = {BaseInput{}}, .steps = {}};
+}
+
+// Puts what the robot does until then before a drive.
+void begin_with(const DriveLead& lead, const BaseModel& base, double period, BodyPlan& plan) {
+  plan.moving = !lead.stop.steps.empty() || !lead.ahead.steps.empty();
+  if (lead.ahead.inputs.empty() || plan.drive.rows.empty()) return;
+  plan.begin = lead.ahead.inputs.front();
+  std::vector<TrajectoryRow> rows = sampled(base, lead.ahead, period);
+  rows.pop_back();  // the pose at its end, where the drive begins
+  rows.insert(rows.end(), plan.drive.rows.begin(), plan.drive.rows.end());
+  plan.drive.rows = std::move(rows);
+}
+
 BodyPlan plan_among(const PreparedMap& map,
                     const RobotModel& robot,
                     const BodyPlanRequest& request,
@@ -129,6 +145,7 @@ BodyPlan plan_among(const PreparedMap& map,
   if (!request.standing.empty()) drawn = with_obstacles(map, robot.body, request);
   const PreparedMap& used = drawn ? *drawn : map;
   const BodyClearance clearance(used.obstacles, used.distances, robot.body);
+  const Trajectory lead = lead_of(request);
   BodyPlan plan{.goal = request.goal,
                 .goal_pose = {.position = request.goal.position,
                               .heading = request.goal.heading.value_or(request.start.heading)},
@@ -143,12 +160,13 @@ BodyPlan plan_among(const PreparedMap& map,
   constexpr std::size_t kMostTries = 3;
   for (std::size_t i = 0; i < std::min(kMostTries, headings.size()); ++i) {
     plan.goal_pose.heading = headings[i];
-    plan.drive = plan_drive(clearance, robot.base, request.start, plan.goal_pose, period, settings);
+    plan.drive = plan_drive(clearance, robot.base, lead, plan.goal_pose, period, settings);
     if (!plan.drive.rows.empty()) break;
     // The headings share the budget.
     settings.path.total_states -= plan.drive.path.expanded;
     if (settings.path.total_states <= 0) break;
   }
+  begin_with(request.lead, robot.base, period, plan);
   return plan;
 }
 
@@ -161,7 +179,8 @@ BodyPlan plan_body_drive(const PreparedMap& map,
                          const DriveSettings& settings) {
   BodyPlan plan = plan_among(map, robot, request, period, settings);
   if (!plan.drive.rows.empty() || request.standing.empty() || !request.or_without) return plan;
-  const BodyPlanRequest alone{.start = request.start, .goal = request.goal, .standing = {}};
+  const BodyPlanRequest alone{
+      .start = request.start, .goal = request.goal, .standing = {}, .lead = request.lead};
   return plan_among(map, robot, alone, period, settings);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fairway/geometry/robot_model.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
 #include "fairway/planning/background_worker.hpp"
 #include "fairway/planning/plan.hpp"
 #include "fairway/planning/planner.hpp"
@@ -34,6 +35,9 @@ struct BodyPlanRequest {
   std::vector<double> unseen{};       ///< FleetMember::unseen of each [s]
   double time = 0.0;                  ///< now, on the fleet's clock [s]
   std::uint32_t robot = 0;            ///< number of the robot in the fleet
+  /// What a robot in motion does until the drive begins, and the motion to rest from there on; see
+  /// plan_drive. Both without steps for a robot at rest.
+  DriveLead lead{};
   double more_margin = 0.0;  ///< beyond what is tried first otherwise, for maps that flicker [m]
 };
 
@@ -43,6 +47,8 @@ struct BodyPlan {
   Pose2 goal_pose;  ///< the goal with the heading that was selected
   DrivePlan drive;
   bool evasive = false;  ///< the drive leads out of the way of an obstacle
+  bool moving = false;   ///< the drive begins in motion
+  BaseInput begin{};     ///< with which it begins
 };
 
 /// Settings of drives for a body: the cells of the search grow with the body.
