@@ -58,7 +58,7 @@ double BodyNavigator::State::retry_period() const noexcept {
 bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const noexcept {
   if (!goal_ || !goal_valid_ || !around.known() || planning.busy() || reached_) return false;
   if (evades_) return follower.at_rest();
-  if (has_drive_ && !wants_plan_) return false;
+  if (has_drive_ && !wants_plan_ && !extends_drive()) return false;
   if (goal_is_new_ || (at_once && follower.at_rest())) return true;
   if (!follower.at_rest() && tried_moving_) return false;
   const bool just_tried = m.time - plan_time_ < retry_period() && m.time >= plan_time_;
@@ -107,6 +107,7 @@ BodyPlanRequest BodyNavigator::State::request_for(const Measurements& m) const {
       .time = m.time,
       .robot = m.robot,
       .lead = evades_ ? DriveLead{} : follower.lead(m.pose, ahead_of_plan(), kDriveRowPeriod),
+      .along = along_,
       .more_margin = around.perception() != nullptr ? settings.perception.resolution : 0.0};
   for (const MovingObstacle& obstacle : m.obstacles) {
     if (!is_plausible(obstacle)) continue;
@@ -202,6 +203,7 @@ void BodyNavigator::State::take_plan(const Measurements& m) {
   if (made->moving && (made->drive.rows.empty() || !can_begin(*made, m))) {
     // From standstill there may be one: no failure yet.
     plan_time_ = -std::numeric_limits<double>::infinity();
+    why = made->why;
     return;
   }
   if (made->evasive) {
@@ -220,6 +222,9 @@ void BodyNavigator::State::take_plan(const Measurements& m) {
     return;
   }
   plan = shown_plan(*made);
+  why = made->drive.rows.empty() && made->why.empty() ? made->drive.path.reason() : made->why;
+  arcs_ = std::move(made->arcs);
+  complete_ = made->complete;
   has_drive_ = !made->drive.rows.empty();
   wants_plan_ = false;
   follows_new_plan = true;

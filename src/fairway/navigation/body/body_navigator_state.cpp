@@ -58,6 +58,10 @@ void BodyNavigator::State::set_goal(const Goal& goal) {
   reached_ = false;
   is_evading_ = evades_ = false;
   waits_since_.reset();
+  along_ = {};
+  place.reset();
+  complete_ = true;
+  why = goal_valid_ ? "" : "the goal is not finite, or its heading is not in radians";
 }
 
 // The zone that forbids the place of the robot, as a reason; none where no zone does.
@@ -70,6 +74,8 @@ LimitingFactor BodyNavigator::State::zone_here(const Pose2& pose) const noexcept
 
 void BodyNavigator::State::cancel() noexcept {
   goal_.reset();
+  along_ = {};
+  place.reset();
   has_drive_ = false;
 }
 
@@ -201,7 +207,7 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
   }
   const FollowerStep driven = follower.update(view);
   if (follower.settled() && !is_evading_ && has_drive_) {
-    if (at_goal(m.pose)) {
+    if (complete_ && at_goal(m.pose)) {
       reached_ = true;
       return step_of(driven.input, NavigationStatus::GoalReached, LimitingFactor::None);
     }
@@ -232,6 +238,7 @@ NavigationStep BodyNavigator::State::update(const Measurements& given) {
     follows_new_plan = planned = false;
     return step_of(follower.stop(), status_for(wrong), wrong);
   }
+  note_place(m);
   plan_if_needed(m, false);
   if (!goal_ || !goal_valid_) {
     has_drive_ = false;

@@ -20,11 +20,13 @@ struct BodyNavigator::State {
   State(const Settings& settings, const RobotModel& robot, const PreparedMap* shared_map);
 
   void set_goal(const Goal& goal);
+  void follow(const PosePath& path);
   void set_zones(const Zones& zones);
   void cancel() noexcept;
   void reset(const BaseInput& actual) noexcept;
   [[nodiscard]] NavigationStep update(const Measurements& m);
   void plan_if_needed(const Measurements& m, bool at_once);
+  void note_place(const Measurements& m) noexcept;
 
   Settings settings;
   RobotModel robot;
@@ -34,6 +36,8 @@ struct BodyNavigator::State {
   Plan plan;
   [[nodiscard]] bool has_drive() const noexcept { return has_drive_; }
   [[nodiscard]] bool drives() const noexcept { return has_drive_ && goal_ && !reached_; }
+  std::optional<PathPlace> place;  // on the path that is followed
+  std::string why;                 // why there is no drive
   bool follows_new_plan = false;
   bool planned = false;
 
@@ -61,6 +65,12 @@ struct BodyNavigator::State {
   [[nodiscard]] NavigationStep step_of(const BaseInput& input,
                                        NavigationStatus status,
                                        LimitingFactor limit) const noexcept;
+
+  // Along a path.
+  [[nodiscard]] bool extends_drive() const noexcept;
+  GuideRequest along_;
+  std::vector<double> arcs_;  // of the rows of the drive
+  bool complete_ = true;      // the drive leads to the end of the path
 
   std::optional<Goal> goal_;
   bool goal_valid_ = true;

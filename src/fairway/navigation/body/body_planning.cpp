@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/navigation/body/body_plan_parts.hpp"
 #include "fairway/navigation/body/body_surroundings.hpp"
 #include "fairway/navigation/body/drive/evasion.hpp"
 #include "fairway/path/se2/goal_distance.hpp"
@@ -17,46 +18,6 @@ namespace fairway {
 namespace {
 
 using Eigen::Vector2d;
-
-// Marks the cells that a disc touches.
-void block_disc(const Vector2d& center, double radius, BitGrid& obstacles, CellWindow& changed) {
-  const GridFrame& frame = obstacles.frame();
-  const Vector2d at = frame.to_grid(center);
-  const double reach = radius / frame.resolution;
-  const CellWindow window = clipped({.first = {.x = static_cast<int>(std::floor(at.x() - reach)),
-                                               .y = static_cast<int>(std::floor(at.y() - reach))},
-                                     .last = {.x = static_cast<int>(std::floor(at.x() + reach)),
-                                              .y = static_cast<int>(std::floor(at.y() + reach))}},
-                                    frame);
-  if (is_empty(window)) return;
-  for (int y = window.first.y; y <= window.last.y; ++y) {
-    for (int x = window.first.x; x <= window.last.x; ++x) {
-      const Vector2d corner(x, y);
-      const Vector2d nearest = at.cwiseMax(corner).cwiseMin(Vector2d(corner + Vector2d::Ones()));
-      if ((nearest - at).norm() <= reach) obstacles.set({.x = x, .y = y}, true);
-    }
-  }
-  changed = united(changed, window);
-}
-
-// The map with the obstacles that do not touch the body at the start.
-PreparedMap with_obstacles(const PreparedMap& map,
-                           const BodyShape& body,
-                           const BodyPlanRequest& request) {
-  BitGrid obstacles = map.obstacles;
-  CellWindow changed = kNoCells;
-  for (const MovingObstacle& obstacle : request.standing) {
-    const double apart = body.distance(inverse_transform(request.start, obstacle.position));
-    // A cell reaches beyond the disc by up to its diagonal.
-    const double free = apart - 1.5 * obstacles.frame().resolution;
-    const double radius = std::min(obstacle.radius + request.kept, free);
-    if (radius <= 0.0) continue;
-    block_disc(obstacle.position, radius, obstacles, changed);
-  }
-  PreparedMap result = map;
-  result.update(obstacles, changed);
-  return result;
-}
 
 PathStatus path_status_of(BodyPathStatus status) noexcept {
   switch (status) {
@@ -120,32 +81,16 @@ std::vector<double> goal_headings(const BodyClearance& clearance,
 
 namespace {
 
-Trajectory lead_of(const BodyPlanRequest& request) {
-  if (!request.lead.stop.inputs.empty()) return request.lead.stop;
-  return {.start = request.start, .inputs = {BaseInput{}}, .steps = {}};
-}
-
-// Puts what the robot does until then before a drive.
-void begin_with(const DriveLead& lead, const BaseModel& base, double period, BodyPlan& plan) {
-  plan.moving = !lead.stop.steps.empty() || !lead.ahead.steps.empty();
-  if (lead.ahead.inputs.empty() || plan.drive.rows.empty()) return;
-  plan.begin = lead.ahead.inputs.front();
-  std::vector<TrajectoryRow> rows = sampled(base, lead.ahead, period);
-  rows.pop_back();  // the pose at its end, where the drive begins
-  rows.insert(rows.end(), plan.drive.rows.begin(), plan.drive.rows.end());
-  plan.drive.rows = std::move(rows);
-}
-
 BodyPlan plan_among(const PreparedMap& map,
                     const RobotModel& robot,
                     const BodyPlanRequest& request,
                     double period,
                     DriveSettings settings) {
   std::optional<PreparedMap> drawn;
-  if (!request.standing.empty()) drawn = with_obstacles(map, robot.body, request);
+  if (!request.standing.empty()) drawn = internal::with_obstacles(map, robot.body, request);
   const PreparedMap& used = drawn ? *drawn : map;
   const BodyClearance clearance(used.obstacles, used.distances, robot.body);
-  const Trajectory lead = lead_of(request);
+  const Trajectory lead = internal::lead_of(request);
   BodyPlan plan{.goal = request.goal,
                 .goal_pose = {.position = request.goal.position,
                               .heading = request.goal.heading.value_or(request.start.heading)},
@@ -166,7 +111,7 @@ BodyPlan plan_among(const PreparedMap& map,
     settings.path.total_states -= plan.drive.path.expanded;
     if (settings.path.total_states <= 0) break;
   }
-  begin_with(request.lead, robot.base, period, plan);
+  internal::begin_with(request.lead, robot.base, period, plan);
   return plan;
 }
 
@@ -271,7 +216,9 @@ void BodyPlanning::make(const PreparedMap& map) {
   DriveSettings settings = drive_settings_for(robot_.body);
   settings.path.margin += request_.more_margin;
   made_ = request_.evades ? plan_body_evasion(map, robot_, request_, row_period_)
-                          : plan_body_drive(map, robot_, request_, row_period_, settings);
+          : request_.along.guide
+              ? plan_body_guide(map, robot_, request_, row_period_, settings)
+              : plan_body_drive(map, robot_, request_, row_period_, settings);
   seconds_ = clock_ ? clock_() - begin : 0.0;
 }
 
