@@ -7,10 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include <fmt/core.h>
-
 #include "fairway/geometry/angle.hpp"
 #include "fairway/navigation/body/guide/path_pieces.hpp"
+#include "fairway/planning/obstruction_text.hpp"
 
 namespace fairway {
 
@@ -97,15 +96,15 @@ std::string fault_of(const PosePath& path) {
   if (path.poses.empty()) return "path: expected at least one pose, found none";
   for (std::size_t i = 0; i < path.poses.size(); ++i) {
     const PathPose& pose = path.poses[i];
+    const std::string place = joined_text({"path: pose ", std::to_string(i), ": expected "});
     if (!pose.position.allFinite() || pose.position.cwiseAbs().maxCoeff() > kFurthest)
-      return fmt::format("path: pose {}: expected a position within 1000 km, found ({}, {})", i,
-                         pose.position.x(), pose.position.y());
-    if (pose.heading && !std::isfinite(*pose.heading))
-      return fmt::format("path: pose {}: expected a finite heading", i);
+      return joined_text(
+          {place, "a position within 1000 km, found ", place_text(pose.position)});
+    if (pose.heading && !std::isfinite(*pose.heading)) return joined_text({place, "a finite heading"});
   }
   if (path.max_deviation && !(*path.max_deviation > 0.0))
-    return fmt::format("path: max_deviation: expected more than 0 m, found {}",
-                       *path.max_deviation);
+    return joined_text({"path: max_deviation: expected more than 0 m, found ",
+                        length_text(*path.max_deviation)});
   return {};
 }
 
@@ -132,11 +131,9 @@ Expected<Guide> Guide::make(const PosePath& path, const BaseModel& base) {
   double arc = 0.0;
   for (const internal::PathPiece& piece : internal::cut_path(std::move(poses), base)) {
     if (piece.gear < 0 && base.linear_min >= 0.0) {
-      const Vector2d& at = piece.poses.front().position;
-      return fail(fmt::format(
-          "path: the base cannot drive backwards, as from ({:.2f}, {:.2f}) on: expected headings "
-          "along the path",
-          at.x(), at.y()));
+      return fail(joined_text({"path: the base cannot drive backwards, as from ",
+                               place_text(piece.poses.front().position),
+                               " on: expected headings along the path"}));
     }
     Line line = resampled(piece.poses);
     const std::vector<Vector2d> given = std::exchange(line.points, smoothed(line.points));

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/core.h>
-
 #include "fairway/path/se2/connections.hpp"
+#include "fairway/planning/obstruction_text.hpp"
 
 namespace fairway {
 
@@ -55,8 +54,8 @@ class GuideSearch {
     constexpr double kNothing = 0.02;  // [m]
     const double length = guide_.length();
     if (end <= arc_ + kNothing && end < length) {
-      path_.why = fmt::format("the body does not fit on the path from ({:.2f}, {:.2f}) on",
-                              guide_.at(arc_).position.x(), guide_.at(arc_).position.y());
+      path_.why = joined_text({"the body does not fit on the path from ",
+                               place_text(guide_.at(arc_).position), " on"});
       return std::move(path_);
     }
     constexpr double kReached = 1e-6;
@@ -64,9 +63,8 @@ class GuideSearch {
     while (first || arc_ < end - kReached) {
       first = false;
       if (!advance(end)) {
-        path_.why = fmt::format(
-            "the base cannot follow the path from ({:.2f}, {:.2f}) on{}", pose_.position.x(),
-            pose_.position.y(), task_.may_leave ? "" : " within max_deviation");
+        path_.why = joined_text({"the base cannot follow the path from ", place_text(pose_.position),
+                                 " on", task_.may_leave ? "" : " within max_deviation"});
         break;
       }
     }
