@@ -41,15 +41,8 @@ class AnyNavigator {
   void set_goal(const Goal& goal) {
     visit([&](auto& navigator) { navigator.set_goal(goal); });
   }
-  /// A BodyNavigator drives to the end of the path by a path of its own.
   void follow(const Path& path, const std::optional<double>& goal_heading) {
-    visit([&](auto& navigator) {
-      if constexpr (requires { navigator.follow(path, goal_heading); }) {
-        navigator.follow(path, goal_heading);
-      } else if (!path.waypoints.empty()) {
-        navigator.set_goal({.position = path.waypoints.back(), .heading = goal_heading});
-      }
-    });
+    visit([&](auto& navigator) { navigator.follow(path, goal_heading); });
   }
   void set_zones(const Zones& zones) {
     visit([&](auto& navigator) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fairway/path/se2/body_path_planner.hpp"
+#include "fairway/trajectory/drive_band.hpp"
 #include "fairway/trajectory/drive_program.hpp"
 
 namespace fairway {
@@ -50,5 +51,31 @@ struct DrivePlan {
                                    const Pose2& goal,
                                    double period,
                                    const DriveSettings& settings);
+
+/// Plans a drive that begins in motion.
+/// @param lead  Motion from the present one to rest, along which the base stops at any rate. The
+///              path begins at its end. The optimisation removes that stop where it can; where it
+///              cannot, the drive stops there.
+/// @return a plan without rows, with the status StartBlocked, where the lead is not free.
+[[nodiscard]] DrivePlan plan_drive(const BodyClearance& clearance,
+                                   const BaseModel& base,
+                                   const Trajectory& lead,
+                                   const Pose2& goal,
+                                   double period,
+                                   const DriveSettings& settings);
+
+/// Plans a drive along a given path.
+/// @param path  From the end of the lead on; its `margin` is what it keeps. @pre Found.
+/// @param band  Within which the reference point stays, if the path does; null for anywhere.
+/// @param arc   Arc length of the lead's start on the band [m].
+/// @return a plan without rows, with the status StartBlocked, where the lead is not free.
+[[nodiscard]] DrivePlan plan_drive_along(const BodyClearance& clearance,
+                                         const BaseModel& base,
+                                         const Trajectory& lead,
+                                         const BodyPathResult& path,
+                                         const DriveBand* band,
+                                         double arc,
+                                         double period,
+                                         const DriveSettings& settings);
 
 }  // namespace fairway

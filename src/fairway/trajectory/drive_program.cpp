@@ -101,6 +101,21 @@ double gap(const Pose2& a, const Pose2& b) noexcept {
   return (a.position - b.position).norm() + 0.5 * std::abs(shortest_turn(a.heading, b.heading));
 }
 
+// The side of the band as an obstacle that only the reference point touches.
+double look_at_band(
+    const DriveProblem& problem, double arc, double moved, double reach, DriveSample& sample) {
+  const DriveBand::Nearest nearest = problem.band->next(sample.pose.position, arc, moved);
+  const double left = problem.band->half_width - nearest.distance;
+  if (left > reach || nearest.distance <= 0.0) return nearest.arc;
+  const std::size_t place = std::min(sample.count, sample.contacts.size() - 1);
+  sample.contacts[place] = {
+      .distance = left + problem.margin,
+      .point = sample.pose.position,
+      .normal = (nearest.point - sample.pose.position) / nearest.distance};
+  sample.count = place + 1;
+  return nearest.arc;
+}
+
 }  // namespace
 
 void evaluate(const DriveProblem& problem,
@@ -116,6 +131,8 @@ void evaluate(const DriveProblem& problem,
   evaluation.excess = 0.0;
   evaluation.gaps = gap(iterate.knots.back(), problem.goal);
   const InputLimits limits(problem.base);
+  double arc = problem.arc;
+  Vector2d before = iterate.knots.front().position;
   const auto look = [&](std::size_t step, double share, const Pose2& pose) {
     if (used == evaluation.samples.size()) evaluation.samples.emplace_back();
     DriveSample& sample = evaluation.samples[used];
@@ -123,6 +140,10 @@ void evaluate(const DriveProblem& problem,
     sample.share = share;
     sample.pose = pose;
     sample.count = problem.clearance->contacts(pose, reach, sample.contacts);
+    if (problem.band != nullptr) {
+      arc = look_at_band(problem, arc, (pose.position - before).norm(), reach, sample);
+      before = pose.position;
+    }
     if (sample.count == 0) return;
     ++used;
     double missing = 0.0;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "fairway/map/body_clearance.hpp"
+#include "fairway/trajectory/drive_band.hpp"
 #include "fairway/trajectory/stage_program.hpp"
 #include "fairway/trajectory/trajectory.hpp"
 
@@ -62,6 +63,8 @@ struct DriveProblem {
   Pose2 goal;
   double margin = 0.02;  ///< clearance to be kept at the samples [m]
   TrajectoryCost cost;
+  const DriveBand* band = nullptr;  ///< in which the reference point stays; null for none
+  double arc = 0.0;                 ///< of the start on the band [m]
 };
 
 /// @param reach  How near an obstacle counts [m].

@@ -14,12 +14,14 @@ namespace fairway {
 
 DriveReference::DriveReference(const BaseModel& base,
                                std::vector<TrajectoryRow> rows,
-                               double period)
+                               double period,
+                               const std::optional<BaseInput>& begin)
     : base_(base),
       rows_(std::move(rows)),
       period_(period),
       duration_(period * static_cast<double>(rows_.size() - 1)) {
   FAIRWAY_EXPECTS(!rows_.empty() && period > 0.0);
+  begin_ = begin.value_or(resting_input(base_, rows_.front().input));
 }
 
 Pose2 DriveReference::pose_at(double phase) const noexcept {
@@ -34,8 +36,7 @@ Pose2 DriveReference::pose_at(double phase) const noexcept {
 BaseInput DriveReference::planned_at(double phase) const noexcept {
   if (rows_.empty()) return {};
   const double at = std::clamp(phase / period_ - 0.5, -0.5, static_cast<double>(rows_.size() - 1));
-  const BaseInput first = resting_input(base_, rows_.front().input);
-  if (at < 0.0) return (-2.0 * at) * first + (1.0 + 2.0 * at) * rows_.front().input;
+  if (at < 0.0) return (-2.0 * at) * begin_ + (1.0 + 2.0 * at) * rows_.front().input;
   const std::size_t k = std::min(static_cast<std::size_t>(at), rows_.size() - 1);
   const double share = at - static_cast<double>(k);
   const BaseInput& next = k + 1 < rows_.size() ? rows_[k + 1].input : rows_[k].input;

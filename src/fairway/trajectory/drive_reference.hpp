@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "fairway/trajectory/trajectory.hpp"
@@ -21,8 +22,12 @@ class DriveReference {
   /// A drive of no length at the origin.
   DriveReference() = default;
 
+  /// @param begin  Input with which the drive begins; that of the first row at rest by default.
   /// @pre at least one row; the rows are of this period, and the last one is at rest.
-  DriveReference(const BaseModel& base, std::vector<TrajectoryRow> rows, double period);
+  DriveReference(const BaseModel& base,
+                 std::vector<TrajectoryRow> rows,
+                 double period,
+                 const std::optional<BaseInput>& begin = {});
 
   [[nodiscard]] double duration() const noexcept { return duration_; }
   [[nodiscard]] const std::vector<TrajectoryRow>& rows() const noexcept { return rows_; }
@@ -66,6 +71,7 @@ class DriveReference {
   BaseModel base_;
   std::vector<double> greatest_rates_;  // at the rows; empty for no limit
   std::vector<TrajectoryRow> rows_;
+  BaseInput begin_;
   double period_ = 1.0;
   double duration_ = 0.0;
 };

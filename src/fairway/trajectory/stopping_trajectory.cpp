@@ -34,12 +34,14 @@ double greatest_acceleration(const BaseModel& base, const PlanarTwist& twist) no
 
 }  // namespace
 
-Trajectory stopping_trajectory(const BaseModel& base, const MotionPath& path, double longest_step) {
+Trajectory stopping_trajectory(const BaseModel& base,
+                               const MotionPath& path,
+                               double longest_step,
+                               double steering) {
+  const bool steered = is_steered(base);
   Trajectory trajectory;
   trajectory.start = path.start;
-  trajectory.inputs.push_back({});
-  const bool steered = is_steered(base);
-  double steering = 0.0;
+  trajectory.inputs.push_back({.turn = steered ? steering : 0.0});
   for (const MotionPiece& piece : path.pieces) {
     if (steered) {
       const double angle = std::atan(base.wheelbase * piece.twist.angular / piece.twist.linear);

@@ -35,6 +35,11 @@ double Trajectory::duration() const noexcept {
   return std::accumulate(steps.begin(), steps.end(), 0.0);
 }
 
+void append(const Trajectory& next, Trajectory& trajectory) {
+  trajectory.inputs.insert(trajectory.inputs.end(), next.inputs.begin() + 1, next.inputs.end());
+  trajectory.steps.insert(trajectory.steps.end(), next.steps.begin(), next.steps.end());
+}
+
 Pose2 driven(const BaseModel& base,
              const Pose2& pose,
              const BaseInput& first,
@@ -128,10 +133,11 @@ std::vector<TrajectoryRow> sampled(const BaseModel& base,
 
 double greatest_load(const BaseModel& base,
                      const std::vector<TrajectoryRow>& rows,
-                     double period) noexcept {
+                     double period,
+                     const BaseInput& begin) noexcept {
   double most = 0.0;
   const bool steered = is_steered(base);
-  TrajectoryRow before{};
+  TrajectoryRow before{.pose = {}, .input = begin, .twist = twist_of(base, begin)};
   for (const TrajectoryRow& row : rows) {
     most = std::max(most, speed_load(base, row.twist));
     const auto rate = [&](double from, double to, double limit) {

@@ -35,6 +35,9 @@ struct Trajectory {
   [[nodiscard]] double duration() const noexcept;
 };
 
+/// Appends a trajectory that begins where the first one ends, with the same input.
+void append(const Trajectory& next, Trajectory& trajectory);
+
 /// The pose after a step in which the input goes linearly from `first` to `last`. Simpson's rule:
 /// the error is of fifth order in the step.
 [[nodiscard]] Pose2 driven(const BaseModel& base,
@@ -63,9 +66,11 @@ struct TrajectoryRow {
                                                  double period);
 
 /// The most that rows exceed a limit of the base: 1 at a limit. Speeds, wheels, accelerations,
-/// steering angle and its rate, from rest to rest.
+/// steering angle and its rate, to rest.
+/// @param begin  Input of the base before the first row.
 [[nodiscard]] double greatest_load(const BaseModel& base,
                                    const std::vector<TrajectoryRow>& rows,
-                                   double period) noexcept;
+                                   double period,
+                                   const BaseInput& begin = {}) noexcept;
 
 }  // namespace fairway

@@ -40,9 +40,16 @@ Trajectory optimized(const BodyClearance& clearance,
                      double margin,
                      const TrajectoryCost& cost,
                      int max_iterations,
-                     const std::function<DriveVerdict(const Trajectory&)>& judge) {
-  DriveProblem problem{
-      .clearance = &clearance, .base = base, .goal = goal, .margin = margin, .cost = cost};
+                     const std::function<DriveVerdict(const Trajectory&)>& judge,
+                     const DriveBand* band,
+                     double arc) {
+  DriveProblem problem{.clearance = &clearance,
+                       .base = base,
+                       .goal = goal,
+                       .margin = margin,
+                       .cost = cost,
+                       .band = band,
+                       .arc = arc};
   const double size = clearance.body().circumscribed_radius();
   const TrustRegion full{
       .position = std::max(0.05, 0.12 * size), .heading = 0.12, .input = 0.4, .step = 0.35};

@@ -23,6 +23,7 @@ struct DriveVerdict {
 /// beside the goal, the optimisation aims as far to the other side; where it is rejected for other
 /// reasons, it keeps more clearance.
 /// @param margin  Clearance at the knots and between [m].
+/// @param band    Where the reference point stays; null for anywhere. It starts at `arc` of it.
 /// @return the fastest accepted trajectory; `first` when there is none.
 [[nodiscard]] Trajectory optimized(const BodyClearance& clearance,
                                    const BaseModel& base,
@@ -31,6 +32,8 @@ struct DriveVerdict {
                                    double margin,
                                    const TrajectoryCost& cost,
                                    int max_iterations,
-                                   const std::function<DriveVerdict(const Trajectory&)>& judge);
+                                   const std::function<DriveVerdict(const Trajectory&)>& judge,
+                                   const DriveBand* band = nullptr,
+                                   double arc = 0.0);
 
 }  // namespace fairway

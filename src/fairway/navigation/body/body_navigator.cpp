@@ -60,6 +60,20 @@ bool BodyNavigator::observe(const LidarScan& scan, const Eigen::Vector2d& positi
 
 void BodyNavigator::set_goal(const Goal& goal) { state_->set_goal(goal); }
 
+void BodyNavigator::follow(const PosePath& path) { state_->follow(path); }
+
+void BodyNavigator::follow(const Path& path, const std::optional<double>& goal_heading) {
+  PosePath poses;
+  for (const Eigen::Vector2d& waypoint : path.waypoints)
+    poses.poses.push_back({.position = waypoint, .heading = {}});
+  if (!poses.poses.empty()) poses.poses.back().heading = goal_heading;
+  state_->follow(poses);
+}
+
+std::optional<PathPlace> BodyNavigator::place_on_path() const noexcept { return state_->place; }
+
+const std::string& BodyNavigator::explanation() const noexcept { return state_->why; }
+
 void BodyNavigator::cancel() noexcept { state_->cancel(); }
 
 void BodyNavigator::reset(const PlanarTwist& actual, double steering) noexcept {
@@ -83,6 +97,7 @@ SharedMotion BodyNavigator::share(std::uint32_t robot,
 
 bool BodyNavigator::plan_now(const Measurements& measurements) {
   state_->around.prepare();
+  state_->note_place(measurements);
   state_->plan_if_needed(measurements, true);
   return state_->follows_new_plan;
 }

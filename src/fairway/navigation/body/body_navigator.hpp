@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/occupancy_grid.hpp"
+#include "fairway/navigation/body/guide/pose_path.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/navigation/settings.hpp"
 #include "fairway/perception/lidar_scan.hpp"
@@ -26,8 +28,9 @@ struct PreparedMap;
 ///
 /// The navigator plans a drive that is proven free for the true body, and follows it. Before every
 /// command it proves that the base can stop on its drive without contact. Moving obstacles make the
-/// robot slower; if one stays in its path, it plans another drive around that. New drives begin at
-/// standstill.
+/// robot slower; if one stays in its path, it plans another drive around that. A drive to a new goal,
+/// or one for another map, continues from the present motion. Where there is none that can, the
+/// robot stops first.
 ///
 /// Limits and outline come from the robot model; of Settings, the groups navigation, safety,
 /// prediction, planning and map apply. If `planning.background` is false the cycle that needs a
@@ -74,6 +77,21 @@ class BodyNavigator {
 
   /// Sets the goal, or replaces it. Without a heading, one in which the robot fits is selected.
   void set_goal(const Goal& goal);
+
+  /// Follows a path from another planner, in the frame of the map, to its end. Without a bound on
+  /// the deviation the robot stays near the path, and drives around what blocks it. Within a bound
+  /// it stops where the path is blocked. A path that the base cannot drive is reported by the next
+  /// cycles (LimitingFactor::InvalidGoal) and by `explanation`. An empty path acts as `cancel`.
+  void follow(const PosePath& path);
+
+  /// The same for a path without headings.
+  void follow(const Path& path, const std::optional<double>& goal_heading = {});
+
+  /// Returns where the robot is on the path that it follows, by the last cycle; none without.
+  [[nodiscard]] std::optional<PathPlace> place_on_path() const noexcept;
+
+  /// Why there is no drive, or none to the end of the path; empty where there is one.
+  [[nodiscard]] const std::string& explanation() const noexcept;
 
   /// Drops the goal: the robot brakes to a standstill.
   void cancel() noexcept;

@@ -3,13 +3,15 @@
 // body_navigator_state.cpp.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
+#include "fairway/geometry/angle.hpp"
 #include "fairway/map/body_zones.hpp"
 #include "fairway/navigation/body/body_navigator_state.hpp"
-#include "fairway/navigation/body/evasion.hpp"
-#include "fairway/navigation/body/zone_rates.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
+#include "fairway/navigation/body/drive/zone_rates.hpp"
 
 namespace fairway {
 
@@ -51,13 +53,14 @@ double BodyNavigator::State::retry_period() const noexcept {
   return settings.planning.retry_period * (1 << doublings);
 }
 
-// A drive begins at standstill, so a robot that needs another one stops first.
+// A robot in motion asks once for a drive that begins with its motion. If there is none, it stops
+// and plans from standstill.
 bool BodyNavigator::State::needs_plan(const Measurements& m, bool at_once) const noexcept {
   if (!goal_ || !goal_valid_ || !around.known() || planning.busy() || reached_) return false;
   if (evades_) return follower.at_rest();
-  if (has_drive_ && !wants_plan_) return false;
-  if (!follower.at_rest()) return false;
-  if (goal_is_new_ || at_once) return true;
+  if (has_drive_ && !wants_plan_ && !extends_drive()) return false;
+  if (goal_is_new_ || (at_once && follower.at_rest())) return true;
+  if (!follower.at_rest() && tried_moving_) return false;
   const bool just_tried = m.time - plan_time_ < retry_period() && m.time >= plan_time_;
   return !just_tried;
 }
@@ -103,6 +106,8 @@ BodyPlanRequest BodyNavigator::State::request_for(const Measurements& m) const {
       .age = std::max(0.0, m.time - m.obstacles_time.value_or(m.time)),
       .time = m.time,
       .robot = m.robot,
+      .lead = evades_ ? DriveLead{} : follower.lead(m.pose, ahead_of_plan(), kDriveRowPeriod),
+      .along = along_,
       .more_margin = around.perception() != nullptr ? settings.perception.resolution : 0.0};
   for (const MovingObstacle& obstacle : m.obstacles) {
     if (!is_plausible(obstacle)) continue;
@@ -134,7 +139,7 @@ bool BodyNavigator::State::must_evade(const Measurements& m) const noexcept {
 void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   follows_new_plan = false;
   planned = false;
-  take_plan();
+  take_plan(m);
   if (around.take_change()) {
     if (around.perception() == nullptr) failures_ = 0;
     if (has_drive_ && is_blocked()) wants_plan_ = true;
@@ -142,6 +147,7 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   if (!needs_plan(m, at_once)) return;
   if (!is_plausible(m.pose) || !std::isfinite(m.time)) return;
   around.claim(m.pose);
+  tried_moving_ = !follower.at_rest();
   const bool evades = evades_;
   BodyPlanRequest request = request_for(m);
   goal_is_new_ = false;
@@ -154,12 +160,52 @@ void BodyNavigator::State::plan_if_needed(const Measurements& m, bool at_once) {
   } else {
     planning.start(around.map_for_plans(), std::move(request));
   }
-  take_plan();
+  take_plan(m);
 }
 
-void BodyNavigator::State::take_plan() {
+// A thread needs some time, in which the robot drives on.
+double BodyNavigator::State::ahead_of_plan() const noexcept {
+  constexpr double kThread = 0.3;  // [s]
+  return settings.planning.background ? kThread : 0.0;
+}
+
+// Whether a drive that is being planned begins with what the robot does now.
+bool BodyNavigator::State::keeps_driving(const Measurements& m) const noexcept {
+  const double next = m.time + settings.navigation.control_period - plan_time_;
+  return planning.busy() && tried_moving_ && !follower.at_rest() && m.time >= plan_time_ &&
+         next <= ahead_of_plan();
+}
+
+// Whether the robot is where the drive has it now, in place and in motion.
+bool BodyNavigator::State::can_begin(const BodyPlan& made, const Measurements& m) const noexcept {
+  constexpr double kPosition = 0.1;  // [m]
+  constexpr double kHeading = 0.1;   // [rad]
+  const double age = m.time - plan_time_;
+  if (age == 0.0) return true;
+  if (follower.at_rest() || age < 0.0 || age > ahead_of_plan() + 1e-9) return false;
+  const auto row = static_cast<std::size_t>(age / kDriveRowPeriod);
+  if (row >= made.drive.rows.size()) return false;
+  const Pose2& pose = made.drive.rows[row].pose;
+  const BaseInput& input = made.drive.rows[row].input;
+  const BaseInput reached =
+      limited_input(robot.base, follower.sent(), input, settings.navigation.control_period);
+  const double off = std::abs(reached.linear - input.linear) +
+                     std::abs(reached.lateral - input.lateral) +
+                     std::abs(reached.turn - input.turn);
+  constexpr double kOff = 1e-3;
+  return (pose.position - m.pose.position).norm() < kPosition &&
+         std::abs(shortest_turn(pose.heading, m.pose.heading)) < kHeading && off < kOff;
+}
+
+void BodyNavigator::State::take_plan(const Measurements& m) {
   std::optional<BodyPlan> made = planning.take();
   if (!made || !goal_ || asked_number_ != goal_number_) return;
+  if (made->moving && (made->drive.rows.empty() || !can_begin(*made, m))) {
+    // From standstill there may be one: no failure yet.
+    plan_time_ = -std::numeric_limits<double>::infinity();
+    why = made->why;
+    return;
+  }
   if (made->evasive) {
     evades_ = false;
     no_refuge_ = made->drive.rows.empty();
@@ -176,12 +222,20 @@ void BodyNavigator::State::take_plan() {
     return;
   }
   plan = shown_plan(*made);
+  why = made->drive.rows.empty() && made->why.empty() ? made->drive.path.reason() : made->why;
+  arcs_ = std::move(made->arcs);
+  complete_ = made->complete;
   has_drive_ = !made->drive.rows.empty();
   wants_plan_ = false;
   follows_new_plan = true;
   if (!has_drive_) return;
-  follower.follow(DriveReference(robot.base, std::move(made->drive.rows), kDriveRowPeriod),
-                  made->evasive);
+  tried_moving_ = false;
+  DriveReference drive(robot.base, std::move(made->drive.rows), kDriveRowPeriod, made->begin);
+  if (made->moving) {
+    follower.follow_moving(std::move(drive), m.time - plan_time_);
+  } else {
+    follower.follow(std::move(drive), made->evasive);
+  }
   meet_zone_speeds();
 }
 

@@ -7,7 +7,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/map/body_zones.hpp"
-#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
 #include "fairway/navigation/facade/navigation_task.hpp"
 #include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/navigation/input_check.hpp"
@@ -58,6 +58,10 @@ void BodyNavigator::State::set_goal(const Goal& goal) {
   reached_ = false;
   is_evading_ = evades_ = false;
   waits_since_.reset();
+  along_ = {};
+  place.reset();
+  complete_ = true;
+  why = goal_valid_ ? "" : "the goal is not finite, or its heading is not in radians";
 }
 
 // The zone that forbids the place of the robot, as a reason; none where no zone does.
@@ -70,6 +74,8 @@ LimitingFactor BodyNavigator::State::zone_here(const Pose2& pose) const noexcept
 
 void BodyNavigator::State::cancel() noexcept {
   goal_.reset();
+  along_ = {};
+  place.reset();
   has_drive_ = false;
 }
 
@@ -187,7 +193,7 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
                           .no_refuge = no_refuge_};
   end_evasion(m);
   if (has_drive_ && follower.is_lost(m.pose)) wants_plan_ = true;
-  if (!has_drive_ || wants_plan_) {
+  if ((!has_drive_ || wants_plan_) && !keeps_driving(m)) {
     const bool plans = planning.busy();
     const FollowerStep braked = follower.brake(view);
     const bool rests = follower.at_rest();
@@ -200,8 +206,8 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
     return step_of(braked.input, status, zone != LimitingFactor::None ? zone : limit);
   }
   const FollowerStep driven = follower.update(view);
-  if (follower.settled() && !is_evading_) {
-    if (at_goal(m.pose)) {
+  if (follower.settled() && !is_evading_ && has_drive_) {
+    if (complete_ && at_goal(m.pose)) {
       reached_ = true;
       return step_of(driven.input, NavigationStatus::GoalReached, LimitingFactor::None);
     }
@@ -232,6 +238,7 @@ NavigationStep BodyNavigator::State::update(const Measurements& given) {
     follows_new_plan = planned = false;
     return step_of(follower.stop(), status_for(wrong), wrong);
   }
+  note_place(m);
   plan_if_needed(m, false);
   if (!goal_ || !goal_valid_) {
     has_drive_ = false;

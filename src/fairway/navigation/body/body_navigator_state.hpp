@@ -8,7 +8,7 @@
 #include "fairway/navigation/body/body_navigator.hpp"
 #include "fairway/navigation/body/body_planning.hpp"
 #include "fairway/navigation/body/body_surroundings.hpp"
-#include "fairway/navigation/body/drive_follower.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
 #include "fairway/navigation/cycle_timing.hpp"
 
 namespace fairway {
@@ -20,11 +20,13 @@ struct BodyNavigator::State {
   State(const Settings& settings, const RobotModel& robot, const PreparedMap* shared_map);
 
   void set_goal(const Goal& goal);
+  void follow(const PosePath& path);
   void set_zones(const Zones& zones);
   void cancel() noexcept;
   void reset(const BaseInput& actual) noexcept;
   [[nodiscard]] NavigationStep update(const Measurements& m);
   void plan_if_needed(const Measurements& m, bool at_once);
+  void note_place(const Measurements& m) noexcept;
 
   Settings settings;
   RobotModel robot;
@@ -34,6 +36,8 @@ struct BodyNavigator::State {
   Plan plan;
   [[nodiscard]] bool has_drive() const noexcept { return has_drive_; }
   [[nodiscard]] bool drives() const noexcept { return has_drive_ && goal_ && !reached_; }
+  std::optional<PathPlace> place;  // on the path that is followed
+  std::string why;                 // why there is no drive
   bool follows_new_plan = false;
   bool planned = false;
 
@@ -45,7 +49,10 @@ struct BodyNavigator::State {
   [[nodiscard]] bool at_goal(const Pose2& pose) const noexcept;
   [[nodiscard]] double retry_period() const noexcept;
   [[nodiscard]] bool needs_plan(const Measurements& m, bool at_once) const noexcept;
-  void take_plan();
+  void take_plan(const Measurements& m);
+  [[nodiscard]] bool can_begin(const BodyPlan& made, const Measurements& m) const noexcept;
+  [[nodiscard]] double ahead_of_plan() const noexcept;
+  [[nodiscard]] bool keeps_driving(const Measurements& m) const noexcept;
   void meet_zone_speeds();
   [[nodiscard]] LimitingFactor zone_here(const Pose2& pose) const noexcept;
   [[nodiscard]] Measurements merged(const Measurements& m);
@@ -59,6 +66,12 @@ struct BodyNavigator::State {
                                        NavigationStatus status,
                                        LimitingFactor limit) const noexcept;
 
+  // Along a path.
+  [[nodiscard]] bool extends_drive() const noexcept;
+  GuideRequest along_;
+  std::vector<double> arcs_;  // of the rows of the drive
+  bool complete_ = true;      // the drive leads to the end of the path
+
   std::optional<Goal> goal_;
   bool goal_valid_ = true;
   bool has_drive_ = false;       // one for the present goal is followed
@@ -66,6 +79,7 @@ struct BodyNavigator::State {
   bool in_known_space_ = false;  // the next plan leads only through what was seen
   bool goal_is_new_ = false;
   bool reached_ = false;
+  bool tried_moving_ = false;  // no drive that begins in motion was found since the last one
   int failures_ = 0;  // plans that failed, one after the other
   int goal_number_ = 0;
   int asked_number_ = 0;

@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/navigation/body/body_plan_parts.hpp"
 #include "fairway/navigation/body/body_surroundings.hpp"
-#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
 #include "fairway/path/se2/goal_distance.hpp"
 
 namespace fairway {
@@ -17,46 +18,6 @@ namespace fairway {
 namespace {
 
 using Eigen::Vector2d;
-
-// Marks the cells that a disc touches.
-void block_disc(const Vector2d& center, double radius, BitGrid& obstacles, CellWindow& changed) {
-  const GridFrame& frame = obstacles.frame();
-  const Vector2d at = frame.to_grid(center);
-  const double reach = radius / frame.resolution;
-  const CellWindow window = clipped({.first = {.x = static_cast<int>(std::floor(at.x() - reach)),
-                                               .y = static_cast<int>(std::floor(at.y() - reach))},
-                                     .last = {.x = static_cast<int>(std::floor(at.x() + reach)),
-                                              .y = static_cast<int>(std::floor(at.y() + reach))}},
-                                    frame);
-  if (is_empty(window)) return;
-  for (int y = window.first.y; y <= window.last.y; ++y) {
-    for (int x = window.first.x; x <= window.last.x; ++x) {
-      const Vector2d corner(x, y);
-      const Vector2d nearest = at.cwiseMax(corner).cwiseMin(Vector2d(corner + Vector2d::Ones()));
-      if ((nearest - at).norm() <= reach) obstacles.set({.x = x, .y = y}, true);
-    }
-  }
-  changed = united(changed, window);
-}
-
-// The map with the obstacles that do not touch the body at the start.
-PreparedMap with_obstacles(const PreparedMap& map,
-                           const BodyShape& body,
-                           const BodyPlanRequest& request) {
-  BitGrid obstacles = map.obstacles;
-  CellWindow changed = kNoCells;
-  for (const MovingObstacle& obstacle : request.standing) {
-    const double apart = body.distance(inverse_transform(request.start, obstacle.position));
-    // A cell reaches beyond the disc by up to its diagonal.
-    const double free = apart - 1.5 * obstacles.frame().resolution;
-    const double radius = std::min(obstacle.radius + request.kept, free);
-    if (radius <= 0.0) continue;
-    block_disc(obstacle.position, radius, obstacles, changed);
-  }
-  PreparedMap result = map;
-  result.update(obstacles, changed);
-  return result;
-}
 
 PathStatus path_status_of(BodyPathStatus status) noexcept {
   switch (status) {
@@ -126,9 +87,10 @@ BodyPlan plan_among(const PreparedMap& map,
                     double period,
                     DriveSettings settings) {
   std::optional<PreparedMap> drawn;
-  if (!request.standing.empty()) drawn = with_obstacles(map, robot.body, request);
+  if (!request.standing.empty()) drawn = internal::with_obstacles(map, robot.body, request);
   const PreparedMap& used = drawn ? *drawn : map;
   const BodyClearance clearance(used.obstacles, used.distances, robot.body);
+  const Trajectory lead = internal::lead_of(request);
   BodyPlan plan{.goal = request.goal,
                 .goal_pose = {.position = request.goal.position,
                               .heading = request.goal.heading.value_or(request.start.heading)},
@@ -143,12 +105,13 @@ BodyPlan plan_among(const PreparedMap& map,
   constexpr std::size_t kMostTries = 3;
   for (std::size_t i = 0; i < std::min(kMostTries, headings.size()); ++i) {
     plan.goal_pose.heading = headings[i];
-    plan.drive = plan_drive(clearance, robot.base, request.start, plan.goal_pose, period, settings);
+    plan.drive = plan_drive(clearance, robot.base, lead, plan.goal_pose, period, settings);
     if (!plan.drive.rows.empty()) break;
     // The headings share the budget.
     settings.path.total_states -= plan.drive.path.expanded;
     if (settings.path.total_states <= 0) break;
   }
+  internal::begin_with(request.lead, robot.base, period, plan);
   return plan;
 }
 
@@ -161,7 +124,8 @@ BodyPlan plan_body_drive(const PreparedMap& map,
                          const DriveSettings& settings) {
   BodyPlan plan = plan_among(map, robot, request, period, settings);
   if (!plan.drive.rows.empty() || request.standing.empty() || !request.or_without) return plan;
-  const BodyPlanRequest alone{.start = request.start, .goal = request.goal, .standing = {}};
+  const BodyPlanRequest alone{
+      .start = request.start, .goal = request.goal, .standing = {}, .lead = request.lead};
   return plan_among(map, robot, alone, period, settings);
 }
 
@@ -252,7 +216,9 @@ void BodyPlanning::make(const PreparedMap& map) {
   DriveSettings settings = drive_settings_for(robot_.body);
   settings.path.margin += request_.more_margin;
   made_ = request_.evades ? plan_body_evasion(map, robot_, request_, row_period_)
-                          : plan_body_drive(map, robot_, request_, row_period_, settings);
+          : request_.along.guide
+              ? plan_body_guide(map, robot_, request_, row_period_, settings)
+              : plan_body_drive(map, robot_, request_, row_period_, settings);
   seconds_ = clock_ ? clock_() - begin : 0.0;
 }
 

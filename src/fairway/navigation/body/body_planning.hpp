@@ -4,9 +4,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fairway/geometry/robot_model.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
+#include "fairway/navigation/body/guide/guide.hpp"
 #include "fairway/planning/background_worker.hpp"
 #include "fairway/planning/plan.hpp"
 #include "fairway/planning/planner.hpp"
@@ -14,6 +17,13 @@
 #include "fairway/trajectory/drive_planner.hpp"
 
 namespace fairway {
+
+/// A path that drives are planned along.
+struct GuideRequest {
+  std::shared_ptr<const Guide> guide;  ///< null: none
+  double arc = 0.0;                    ///< of the robot on it [m]
+  std::optional<double> bound{};       ///< greatest distance from it [m]
+};
 
 /// Request for a drive.
 struct BodyPlanRequest {
@@ -34,6 +44,10 @@ struct BodyPlanRequest {
   std::vector<double> unseen{};       ///< FleetMember::unseen of each [s]
   double time = 0.0;                  ///< now, on the fleet's clock [s]
   std::uint32_t robot = 0;            ///< number of the robot in the fleet
+  /// What a robot in motion does until the drive begins, and the motion to rest from there on; see
+  /// plan_drive. Both without steps for a robot at rest.
+  DriveLead lead{};
+  GuideRequest along{};
   double more_margin = 0.0;  ///< beyond what is tried first otherwise, for maps that flicker [m]
 };
 
@@ -43,6 +57,12 @@ struct BodyPlan {
   Pose2 goal_pose;  ///< the goal with the heading that was selected
   DrivePlan drive;
   bool evasive = false;  ///< the drive leads out of the way of an obstacle
+  bool moving = false;   ///< the drive begins in motion
+  BaseInput begin{};     ///< with which it begins
+  /// Along a path: the place of each row on it, and whether the drive leads to its end.
+  std::vector<double> arcs{};
+  bool complete = true;
+  std::string why{};  ///< why the drive does not lead to the end of the path
 };
 
 /// Settings of drives for a body: the cells of the search grow with the body.
@@ -58,6 +78,14 @@ struct BodyPlan {
 
 /// Plans a drive on a map, around obstacles at standstill if possible.
 [[nodiscard]] BodyPlan plan_body_drive(const PreparedMap& map,
+                                       const RobotModel& robot,
+                                       const BodyPlanRequest& request,
+                                       double period,
+                                       const DriveSettings& settings);
+
+/// Plans a drive along a part of a path. Without a bound the robot may drive around what excludes
+/// the path; within a bound it may not.
+[[nodiscard]] BodyPlan plan_body_guide(const PreparedMap& map,
                                        const RobotModel& robot,
                                        const BodyPlanRequest& request,
                                        double period,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/navigation/body/drive_follower.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway {

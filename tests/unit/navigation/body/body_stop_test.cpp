@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/navigation/body/body_stop.hpp"
+#include "fairway/navigation/body/proof/body_stop.hpp"
 
 #include <gtest/gtest.h>
 

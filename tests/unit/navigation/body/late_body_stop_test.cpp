@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/navigation/body/body_stop.hpp"
+#include "fairway/navigation/body/proof/body_stop.hpp"
 #include "fairway/planning/planner.hpp"
 #include "fairway/trajectory/tracking_law.hpp"
 #include "support/random_world.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/navigation/body/drive_follower.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/map/body_zones.hpp"
-#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
 #include "fairway/navigation/limiting_factor.hpp"
 
 namespace fairway {

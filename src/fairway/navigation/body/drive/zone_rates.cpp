@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/navigation/body/zone_rates.hpp"
+#include "fairway/navigation/body/drive/zone_rates.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "fairway/geometry/robot_model.hpp"
-#include "fairway/navigation/body/body_stop.hpp"
+#include "fairway/navigation/body/proof/body_stop.hpp"
 #include "fairway/navigation/navigation_status.hpp"
 #include "fairway/safety/safety_settings.hpp"
 #include "fairway/trajectory/tracking_law.hpp"
@@ -39,6 +39,12 @@ struct FollowerCycle {
   bool irregular = false;  ///< whether cycles were noticeably early or late
 };
 
+/// The next motion of a robot.
+struct DriveLead {
+  Trajectory ahead;  ///< along the present drive; without steps for none
+  Trajectory stop;   ///< after that, to rest; without steps where the robot is at rest
+};
+
 /// Drives a robot of any base along a planned drive, as fast as it is planned or slower.
 ///
 /// In every cycle the follower selects the rate of the drive so that moving obstacles are avoided.
@@ -59,6 +65,15 @@ class DriveFollower {
   /// Takes over a drive, from its begin. @pre the robot is at rest at the drive's start.
   /// @param evasive  It leads out of the predicted motion of obstacles; see `gives_way`.
   void follow(DriveReference reference, bool evasive = false) noexcept;
+
+  /// Takes over a drive in motion: the robot is at `phase` of it. The stop proven last is kept.
+  void follow_moving(DriveReference reference, double phase) noexcept;
+
+  /// Returns what the robot does next: it drives along its drive for a time, then it stops there. A
+  /// drive that begins in motion begins with this. Allocates.
+  /// @param ahead  That time [s], as a multiple of `step`.
+  /// @param step   Time between knots [s].
+  [[nodiscard]] DriveLead lead(const Pose2& pose, double ahead, double step) const;
 
   /// Limits the rate of the present drive; see DriveReference::limit_rate.
   void limit_rate(std::vector<double> most) { reference_.limit_rate(std::move(most)); }

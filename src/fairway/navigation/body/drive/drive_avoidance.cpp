@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "fairway/navigation/body/drive_follower.hpp"
-#include "fairway/navigation/body/evasion.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
+#include "fairway/navigation/body/drive/evasion.hpp"
 
 namespace fairway {
 

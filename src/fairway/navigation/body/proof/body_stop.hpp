@@ -4,8 +4,8 @@
 #include <array>
 
 #include "fairway/map/body_clearance.hpp"
-#include "fairway/navigation/body/body_deviation.hpp"
-#include "fairway/navigation/body/body_separation.hpp"
+#include "fairway/navigation/body/proof/body_deviation.hpp"
+#include "fairway/navigation/body/proof/body_separation.hpp"
 #include "fairway/safety/stop_check.hpp"
 #include "fairway/trajectory/drive_reference.hpp"
 

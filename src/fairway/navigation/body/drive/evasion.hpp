@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fairway/map/body_clearance.hpp"
-#include "fairway/navigation/body/body_separation.hpp"
+#include "fairway/navigation/body/proof/body_separation.hpp"
 #include "fairway/trajectory/trajectory.hpp"
 
 namespace fairway {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/navigation/body/body_separation.hpp"
+#include "fairway/navigation/body/proof/body_separation.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // drive_follower.cpp.
 #include <algorithm>
 
-#include "fairway/navigation/body/drive_follower.hpp"
+#include "fairway/navigation/body/drive/drive_follower.hpp"
 
 namespace fairway {
 
