@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kStep = 2;  // [cells] between nodes
+constexpr int kStride = 2;  // [cells] between nodes
 constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr double kNarrow = 10.0;  // extra cost of a metre without any clearance
 constexpr double kWall = 30.0;    // cost of a step over an occupied cell [m]
@@ -32,15 +32,15 @@ struct OpeningSearch::Query {
   bool goal_inside;
 
   [[nodiscard]] CellIndex cell(int node) const noexcept {
-    return {.x = node % width * kStep, .y = node / width * kStep};
+    return {.x = node % width * kStride, .y = node / width * kStride};
   }
   [[nodiscard]] Vector2d point(int node) const noexcept {
     return map.obstacles.frame().center(cell(node));
   }
   [[nodiscard]] int nearest(const Vector2d& place) const noexcept {
     const CellIndex at = map.obstacles.frame().cell_at(place);
-    return std::clamp((at.y + 1) / kStep, 0, height - 1) * width +
-           std::clamp((at.x + 1) / kStep, 0, width - 1);
+    return std::clamp((at.y + 1) / kStride, 0, height - 1) * width +
+           std::clamp((at.x + 1) / kStride, 0, width - 1);
   }
   // Whether a search may end here: at the goal, or where the window ends.
   [[nodiscard]] bool is_end(int node) const noexcept {
@@ -64,11 +64,11 @@ struct OpeningSearch::Query {
     const auto blocked = [&](int x, int y) {
       return map.obstacles.blocked({.x = at.x + x, .y = at.y + y});
     };
-    if (blocked(dx, dy) || blocked(kStep * dx, kStep * dy)) return true;
+    if (blocked(dx, dy) || blocked(kStride * dx, kStride * dy)) return true;
     // Between two occupied cells that touch at a corner there is no gap.
     return dx != 0 && dy != 0 &&
            ((blocked(dx, 0) && blocked(0, dy)) ||
-            (blocked(kStep * dx, dy) && blocked(dx, kStep * dy)));
+            (blocked(kStride * dx, dy) && blocked(dx, kStride * dy)));
   }
 };
 
@@ -84,8 +84,8 @@ std::optional<Opening> OpeningSearch::find(const PreparedMap& map,
               .tried = tried,
               .radius = radius,
               .goal = goal,
-              .width = frame.width / kStep,
-              .height = frame.height / kStep,
+              .width = frame.width / kStride,
+              .height = frame.height / kStride,
               .start = 0,
               .goal_inside = frame.contains(frame.cell_at(goal))};
   query.start = query.nearest(position);
@@ -147,7 +147,7 @@ void OpeningSearch::expand(const Query& query, int node) {
         continue;
       }
       const int next = node + dy * query.width + dx;
-      const double length = kStep * resolution * std::hypot(dx, dy);
+      const double length = kStride * resolution * std::hypot(dx, dy);
       const double step = length * query.weight(next) + (query.crosses(node, dx, dy) ? kWall : 0.0);
       const float cost = cost_[static_cast<std::size_t>(node)] + static_cast<float>(step);
       if (cost >= cost_[static_cast<std::size_t>(next)]) continue;
