@@ -15,6 +15,9 @@ constexpr int kFewestSightings = 4;
 constexpr int kManySightings = 10;    // after these the motion of any shape is known
 constexpr int kFewestMoving = 3;      // scans in a row, against jumps of the centre
 constexpr double kFewFits = 3.0;      // after this many good circles the size is known
+constexpr double kManyFits = 8.0;     // good circles after which the centre is known well
+constexpr double kBadFits = 4.0;      // scans without a good circle, at most
+constexpr int kManyFitted = 20;       // scans for which good circles are counted
 constexpr double kLeastChange = 0.2;  // share of the hits of an object that moves
 
 }  // namespace
@@ -171,10 +174,16 @@ void MovingObjectTracker::judge_motion(std::size_t index,
   const bool shape_known =
       track.may_be_post || track.radius_weight >= kFewFits || track.sightings >= kManySightings;
   const bool walks_far = moved > kFar && steady && !has_jumped(track, moved);
-  const bool has_left =
-      track.changed_share >= 0.5 * kLeastChange && has_left_its_place(index, beams, grid);
+  const bool changes_somewhat = track.changed_share >= 0.5 * kLeastChange;
+  const bool has_left = changes_somewhat && has_left_its_place(index, beams, grid);
+  // The centre of an object to which circles fit nearly always is known to centimetres, also where
+  // the object leaves its outline slowly because it walks away.
+  const bool is_round = track.radius_weight >= kManyFits &&
+                        track.radius_weight + kBadFits >= std::min(track.sightings, kManyFitted);
+  const bool walks_round = is_round && changes_somewhat && steady && !has_jumped(track, moved);
   const bool seems_to_move =
-      may_move && shape_known && (has_left || (!track.may_be_post && (changes || walks_far)));
+      may_move && shape_known &&
+      (has_left || walks_round || (!track.may_be_post && (changes || walks_far)));
   track.moving_scans = seems_to_move ? track.moving_scans + 1 : 0;
   if (track.moving_scans < kFewestMoving) return;
   track.moving = !slides_along_a_wall(track, beams);
