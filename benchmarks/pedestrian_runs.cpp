@@ -116,18 +116,36 @@ Scenario draw(const Recording& recording, const Options& options, Noise& noise) 
   return scenario;
 }
 
+// For how long the person nearest to the robot's last place had been in the recording [s].
+double seen_for(const Scenario& scenario, const EpisodeResult& result) {
+  const Vector2d robot = result.trace.rows.back().pose.position;
+  double nearest = 1e9;
+  double seen = 0.0;
+  for (const MovingBody& person : scenario.bodies) {
+    if (!person.is_there(result.time)) continue;
+    const double distance = (person.at(result.time).position - robot).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    seen = result.time - std::max(0.0, person.key_frames.front().time);
+  }
+  return seen;
+}
+
 struct Tally {
   int arrived = 0;
   int ran_into = 0;   // contacts while the robot went towards the person
+  int appeared = 0;   // of these, with a person who was not in the recording half a second before
   int run_over = 0;   // contacts while the robot was at standstill or moved away
   int not_there = 0;  // without contact, but too late
   double separation = 1e9;
   std::vector<double> ratios;
   std::vector<double> cycles;
 
-  void add(const RobotResult& robot, double lone) {
+  void add(const RobotResult& robot, double lone, double seen) {
+    constexpr double kBefore = 0.5;  // [s]
     if (robot.collided) {
       ++(robot.approach > 0.0 ? ran_into : run_over);
+      if (robot.approach > 0.0 && seen < kBefore) ++appeared;
     } else {
       separation = std::min(separation, robot.min_separation);
       ++(robot.reached ? arrived : not_there);
@@ -145,10 +163,11 @@ struct Tally {
     };
     const Quantiles cycle = quantiles(cycles);
     std::printf(
-        "prediction %-3s: %d runs, arrived %d, ran into a person %d, run over %d, too late %d, "
+        "prediction %-3s: %d runs, arrived %d, ran into a person %d (%d who had just appeared), run over "
+        "%d, too late %d, "
         "least separation without contact %.3f m, time x %.2f median, x %.2f at 90 %%, x %.2f "
         "worst, cycle %.0f/%.0f us\n",
-        name, runs, arrived, ran_into, run_over, not_there, separation, at(0.5), at(0.9), at(1.0),
+        name, runs, arrived, ran_into, appeared, run_over, not_there, separation, at(0.5), at(0.9), at(1.0),
         1e6 * cycle.median, 1e6 * cycle.p99);
   }
 };
@@ -166,8 +185,9 @@ void run(const Recording& recording, const Options& options) {
     const double lone = run_episode(alone).robots.front().time;
     for (Tally* tally : {&with, &without}) {
       scenario.settings.prediction.predict_motion = tally == &with;
-      const RobotResult robot = run_episode(scenario, hooks).robots.front();
-      tally->add(robot, lone);
+      const EpisodeResult result = run_episode(scenario, hooks);
+      const RobotResult& robot = result.robots.front();
+      tally->add(robot, lone, seen_for(scenario, result));
       if (options.verbose) {
         std::printf("  run %d, prediction %s: %s after %.1f s, %.2f m/s towards\n", i,
                     tally == &with ? "on" : "off",
