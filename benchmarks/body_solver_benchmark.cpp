@@ -180,11 +180,11 @@ void run_times(int count, int repeats) {
     print_times("disc", disc, disc);
     print_times("unicycle, 4 vertices", vertices, disc);
     print_times("unicycle, 4 vertices, 2 cut points", cuts, disc);
-    print_times("the same, half-planes of wheel speeds",
-                time_base<UnicycleMotion>(kind, count, repeats), disc);
+    print_times("the same, two wheel speeds", time_base<UnicycleMotion>(kind, count, repeats),
+                disc);
     print_times("steered, 4 vertices, 2 cut points", time_base<SteeredMotion>(kind, count, repeats),
                 disc);
-    print_times("omnidirectional, 2 cut points, 8 half-planes",
+    print_times("omnidirectional, 2 cut points, 4 wheel speeds",
                 time_base<OmniMotion>(kind, count, repeats), disc);
   }
 }

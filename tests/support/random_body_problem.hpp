@@ -53,10 +53,9 @@ class RandomBodyProblems {
     problem.input_max = {1.0, 1.0};
     problem.max_change = {0.1, 0.2};
     problem.previous_input = {uniform(-0.1, 0.6), uniform(-0.2, 0.2)};
-    problem.num_input_limits = 4;  // |u| + track / 2 |r| <= 1.2
-    for (std::size_t i = 0; i < 4; ++i)
-      problem.input_limits[i] = {.normal = {i % 2 == 0 ? 1.0 : -1.0, i < 2 ? 0.4 : -0.4},
-                                 .bound = 1.2};
+    problem.num_input_limits = 2;  // both wheels
+    for (std::size_t i = 0; i < 2; ++i)
+      problem.input_limits[i] = {.normal = {1.0, i == 0 ? 0.4 : -0.4}, .bound = 1.2};
   }
   void set_limits(BodyProblem<SteeredMotion>& problem) {
     problem.motion.wheelbase = uniform(0.6, 1.2);
@@ -70,11 +69,10 @@ class RandomBodyProblems {
     problem.input_max = {1.0, 0.5, 1.0};
     problem.max_change = {0.1, 0.1, 0.2};
     problem.previous_input = {uniform(-0.2, 0.5), uniform(-0.2, 0.2), uniform(-0.3, 0.3)};
-    problem.num_input_limits = 8;  // the four wheels of a mecanum base
-    for (std::size_t i = 0; i < 8; ++i)
-      problem.input_limits[i] = {.normal = {(i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
-                                            (i & 4U) != 0 ? 0.6 : -0.6},
-                                 .bound = 1.1};
+    problem.num_input_limits = 4;  // the wheels of a mecanum base
+    for (std::size_t i = 0; i < 4; ++i)
+      problem.input_limits[i] = {
+          .normal = {1.0, (i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 0.6 : -0.6}, .bound = 1.1};
   }
 
   template <typename Motion>

@@ -71,11 +71,11 @@ void find_body_reach(const BodyWorkspace<Motion>& w, Reach& reach) noexcept {
 }
 
 template <typename Motion>
-BodyConstraintBlock& append_body_constraint(ConstraintKind kind,
+BodyConstraintBlock& append_body_constraint(const BodyConstraintName& name,
                                             std::size_t mark,
                                             BodyWorkspace<Motion>& w) noexcept {
   BodyConstraintBlock& constraint = w.soft_constraints[w.num_soft_constraints++];
-  constraint.kind = kind;
+  constraint.name = name;
   constraint.mark = mark;
   return constraint;
 }
@@ -102,18 +102,18 @@ BodyFrame frame_of(const BodyProblem<Motion>& problem, std::size_t slot, std::si
           .points = region.points[slot]};
 }
 
-// Adds one side of four rectangles for one point.
+// Adds one side of four rectangles for one point: the constraints from `name` on.
 template <typename Motion>
 void load_side(const std::array<BodyFrame, kLanes>& frames,
-               std::size_t side,
-               std::size_t point,
-               std::size_t first,
+               const BodyConstraintName& name,
                const Reach& reach,
                BodyWorkspace<Motion>& w) noexcept {
+  const auto point = static_cast<std::size_t>(name.part);
+  const auto first = static_cast<std::size_t>(name.step);
   const Eigen::Vector2d at_start(w.points[0].marks[point].x[0], w.points[0].marks[point].y[0]);
   const double radius = w.marks[point].norm();
-  const bool across = side >= 2;
-  const bool upper = side % 2 == 1;
+  const bool across = name.index % 4 >= 2;
+  const bool upper = name.index % 2 == 1;
   Pack4d offset{{kPadding, kPadding, kPadding, kPadding}};
   Pack4d x{};
   Pack4d y{};
@@ -133,7 +133,7 @@ void load_side(const std::array<BodyFrame, kLanes>& frames,
                          kNeverViolated);
   }
   if (!needed) return;
-  BodyConstraintBlock& c = append_body_constraint(ConstraintKind::Corridor, point, w);
+  BodyConstraintBlock& c = append_body_constraint(name, point, w);
   c.offset = offset;
   c.normal_x = x;
   c.normal_y = y;
@@ -188,8 +188,12 @@ void load_obstacle(std::size_t j,
                                           beta, c.offset[lane]);
   }
   if (!needed) return;
-  BodyConstraintBlock& constraint = append_body_constraint(ConstraintKind::Barrier, mark, w);
-  c.kind = constraint.kind;
+  BodyConstraintBlock& constraint = append_body_constraint({.kind = ConstraintKind::Barrier,
+                                                            .step = static_cast<int>(first),
+                                                            .index = static_cast<int>(j),
+                                                            .part = static_cast<int>(disc)},
+                                                           mark, w);
+  c.name = constraint.name;
   c.mark = constraint.mark;
   constraint = c;
 }
@@ -207,8 +211,13 @@ void load_sides(std::size_t slot,
   }
   for (std::size_t point = 0; point < static_cast<std::size_t>(w.problem->num_points); ++point) {
     if ((points >> point & 1U) == 0) continue;
-    for (std::size_t side = 0; side < 4; ++side)
-      load_side(frames, side, point, first, reach, w);
+    for (std::size_t side = 0; side < 4; ++side) {
+      const BodyConstraintName name = {.kind = ConstraintKind::Corridor,
+                                       .step = static_cast<int>(first),
+                                       .index = static_cast<int>(4 * slot + side),
+                                       .part = static_cast<int>(point)};
+      load_side(frames, name, reach, w);
+    }
   }
 }
 
