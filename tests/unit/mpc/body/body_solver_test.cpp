@@ -159,6 +159,33 @@ TYPED_TEST(BodySolverOf, ReturnsFromAnInputOutsideItsLimits) {
   EXPECT_LT(solution.inputs[3][0], problem.input_max[0]);
 }
 
+TYPED_TEST(BodySolverOf, IsNeverWorseWithRestarts) {
+  for (int i = 0; i < kProblems; ++i) {
+    const auto problem = this->next();
+    const auto once = this->solver->solve(problem);
+    const auto& best = this->solver->solve_with_restarts(problem);
+    EXPECT_GE(best.iterations, once.iterations);
+    if (once.status == SolveStatus::Solved) {
+      EXPECT_EQ(best.cost, once.cost);
+      continue;
+    }
+    EXPECT_LE(best.status == SolveStatus::Solved
+                  ? 0.0
+                  : best.cost + problem.violation_weight * best.sum_violation,
+              once.cost + problem.violation_weight * once.sum_violation);
+  }
+}
+
+// From the drive to the targets, the base ends with a corner of its body outside.
+TEST(BodySolverRestarts, FindAFeasiblePointBesideAViolatedMinimum) {
+  test::RandomBodyProblems problems(12);
+  static_cast<void>(problems.next<OmniMotion>({.obstacles = 0}));
+  const auto problem = problems.next<OmniMotion>({.obstacles = 0});
+  const auto solver = std::make_unique<BodySolver<OmniMotion>>();
+  EXPECT_EQ(solver->solve(problem).status, SolveStatus::LeastViolation);
+  EXPECT_EQ(solver->solve_with_restarts(problem).status, SolveStatus::Solved);
+}
+
 // A single rectangle whose far side the target lies beyond: the front vertices limit the drive.
 TYPED_TEST(BodySolverOf, NamesTheConstraintThatLimitsMost) {
   auto problem = this->next({.obstacles = 0});

@@ -2,6 +2,7 @@
 #include "fairway/mpc/interior_point/body/body_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -201,6 +202,31 @@ const BodySolution<Motion>& BodySolver<Motion>::solve(
   if (solution_.status == SolveStatus::Solved && violated)
     solution_.status = SolveStatus::LeastViolation;
   return solution_;
+}
+
+template <typename Motion>
+const BodySolution<Motion>& BodySolver<Motion>::solve_with_restarts(
+    const BodyProblem<Motion>& problem,
+    const BodyGuess<Motion>& guess,
+    const InteriorPointSettings& settings) noexcept {
+  constexpr std::array<double, 3> kTurns = {0.0, 0.5, -0.5};  // [rad/s], or steering angle [rad]
+  best_ = solve(problem, guess, settings);
+  int iterations = best_.iterations;
+  for (std::size_t i = 0; i < kTurns.size() && best_.status != SolveStatus::Solved; ++i) {
+    if (best_.status == SolveStatus::InvalidProblem) break;
+    BodyGuess<Motion> other;
+    other.count = 1;
+    other.inputs[0].setZero();
+    other.inputs[0][Motion::kTurn] = kTurns[i];
+    const BodySolution<Motion>& result = solve(problem, other);
+    iterations += result.iterations;
+    const auto merit = [&](const BodySolution<Motion>& s) {
+      return s.cost + problem.violation_weight * s.sum_violation;
+    };
+    if (result.status == SolveStatus::Solved || merit(result) < merit(best_)) best_ = result;
+  }
+  best_.iterations = iterations;
+  return best_;
 }
 
 template class BodySolver<UnicycleMotion>;
