@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fairway/mpc/interior_point/body/body_setup.hpp"
+#include "fairway/mpc/interior_point/constraints/constraint_setup.hpp"
 
 namespace fairway::interior_point {
 namespace {
@@ -89,11 +90,14 @@ struct BodyFrame {
 };
 
 template <typename Motion>
-BodyFrame frame_of(const BodyProblem<Motion>& problem, std::size_t slot, std::size_t k) noexcept {
+BodyFrame frame_of(const BodyProblem<Motion>& problem,
+                   std::size_t slot,
+                   std::size_t k,
+                   RectangleAxis& axes) noexcept {
   const BodyRegion& region = problem.regions[k];
   if (static_cast<std::size_t>(region.count) <= slot) return {};
   const OrientedRectangle& r = region.rectangles[slot];
-  const Eigen::Vector2d axis = direction(r.orientation);
+  const Eigen::Vector2d axis = axes.of(r.orientation);
   const Eigen::Vector2d from_seed = problem.start.position - r.seed;
   return {.axis = axis,
           .start = {axis.dot(from_seed), axis.x() * from_seed.y() - axis.y() * from_seed.x()},
@@ -202,11 +206,12 @@ template <typename Motion>
 void load_sides(std::size_t slot,
                 std::size_t first,
                 const Reach& reach,
+                RectangleAxis& axis,
                 BodyWorkspace<Motion>& w) noexcept {
   std::array<BodyFrame, kLanes> frames;
   unsigned points = 0;
   for (std::size_t lane = 0; lane < kLanes && first + lane <= w.horizon; ++lane) {
-    frames[lane] = frame_of(*w.problem, slot, first + lane);
+    frames[lane] = frame_of(*w.problem, slot, first + lane, axis);
     points |= frames[lane].points;
   }
   for (std::size_t point = 0; point < static_cast<std::size_t>(w.problem->num_points); ++point) {
@@ -226,6 +231,7 @@ void load_sides(std::size_t slot,
 template <typename Motion>
 void load_body_constraints(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& w) noexcept {
   Reach reach;
+  std::array<RectangleAxis, kMaxRectanglesPerStep> axes;
   find_body_reach(w, reach);
   w.num_soft_constraints = 0;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
@@ -234,7 +240,7 @@ void load_body_constraints(const BodyProblem<Motion>& problem, BodyWorkspace<Mot
     ConstraintRange& range = w.constraint_ranges[b];
     range.corridor = range.watched_corridor = w.num_soft_constraints;
     for (std::size_t slot = 0; slot < kMaxRectanglesPerStep; ++slot)
-      load_sides(slot, first, reach, w);
+      load_sides(slot, first, reach, axes[slot], w);
     range.barrier = range.watched_barrier = w.num_soft_constraints;
     for (std::size_t j = 0; j < static_cast<std::size_t>(problem.num_obstacles); ++j) {
       for (std::size_t disc = 0; disc < static_cast<std::size_t>(problem.num_discs); ++disc)
