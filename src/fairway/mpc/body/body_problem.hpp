@@ -58,6 +58,7 @@ struct InputLimit {
 ///
 /// `keep_out` of an obstacle is the least distance of its centre from a disc of the body here.
 template <typename MotionModel>
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): fields are in the order of the formulas
 struct BodyProblem {
   using Motion = MotionModel;
   using Input = typename Motion::Input;

@@ -146,9 +146,10 @@ void load_body_guess(const BodyKernels<Motion>& kernels,
   const double share = (1.0 - (given > 0 ? kInwards : kDriveInwards)) * allowed_share(w, inputs);
   for (std::size_t k = 0; k < w.horizon; ++k) {
     const typename Motion::Input& inside = w.input_bounds.inside[k];
-    for (int j = 0; j < Motion::kInputs; ++j)
+    for (int j = 0; j < Motion::kInputs; ++j) {
       point.inputs[static_cast<std::size_t>(j)][k + 1] =
           inside[j] + share * (inputs[k][j] - inside[j]);
+    }
   }
 }
 

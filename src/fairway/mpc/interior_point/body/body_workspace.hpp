@@ -109,6 +109,7 @@ struct BodyStep {
 };
 
 template <typename Motion>
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): fields are in the order of use
 struct BodyWorkspace {
   static constexpr std::size_t kInputs = Motion::kInputs;
   /// Inputs, changes of inputs, and sums of the inputs.
