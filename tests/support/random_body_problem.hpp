@@ -120,13 +120,14 @@ class RandomBodyProblems {
     const double to_corner = corner_distance(problem.start, corner);
     bool switching = false;
     for (int k = 1; k <= problem.horizon; ++k) {
-      const double way = speed * problem.dt * k;
-      const double share = std::clamp((way - to_corner) / length_ + 0.8, 0.0, 1.0);
+      const double travelled = speed * problem.dt * k;
+      const double share = std::clamp((travelled - to_corner) / length_ + 0.8, 0.0, 1.0);
       const Pose2 target = {
-          .position =
-              way < to_corner
-                  ? Eigen::Vector2d(problem.start.position + way * direction(first.orientation))
-                  : Eigen::Vector2d(corner + (way - to_corner) * direction(second.orientation)),
+          .position = travelled < to_corner
+                          ? Eigen::Vector2d(problem.start.position +
+                                            travelled * direction(first.orientation))
+                          : Eigen::Vector2d(corner + (travelled - to_corner) *
+                                                         direction(second.orientation)),
           .heading = first.orientation + share * turn};
       problem.targets[static_cast<std::size_t>(k)] = {
           .position = target.position, .heading = target.heading, .weight = {20.0, 20.0, 0.5}};

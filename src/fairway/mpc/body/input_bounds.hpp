@@ -31,15 +31,15 @@ template <typename Motion>
 [[nodiscard]] typename Motion::Input calm_input(const BodyProblem<Motion>& problem) noexcept {
   const typename Motion::Input rest =
       problem.input_min.cwiseMax(problem.input_max.cwiseMin(Motion::Input::Zero()));
-  const typename Motion::Input way = 0.5 * (problem.input_min + problem.input_max) - rest;
+  const typename Motion::Input to_middle = 0.5 * (problem.input_min + problem.input_max) - rest;
   double share = 0.5;
   for (int i = 0; i < problem.num_input_limits; ++i) {
     const auto& limit = problem.input_limits[step_index(i)];
-    const double slope = std::abs(limit.normal.dot(way));
+    const double slope = std::abs(limit.normal.dot(to_middle));
     if (slope > 0.0)
       share = std::min(share, 0.5 * (limit.bound - std::abs(limit.normal.dot(rest))) / slope);
   }
-  return rest + share * way;
+  return rest + share * to_middle;
 }
 
 /// Computes the bounds of all steps. The sequence inside goes straight from the previous input to
