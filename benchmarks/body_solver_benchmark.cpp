@@ -180,11 +180,11 @@ void run_times(int count, int repeats) {
     print_times("disc", disc, disc);
     print_times("unicycle, 4 vertices", vertices, disc);
     print_times("unicycle, 4 vertices, 2 cut points", cuts, disc);
-    print_times("the same, half-planes of wheel speeds",
-                time_base<UnicycleMotion>(kind, count, repeats), disc);
+    print_times("the same, two wheel speeds", time_base<UnicycleMotion>(kind, count, repeats),
+                disc);
     print_times("steered, 4 vertices, 2 cut points", time_base<SteeredMotion>(kind, count, repeats),
                 disc);
-    print_times("omnidirectional, 2 cut points, 8 half-planes",
+    print_times("omnidirectional, 2 cut points, 4 wheel speeds",
                 time_base<OmniMotion>(kind, count, repeats), disc);
   }
 }
@@ -192,10 +192,11 @@ void run_times(int count, int repeats) {
 // Agreement with IPOPT.
 struct Agreement {
   int feasible = 0, missed = 0, only_ours = 0;  // problems with a feasible point by either solver
-  int near = 0, better = 0;                     // of those that both solve
-  int near_first = 0;                           // with IPOPT started from our solution
-  int converged = 0, near_violation = 0;        // problems without a feasible point
-  std::vector<double> ours, ipopt;              // [us]
+  int missed_after_restarts = 0;
+  int near = 0, better = 0;               // of those that both solve
+  int near_first = 0;                     // with IPOPT started from our solution
+  int converged = 0, near_violation = 0;  // problems without a feasible point
+  std::vector<double> ours, ipopt;        // [us]
 };
 
 template <typename Motion>
@@ -227,7 +228,11 @@ void compare(const BodyProblem<Motion>& problem,
     return;
   }
   ++sum.feasible;
-  if (!we_solved) ++sum.missed;
+  if (!we_solved) {
+    ++sum.missed;
+    if (solver.solve_with_restarts(problem).status != SolveStatus::Solved)
+      ++sum.missed_after_restarts;
+  }
   if (!they_solved) ++sum.only_ours;
   if (!we_solved) return;
   if (they_solved && cost <= best * (1.0 + kNear)) ++sum.near;
@@ -250,11 +255,11 @@ void run_ipopt(const char* name, int count, std::uint64_t seed) {
     for (int i = 0; i < count; ++i)
       compare(problems.next<Motion>({.obstacles = obstacles}), *solver, reference, sum);
     std::printf(
-        "| %s, %d obstacles | %d | %d | %d | %d | %d | %d | %d | %d | %.0f / %.0f | %.0f |\n", name,
-        obstacles, count, sum.feasible, sum.missed, sum.only_ours, sum.near, sum.better,
-        sum.near_first, sum.converged > 0 ? 100 * sum.near_violation / sum.converged : 0,
-        quantile(sum.ours, 0.5), quantile(sum.ipopt, 0.5),
-        quantile(sum.ipopt, 0.5) / quantile(sum.ours, 0.5));
+        "| %s, %d obstacles | %d | %d | %d | %d | %d | %d | %d | %d | %d | %.0f / %.0f | %.0f |\n",
+        name, obstacles, count, sum.feasible, sum.missed, sum.missed_after_restarts, sum.only_ours,
+        sum.near, sum.better, sum.near_first,
+        sum.converged > 0 ? 100 * sum.near_violation / sum.converged : 0, quantile(sum.ours, 0.5),
+        quantile(sum.ipopt, 0.5), quantile(sum.ipopt, 0.5) / quantile(sum.ours, 0.5));
     std::fflush(stdout);
   }
 }
@@ -267,9 +272,10 @@ int run(int argc, char** argv) {
     const int count = number(2, 100);
     const auto seed = static_cast<std::uint64_t>(number(3, 1));
     std::printf(
-        "| base | problems | feasible | missed | missed by IPOPT | within 0.1 %% | better |"
+        "| base | problems | feasible | missed | with restarts | missed by IPOPT | within 0.1 %% | "
+        "better |"
         " IPOPT from our solution agrees | %% of infeasible within 0.1 %% |"
-        " median us: ours / IPOPT | ratio |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+        " median us: ours / IPOPT | ratio |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     run_ipopt<UnicycleMotion>("unicycle", count, seed);
     run_ipopt<SteeredMotion>("steered", count, seed);
     run_ipopt<OmniMotion>("omnidirectional", count, seed);

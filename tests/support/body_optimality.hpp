@@ -106,8 +106,10 @@ class BodyOptimality {
       }
       for (int i = 0; i < problem_.num_input_limits; ++i) {
         const auto& normal = problem_.input_limits[static_cast<std::size_t>(i)].normal;
-        add_bound(k, -normal,
-                  bounds.limits[k][static_cast<std::size_t>(i)] - normal.dot(inputs_[k]), false);
+        const double value = normal.dot(inputs_[k]);
+        const double bound = bounds.limits[k][static_cast<std::size_t>(i)];
+        add_bound(k, -normal, bound - value, false);
+        add_bound(k, normal, bound + value, false);
       }
     }
   }

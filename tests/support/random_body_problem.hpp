@@ -53,10 +53,9 @@ class RandomBodyProblems {
     problem.input_max = {1.0, 1.0};
     problem.max_change = {0.1, 0.2};
     problem.previous_input = {uniform(-0.1, 0.6), uniform(-0.2, 0.2)};
-    problem.num_input_limits = 4;  // |u| + track / 2 |r| <= 1.2
-    for (std::size_t i = 0; i < 4; ++i)
-      problem.input_limits[i] = {.normal = {i % 2 == 0 ? 1.0 : -1.0, i < 2 ? 0.4 : -0.4},
-                                 .bound = 1.2};
+    problem.num_input_limits = 2;  // both wheels
+    for (std::size_t i = 0; i < 2; ++i)
+      problem.input_limits[i] = {.normal = {1.0, i == 0 ? 0.4 : -0.4}, .bound = 1.2};
   }
   void set_limits(BodyProblem<SteeredMotion>& problem) {
     problem.motion.wheelbase = uniform(0.6, 1.2);
@@ -70,11 +69,10 @@ class RandomBodyProblems {
     problem.input_max = {1.0, 0.5, 1.0};
     problem.max_change = {0.1, 0.1, 0.2};
     problem.previous_input = {uniform(-0.2, 0.5), uniform(-0.2, 0.2), uniform(-0.3, 0.3)};
-    problem.num_input_limits = 8;  // the four wheels of a mecanum base
-    for (std::size_t i = 0; i < 8; ++i)
-      problem.input_limits[i] = {.normal = {(i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
-                                            (i & 4U) != 0 ? 0.6 : -0.6},
-                                 .bound = 1.1};
+    problem.num_input_limits = 4;  // the wheels of a mecanum base
+    for (std::size_t i = 0; i < 4; ++i)
+      problem.input_limits[i] = {
+          .normal = {1.0, (i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 0.6 : -0.6}, .bound = 1.1};
   }
 
   template <typename Motion>
@@ -122,13 +120,14 @@ class RandomBodyProblems {
     const double to_corner = corner_distance(problem.start, corner);
     bool switching = false;
     for (int k = 1; k <= problem.horizon; ++k) {
-      const double way = speed * problem.dt * k;
-      const double share = std::clamp((way - to_corner) / length_ + 0.8, 0.0, 1.0);
+      const double travelled = speed * problem.dt * k;
+      const double share = std::clamp((travelled - to_corner) / length_ + 0.8, 0.0, 1.0);
       const Pose2 target = {
-          .position =
-              way < to_corner
-                  ? Eigen::Vector2d(problem.start.position + way * direction(first.orientation))
-                  : Eigen::Vector2d(corner + (way - to_corner) * direction(second.orientation)),
+          .position = travelled < to_corner
+                          ? Eigen::Vector2d(problem.start.position +
+                                            travelled * direction(first.orientation))
+                          : Eigen::Vector2d(corner + (travelled - to_corner) *
+                                                         direction(second.orientation)),
           .heading = first.orientation + share * turn};
       problem.targets[static_cast<std::size_t>(k)] = {
           .position = target.position, .heading = target.heading, .weight = {20.0, 20.0, 0.5}};

@@ -16,6 +16,15 @@
 
 namespace fairway {
 
+/// Identifies one soft constraint of a body. For Corridor, `index` is 4 * rectangle + side as in
+/// ConstraintName, and `part` the point; for Barrier they are the obstacle and the disc.
+struct BodyConstraintName {
+  ConstraintKind kind = ConstraintKind::None;
+  int step = 0;
+  int index = 0;
+  int part = 0;
+};
+
 /// The result of a solver for a body.
 template <typename Motion>
 struct BodySolution {
@@ -25,6 +34,8 @@ struct BodySolution {
   double cost = 0.0;           ///< objective at the inputs, without the penalty
   double max_violation = 0.0;  ///< greatest violation of a soft constraint [m or m^2]
   double sum_violation = 0.0;  ///< sum of the violations, as in the penalty
+  /// The soft constraint with the greatest multiplier; None if none limits the solution.
+  BodyConstraintName limiting;
   std::array<typename Motion::Input, kMaxHorizon> inputs;
   std::array<Pose2, kMaxHorizon + 1> poses;  ///< the rollout, entry 0 is the start
 };
@@ -34,15 +45,6 @@ template <typename Motion>
 struct BodyGuess {
   int count = 0;  ///< number of inputs; the last one is repeated, and 0 means a cold start
   std::array<typename Motion::Input, kMaxHorizon> inputs;
-};
-
-/// Identifies one soft constraint of a body. For Corridor, `index` is 4 * rectangle + side as in
-/// ConstraintName, and `part` the point; for Barrier they are the obstacle and the disc.
-struct BodyConstraintName {
-  ConstraintKind kind = ConstraintKind::None;
-  int step = 0;
-  int index = 0;
-  int part = 0;
 };
 
 /// The value and derivatives of one soft constraint, margin >= 0.

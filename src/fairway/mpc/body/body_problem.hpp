@@ -14,7 +14,7 @@ namespace fairway {
 
 inline constexpr int kMaxBodyPoints = 8;   ///< most vertices and cut points of a body
 inline constexpr int kMaxBodyDiscs = 4;    ///< most discs that cover a body
-inline constexpr int kMaxInputLimits = 8;  ///< most half-planes of the inputs
+inline constexpr int kMaxInputLimits = 8;  ///< most limits of sums of the inputs
 
 /// Rectangles at one step, and which points of the body each of them must contain.
 ///
@@ -33,8 +33,8 @@ struct BodyDisc {
   double radius = 0.0;                               ///< [m]
 };
 
-/// A half-plane of the inputs: normal . input <= bound, with bound > 0. Wheel speeds give such
-/// limits.
+/// A limit of a sum of the inputs: |normal . input| <= bound, with bound > 0. Each wheel with a
+/// greatest speed gives one.
 template <int inputs>
 struct InputLimit {
   Eigen::Matrix<double, inputs, 1> normal = Eigen::Matrix<double, inputs, 1>::Zero();
@@ -51,13 +51,14 @@ struct InputLimit {
 ///            + sum_{k=0}^{N-1} |nu_k|^2_{input_weight} + |nu_k - nu_{k-1}|^2_{change_weight}
 ///   subject to input_min <= nu_k <= input_max                                       hard
 ///              |nu_k - nu_{k-1}| <= max_change                                      hard
-///              normal . nu_k <= bound for each of input_limits                      hard
+///              |normal . nu_k| <= bound for each of input_limits                    hard
 ///              V_i inside the rectangles of regions[k] that name i, by insets[i]    soft
 ///              h_{k+1} >= barrier_retention h_k for each obstacle and disc,         soft
 ///                h_k = |V_disc - o_k|^2 - (keep_out_k + radius)^2
 ///
 /// `keep_out` of an obstacle is the least distance of its centre from a disc of the body here.
 template <typename MotionModel>
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): fields are in the order of the formulas
 struct BodyProblem {
   using Motion = MotionModel;
   using Input = typename Motion::Input;

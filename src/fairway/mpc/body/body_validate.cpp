@@ -97,14 +97,14 @@ bool keep_outs_allowed(const BodyProblem<Motion>& problem) noexcept {
   return true;
 }
 
-// Whether the input nearest to rest is strictly inside every half-plane.
+// Whether the input nearest to rest is strictly inside every limit of a sum.
 template <typename Motion>
-bool half_planes_allowed(const BodyProblem<Motion>& problem) noexcept {
+bool limits_allowed(const BodyProblem<Motion>& problem) noexcept {
   const typename Motion::Input rest =
       problem.input_min.cwiseMax(problem.input_max.cwiseMin(Motion::Input::Zero()));
   for (int i = 0; i < problem.num_input_limits; ++i) {
     const auto& limit = problem.input_limits[step_index(i)];
-    if (!(limit.bound > 0.0 && limit.normal.dot(rest) < 0.99 * limit.bound)) return false;
+    if (!(limit.bound > 0.0 && std::abs(limit.normal.dot(rest)) < 0.99 * limit.bound)) return false;
   }
   return true;
 }
@@ -126,7 +126,7 @@ ProblemFault validate(const BodyProblem<Motion>& problem) noexcept {
   if (!((problem.input_max - problem.input_min).minCoeff() >= kLeastWidth &&
         problem.max_change.minCoeff() >= kLeastWidth))
     return ProblemFault::CommandRange;
-  if (!half_planes_allowed(problem)) return ProblemFault::Contradiction;
+  if (!limits_allowed(problem)) return ProblemFault::Contradiction;
   return ProblemFault::None;
 }
 

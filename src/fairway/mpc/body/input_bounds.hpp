@@ -25,20 +25,21 @@ struct InputBounds {
   bool relaxed = false;                   ///< whether the limits of the problem cannot all hold
 };
 
-/// Returns an input strictly inside the range and the half-planes, near to rest.
-/// @pre The range is not empty, and the input nearest to rest is strictly inside the half-planes.
+/// Returns an input strictly inside the range and the limits, near to rest.
+/// @pre The range is not empty, and the input nearest to rest is strictly inside the limits.
 template <typename Motion>
 [[nodiscard]] typename Motion::Input calm_input(const BodyProblem<Motion>& problem) noexcept {
   const typename Motion::Input rest =
       problem.input_min.cwiseMax(problem.input_max.cwiseMin(Motion::Input::Zero()));
-  const typename Motion::Input way = 0.5 * (problem.input_min + problem.input_max) - rest;
+  const typename Motion::Input to_middle = 0.5 * (problem.input_min + problem.input_max) - rest;
   double share = 0.5;
   for (int i = 0; i < problem.num_input_limits; ++i) {
     const auto& limit = problem.input_limits[step_index(i)];
-    const double slope = limit.normal.dot(way);
-    if (slope > 0.0) share = std::min(share, 0.5 * (limit.bound - limit.normal.dot(rest)) / slope);
+    const double slope = std::abs(limit.normal.dot(to_middle));
+    if (slope > 0.0)
+      share = std::min(share, 0.5 * (limit.bound - std::abs(limit.normal.dot(rest))) / slope);
   }
-  return rest + share * way;
+  return rest + share * to_middle;
 }
 
 /// Computes the bounds of all steps. The sequence inside goes straight from the previous input to
@@ -71,7 +72,7 @@ void find_input_bounds(const BodyProblem<Motion>& problem, InputBounds<Motion>& 
     }
     for (int i = 0; i < problem.num_input_limits; ++i) {
       const auto& limit = problem.input_limits[step_index(i)];
-      const double value = limit.normal.dot(input);
+      const double value = std::abs(limit.normal.dot(input));
       const bool above = !(value < limit.bound * (1.0 - kRounding));
       bounds.relaxed = bounds.relaxed || above;
       bounds.limits[k][step_index(i)] = above ? value + kMargin * limit.bound : limit.bound;

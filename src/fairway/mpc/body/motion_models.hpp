@@ -19,19 +19,19 @@ struct UnicycleMotion {
   static constexpr int kTurn = 1;  ///< the input that turns the body
   using Input = Eigen::Vector2d;
 
-  [[nodiscard]] PlanarTwist twist(const Input& input) const noexcept {
+  [[nodiscard]] static PlanarTwist twist(const Input& input) noexcept {
     return {.linear = input[0], .lateral = 0.0, .angular = input[1]};
   }
   /// Computes the derivatives of the twist by the inputs.
-  [[nodiscard]] Eigen::Matrix<double, 3, 2> jacobian(const Input& /*input*/) const noexcept {
+  [[nodiscard]] static Eigen::Matrix<double, 3, 2> jacobian(const Input& /*input*/) noexcept {
     Eigen::Matrix<double, 3, 2> by_input = Eigen::Matrix<double, 3, 2>::Zero();
     by_input(0, 0) = 1.0;
     by_input(2, 1) = 1.0;
     return by_input;
   }
   /// Computes the second derivatives of (multiplier . twist) by the inputs.
-  [[nodiscard]] Eigen::Matrix2d hessian(const Input& /*input*/,
-                                        const Eigen::Vector3d& /*multiplier*/) const noexcept {
+  [[nodiscard]] static Eigen::Matrix2d hessian(const Input& /*input*/,
+                                               const Eigen::Vector3d& /*multiplier*/) noexcept {
     return Eigen::Matrix2d::Zero();
   }
 };
@@ -77,14 +77,14 @@ struct OmniMotion {
   static constexpr int kTurn = 2;
   using Input = Eigen::Vector3d;
 
-  [[nodiscard]] PlanarTwist twist(const Input& input) const noexcept {
+  [[nodiscard]] static PlanarTwist twist(const Input& input) noexcept {
     return {.linear = input[0], .lateral = input[1], .angular = input[2]};
   }
-  [[nodiscard]] Eigen::Matrix3d jacobian(const Input& /*input*/) const noexcept {
+  [[nodiscard]] static Eigen::Matrix3d jacobian(const Input& /*input*/) noexcept {
     return Eigen::Matrix3d::Identity();
   }
-  [[nodiscard]] Eigen::Matrix3d hessian(const Input& /*input*/,
-                                        const Eigen::Vector3d& /*multiplier*/) const noexcept {
+  [[nodiscard]] static Eigen::Matrix3d hessian(const Input& /*input*/,
+                                               const Eigen::Vector3d& /*multiplier*/) noexcept {
     return Eigen::Matrix3d::Zero();
   }
 };

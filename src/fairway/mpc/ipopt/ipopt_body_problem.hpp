@@ -19,7 +19,7 @@ namespace fairway {
 ///
 /// The variables are input 0, pose 1, input 1, ..., pose N, and one slack per soft constraint
 /// unless constraints are hard. The constraints are the steps of the model, the changes between
-/// inputs, the half-planes of the inputs, and the soft constraints.
+/// inputs, limits of sums of the inputs, and the soft constraints.
 template <typename Motion>
 class IpoptBodyProblem final : public Ipopt::TNLP {
  public:
@@ -78,8 +78,8 @@ class IpoptBodyProblem final : public Ipopt::TNLP {
         }
       }
       for (int i = 0; i < problem_->num_input_limits; ++i) {
-        g_l[limit_row(k) + i] = -kUnbounded;
         g_u[limit_row(k) + i] = bounds_.limits[step_index(k)][step_index(i)];
+        g_l[limit_row(k) + i] = -g_u[limit_row(k) + i];
       }
     }
     std::fill(x_l + slack(0), x_l + n, 0.0);

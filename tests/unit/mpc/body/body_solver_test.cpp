@@ -43,7 +43,8 @@ double limit_violation(const BodyProblem<Motion>& problem, const BodySolution<Mo
     worst = std::max(worst, (bounds.low[k] - input).maxCoeff());
     worst = std::max(worst, ((input - before).cwiseAbs() - problem.max_change).maxCoeff());
     for (std::size_t i = 0; i < static_cast<std::size_t>(problem.num_input_limits); ++i)
-      worst = std::max(worst, problem.input_limits[i].normal.dot(input) - bounds.limits[k][i]);
+      worst = std::max(worst,
+                       std::abs(problem.input_limits[i].normal.dot(input)) - bounds.limits[k][i]);
     before = input;
   }
   return worst;
@@ -156,6 +157,54 @@ TYPED_TEST(BodySolverOf, ReturnsFromAnInputOutsideItsLimits) {
   EXPECT_EQ(solution.status, SolveStatus::LeastViolation);
   EXPECT_LE(limit_violation(problem, solution), 1e-12);
   EXPECT_LT(solution.inputs[3][0], problem.input_max[0]);
+}
+
+TYPED_TEST(BodySolverOf, IsNeverWorseWithRestarts) {
+  for (int i = 0; i < kProblems; ++i) {
+    const auto problem = this->next();
+    const auto once = this->solver->solve(problem);
+    const auto& best = this->solver->solve_with_restarts(problem);
+    EXPECT_GE(best.iterations, once.iterations);
+    if (once.status == SolveStatus::Solved) {
+      EXPECT_EQ(best.cost, once.cost);
+      continue;
+    }
+    EXPECT_LE(best.status == SolveStatus::Solved
+                  ? 0.0
+                  : best.cost + problem.violation_weight * best.sum_violation,
+              once.cost + problem.violation_weight * once.sum_violation);
+  }
+}
+
+// From the drive to the targets, the base ends with a corner of its body outside.
+TEST(BodySolverRestarts, FindAFeasiblePointBesideAViolatedMinimum) {
+  test::RandomBodyProblems problems(12);
+  static_cast<void>(problems.next<OmniMotion>({.obstacles = 0}));
+  const auto problem = problems.next<OmniMotion>({.obstacles = 0});
+  const auto solver = std::make_unique<BodySolver<OmniMotion>>();
+  EXPECT_EQ(solver->solve(problem).status, SolveStatus::LeastViolation);
+  EXPECT_EQ(solver->solve_with_restarts(problem).status, SolveStatus::Solved);
+}
+
+// A single rectangle whose far side the target lies beyond: the front vertices limit the drive.
+TYPED_TEST(BodySolverOf, NamesTheConstraintThatLimitsMost) {
+  auto problem = this->next({.obstacles = 0});
+  problem.previous_input.setZero();
+  OrientedRectangle rectangle{.seed = problem.start.position,
+                              .orientation = problem.start.heading,
+                              .min = {-3.0, -2.0},
+                              .max = {problem.points[2].x() + 0.1, 2.0}};
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(problem.horizon); ++k) {
+    problem.regions[k] = {
+        .rectangles = {rectangle, rectangle}, .points = {0b111111, 0}, .count = 1};
+    problem.targets[k].position = rectangle.to_world({3.0, 0.0});
+    problem.targets[k].heading = problem.start.heading;
+  }
+  const auto& solution = this->solver->solve(problem);
+  EXPECT_EQ(solution.status, SolveStatus::Solved);
+  EXPECT_EQ(solution.limiting.kind, ConstraintKind::Corridor);
+  EXPECT_EQ(solution.limiting.index, 1);
+  EXPECT_TRUE(solution.limiting.part == 2 || solution.limiting.part == 3);
 }
 
 TYPED_TEST(BodySolverOf, RefusesInvalidProblems) {

@@ -6,11 +6,11 @@
 #include "fairway/mpc/interior_point/constraints/bounds.hpp"
 #include "fairway/mpc/interior_point/workspace/optimality.hpp"
 
-// Ranges, changes and half-planes of the inputs. They are hard, as in constraints/bounds.hpp.
+// Ranges, changes and limits of sums of the inputs. They are hard, as in constraints/bounds.hpp.
 
 namespace fairway::interior_point {
 
-/// Returns whether bounds of kind `kind` exist: inputs, then changes, then half-planes.
+/// Returns whether bounds of kind `kind` exist: inputs, then changes, then sums.
 template <typename Motion>
 [[nodiscard]] bool has_bounds(const BodyWorkspace<Motion>& w, std::size_t kind) noexcept {
   if (kind < Motion::kInputs) return true;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fairway/mpc/interior_point/body/body_setup.hpp"
+#include "fairway/mpc/interior_point/constraints/constraint_setup.hpp"
 
 namespace fairway::interior_point {
 namespace {
@@ -71,11 +72,11 @@ void find_body_reach(const BodyWorkspace<Motion>& w, Reach& reach) noexcept {
 }
 
 template <typename Motion>
-BodyConstraintBlock& append_body_constraint(ConstraintKind kind,
+BodyConstraintBlock& append_body_constraint(const BodyConstraintName& name,
                                             std::size_t mark,
                                             BodyWorkspace<Motion>& w) noexcept {
   BodyConstraintBlock& constraint = w.soft_constraints[w.num_soft_constraints++];
-  constraint.kind = kind;
+  constraint.name = name;
   constraint.mark = mark;
   return constraint;
 }
@@ -89,11 +90,14 @@ struct BodyFrame {
 };
 
 template <typename Motion>
-BodyFrame frame_of(const BodyProblem<Motion>& problem, std::size_t slot, std::size_t k) noexcept {
+BodyFrame frame_of(const BodyProblem<Motion>& problem,
+                   std::size_t slot,
+                   std::size_t k,
+                   RectangleAxis& axes) noexcept {
   const BodyRegion& region = problem.regions[k];
   if (static_cast<std::size_t>(region.count) <= slot) return {};
   const OrientedRectangle& r = region.rectangles[slot];
-  const Eigen::Vector2d axis = direction(r.orientation);
+  const Eigen::Vector2d axis = axes.of(r.orientation);
   const Eigen::Vector2d from_seed = problem.start.position - r.seed;
   return {.axis = axis,
           .start = {axis.dot(from_seed), axis.x() * from_seed.y() - axis.y() * from_seed.x()},
@@ -102,18 +106,18 @@ BodyFrame frame_of(const BodyProblem<Motion>& problem, std::size_t slot, std::si
           .points = region.points[slot]};
 }
 
-// Adds one side of four rectangles for one point.
+// Adds one side of four rectangles for one point: the constraints from `name` on.
 template <typename Motion>
 void load_side(const std::array<BodyFrame, kLanes>& frames,
-               std::size_t side,
-               std::size_t point,
-               std::size_t first,
+               const BodyConstraintName& name,
                const Reach& reach,
                BodyWorkspace<Motion>& w) noexcept {
+  const auto point = static_cast<std::size_t>(name.part);
+  const auto first = static_cast<std::size_t>(name.step);
   const Eigen::Vector2d at_start(w.points[0].marks[point].x[0], w.points[0].marks[point].y[0]);
   const double radius = w.marks[point].norm();
-  const bool across = side >= 2;
-  const bool upper = side % 2 == 1;
+  const bool across = name.index % 4 >= 2;
+  const bool upper = name.index % 2 == 1;
   Pack4d offset{{kPadding, kPadding, kPadding, kPadding}};
   Pack4d x{};
   Pack4d y{};
@@ -133,7 +137,7 @@ void load_side(const std::array<BodyFrame, kLanes>& frames,
                          kNeverViolated);
   }
   if (!needed) return;
-  BodyConstraintBlock& c = append_body_constraint(ConstraintKind::Corridor, point, w);
+  BodyConstraintBlock& c = append_body_constraint(name, point, w);
   c.offset = offset;
   c.normal_x = x;
   c.normal_y = y;
@@ -188,8 +192,12 @@ void load_obstacle(std::size_t j,
                                           beta, c.offset[lane]);
   }
   if (!needed) return;
-  BodyConstraintBlock& constraint = append_body_constraint(ConstraintKind::Barrier, mark, w);
-  c.kind = constraint.kind;
+  BodyConstraintBlock& constraint = append_body_constraint({.kind = ConstraintKind::Barrier,
+                                                            .step = static_cast<int>(first),
+                                                            .index = static_cast<int>(j),
+                                                            .part = static_cast<int>(disc)},
+                                                           mark, w);
+  c.name = constraint.name;
   c.mark = constraint.mark;
   constraint = c;
 }
@@ -198,17 +206,23 @@ template <typename Motion>
 void load_sides(std::size_t slot,
                 std::size_t first,
                 const Reach& reach,
+                RectangleAxis& axis,
                 BodyWorkspace<Motion>& w) noexcept {
   std::array<BodyFrame, kLanes> frames;
   unsigned points = 0;
   for (std::size_t lane = 0; lane < kLanes && first + lane <= w.horizon; ++lane) {
-    frames[lane] = frame_of(*w.problem, slot, first + lane);
+    frames[lane] = frame_of(*w.problem, slot, first + lane, axis);
     points |= frames[lane].points;
   }
   for (std::size_t point = 0; point < static_cast<std::size_t>(w.problem->num_points); ++point) {
     if ((points >> point & 1U) == 0) continue;
-    for (std::size_t side = 0; side < 4; ++side)
-      load_side(frames, side, point, first, reach, w);
+    for (std::size_t side = 0; side < 4; ++side) {
+      const BodyConstraintName name = {.kind = ConstraintKind::Corridor,
+                                       .step = static_cast<int>(first),
+                                       .index = static_cast<int>(4 * slot + side),
+                                       .part = static_cast<int>(point)};
+      load_side(frames, name, reach, w);
+    }
   }
 }
 
@@ -217,6 +231,7 @@ void load_sides(std::size_t slot,
 template <typename Motion>
 void load_body_constraints(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& w) noexcept {
   Reach reach;
+  std::array<RectangleAxis, kMaxRectanglesPerStep> axes;
   find_body_reach(w, reach);
   w.num_soft_constraints = 0;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
@@ -225,7 +240,7 @@ void load_body_constraints(const BodyProblem<Motion>& problem, BodyWorkspace<Mot
     ConstraintRange& range = w.constraint_ranges[b];
     range.corridor = range.watched_corridor = w.num_soft_constraints;
     for (std::size_t slot = 0; slot < kMaxRectanglesPerStep; ++slot)
-      load_sides(slot, first, reach, w);
+      load_sides(slot, first, reach, axes[slot], w);
     range.barrier = range.watched_barrier = w.num_soft_constraints;
     for (std::size_t j = 0; j < static_cast<std::size_t>(problem.num_obstacles); ++j) {
       for (std::size_t disc = 0; disc < static_cast<std::size_t>(problem.num_discs); ++disc)

@@ -12,7 +12,7 @@
 namespace fairway::interior_point {
 namespace {
 
-// Moves an input into the half-planes of step k, towards one that is inside of them.
+// Moves an input into the limits of step k, towards one that is inside of them.
 template <typename Motion>
 typename Motion::Input within_limits(const BodyWorkspace<Motion>& w,
                                      std::size_t k,
@@ -22,8 +22,9 @@ typename Motion::Input within_limits(const BodyWorkspace<Motion>& w,
   for (std::size_t i = 0; i < w.num_limits; ++i) {
     const auto& normal = w.problem->input_limits[i].normal;
     const double slope = normal.dot(input - inside);
-    const double distance = w.input_bounds.limits[k][i] - normal.dot(inside);
-    if (slope > distance) share = std::min(share, distance / slope);
+    const double place = slope > 0.0 ? normal.dot(inside) : -normal.dot(inside);
+    const double distance = w.input_bounds.limits[k][i] - place;
+    if (std::abs(slope) > distance) share = std::min(share, distance / std::abs(slope));
   }
   return inside + share * (input - inside);
 }
@@ -114,8 +115,8 @@ double allowed_share(const BodyWorkspace<Motion>& w,
     }
     for (std::size_t i = 0; i < w.num_limits; ++i) {
       const auto& normal = w.problem->input_limits[i].normal;
-      allow(normal.dot(move), std::numeric_limits<double>::infinity(),
-            bounds.limits[k][i] - normal.dot(inside));
+      const double place = normal.dot(inside);
+      allow(normal.dot(move), bounds.limits[k][i] + place, bounds.limits[k][i] - place);
     }
     before = inside;
     move_before = move;
@@ -145,9 +146,10 @@ void load_body_guess(const BodyKernels<Motion>& kernels,
   const double share = (1.0 - (given > 0 ? kInwards : kDriveInwards)) * allowed_share(w, inputs);
   for (std::size_t k = 0; k < w.horizon; ++k) {
     const typename Motion::Input& inside = w.input_bounds.inside[k];
-    for (int j = 0; j < Motion::kInputs; ++j)
+    for (int j = 0; j < Motion::kInputs; ++j) {
       point.inputs[static_cast<std::size_t>(j)][k + 1] =
           inside[j] + share * (inputs[k][j] - inside[j]);
+    }
   }
 }
 

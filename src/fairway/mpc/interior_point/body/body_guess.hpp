@@ -116,7 +116,8 @@ FAIRWAY_LANES Lanes outlook(const BodyWorkspace<Motion>& w,
   return merit;
 }
 
-/// Returns the index of the best candidate; ties go to the first one.
+/// Returns the index of the best candidate. The middle ones are tried first: the worse ones are
+/// then given up early.
 template <typename Lanes, typename Motion>
 FAIRWAY_LANES std::size_t best_candidate(const BodyWorkspace<Motion>& w,
                                          const Pose2& pose,
@@ -124,7 +125,9 @@ FAIRWAY_LANES std::size_t best_candidate(const BodyWorkspace<Motion>& w,
                                          const Candidates<Motion>& candidates) noexcept {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < candidates.fours.size(); ++i) {
+  const std::size_t count = candidates.fours.size();
+  for (std::size_t tried = 0; tried < count; ++tried) {
+    const std::size_t i = (count / 2 + tried) % count;
     const Lanes merit = outlook<Lanes>(w, pose, first, candidates.fours[i], least);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (!(merit[lane] < least)) continue;

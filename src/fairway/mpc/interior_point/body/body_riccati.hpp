@@ -24,7 +24,7 @@ using SmallMatrix = std::array<std::array<double, n>, n>;
   inverse[1] = {-m[1][0] * scale, m[0][0] * scale};
   return true;
 }
-// By factors L D L^T: half-planes of the inputs add large matrices of rank one, whose cofactors
+// By factors L D L^T: limits of sums add large matrices of rank one, whose cofactors
 // would cancel.
 [[gnu::always_inline]] inline bool invert(const SmallMatrix<3>& m,
                                           SmallMatrix<3>& inverse) noexcept {

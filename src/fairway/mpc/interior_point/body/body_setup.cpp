@@ -74,9 +74,10 @@ void load_input_bounds(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>
     }
   }
   for (std::size_t i = 0; i < w.num_limits; ++i) {
-    for (std::size_t k = 0; k < kLanes * w.num_blocks; ++k)
-      set_interval(w.bounds[2 * n + i], k, -kFarInput,
-                   k < w.horizon ? bounds.limits[k][i] : kFarInput);
+    for (std::size_t k = 0; k < kLanes * w.num_blocks; ++k) {
+      const double most = k < w.horizon ? bounds.limits[k][i] : kFarInput;
+      set_interval(w.bounds[2 * n + i], k, -most, most);
+    }
   }
   for (Bounds& each : w.bounds) {
     for (PoseArray* array : {&each.curvature, &each.by_mu, &each.dual})

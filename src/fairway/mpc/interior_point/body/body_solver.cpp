@@ -2,6 +2,7 @@
 #include "fairway/mpc/interior_point/body/body_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -102,6 +103,27 @@ void leave_body_saddle(const BodyKernels<Motion>& kernels,
   kernels.evaluate(w, *w.now);
 }
 
+// Returns the soft constraint with the greatest multiplier.
+template <typename Motion>
+BodyConstraintName limiting_constraint(const BodyWorkspace<Motion>& w) noexcept {
+  double most = 1e-3;  // multipliers below this do not limit the solution
+  BodyConstraintName name;
+  for (std::size_t b = 0; b < w.num_blocks; ++b) {
+    const ConstraintRange& range = w.constraint_ranges[b];
+    for (std::size_t i = range.corridor; i < range.watched_barrier; ++i) {
+      if (i >= range.watched_corridor && i < range.barrier) continue;
+      const BodyConstraintBlock& constraint = w.soft_constraints[i];
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        if (!(constraint.dual[lane] > most)) continue;
+        most = constraint.dual[lane];
+        name = constraint.name;
+        name.step += static_cast<int>(lane);
+      }
+    }
+  }
+  return name;
+}
+
 // Fills in the inputs of `w.now` and what follows from them. @return Whether all is finite.
 template <typename Motion>
 bool report_body(const BodyWorkspace<Motion>& w, BodySolution<Motion>& solution) noexcept {
@@ -112,6 +134,7 @@ bool report_body(const BodyWorkspace<Motion>& w, BodySolution<Motion>& solution)
   const BodyViolation violation = violation_of(w, p);
   solution.max_violation = violation.greatest;
   solution.sum_violation = violation.sum;
+  solution.limiting = limiting_constraint(w);
   bool finite = std::isfinite(p.cost) && std::isfinite(violation.sum);
   for (std::size_t k = 0; k < w.horizon; ++k) {
     for (int j = 0; j < Motion::kInputs; ++j)
@@ -134,6 +157,7 @@ void report_invalid_body(const BodyProblem<Motion>& problem,
   solution.horizon = std::clamp(problem.horizon, 0, kMaxHorizon);
   solution.iterations = 0;
   solution.cost = solution.max_violation = solution.sum_violation = 0.0;
+  solution.limiting = {};
   solution.inputs.fill(Motion::Input::Zero());
   solution.poses.fill(start);
 }
@@ -178,6 +202,31 @@ const BodySolution<Motion>& BodySolver<Motion>::solve(
   if (solution_.status == SolveStatus::Solved && violated)
     solution_.status = SolveStatus::LeastViolation;
   return solution_;
+}
+
+template <typename Motion>
+const BodySolution<Motion>& BodySolver<Motion>::solve_with_restarts(
+    const BodyProblem<Motion>& problem,
+    const BodyGuess<Motion>& guess,
+    const InteriorPointSettings& settings) noexcept {
+  constexpr std::array<double, 3> kTurns = {0.0, 0.5, -0.5};  // [rad/s], or steering angle [rad]
+  best_ = solve(problem, guess, settings);
+  int iterations = best_.iterations;
+  for (std::size_t i = 0; i < kTurns.size() && best_.status != SolveStatus::Solved; ++i) {
+    if (best_.status == SolveStatus::InvalidProblem) break;
+    BodyGuess<Motion> other;
+    other.count = 1;
+    other.inputs[0].setZero();
+    other.inputs[0][Motion::kTurn] = kTurns[i];
+    const BodySolution<Motion>& result = solve(problem, other);
+    iterations += result.iterations;
+    const auto merit = [&](const BodySolution<Motion>& s) {
+      return s.cost + problem.violation_weight * s.sum_violation;
+    };
+    if (result.status == SolveStatus::Solved || merit(result) < merit(best_)) best_ = result;
+  }
+  best_.iterations = iterations;
+  return best_;
 }
 
 template class BodySolver<UnicycleMotion>;

@@ -31,10 +31,18 @@ class BodySolver {
                                     const BodyGuess<Motion>& guess = {},
                                     const InteriorPointSettings& settings = {}) noexcept;
 
+  /// Solves as `solve`. If that misses a feasible point, it tries other starts and keeps the best
+  /// result: a stop, and turns to both sides. `iterations` is the sum over all starts.
+  const BodySolution<Motion>& solve_with_restarts(
+      const BodyProblem<Motion>& problem,
+      const BodyGuess<Motion>& guess = {},
+      const InteriorPointSettings& settings = {}) noexcept;
+
  private:
   const interior_point::BodyKernels<Motion>* kernels_;
   interior_point::BodyWorkspace<Motion> workspace_;
   BodySolution<Motion> solution_;
+  BodySolution<Motion> best_;
 };
 
 }  // namespace fairway

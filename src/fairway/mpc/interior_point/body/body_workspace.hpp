@@ -44,8 +44,8 @@ struct BodyPoint {
 /// Four steps of one soft constraint of a mark, as SoftConstraintBlock. Gradients are by the
 /// motion and the turn about the origin.
 struct BodyConstraintBlock {
-  ConstraintKind kind = ConstraintKind::None;
   std::size_t mark = 0;
+  BodyConstraintName name;  ///< of the first lane
   Pack4d offset, near;
   Pack4d normal_x, normal_y, normal_h;
   Pack4d dual, violation_dual, curvature, dual_by_mu, dual_change, slack_ratio, violation_ratio;
@@ -109,9 +109,10 @@ struct BodyStep {
 };
 
 template <typename Motion>
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): fields are in the order of use
 struct BodyWorkspace {
   static constexpr std::size_t kInputs = Motion::kInputs;
-  /// Inputs, changes of inputs, and half-planes of the inputs.
+  /// Inputs, changes of inputs, and sums of the inputs.
   static constexpr std::size_t kMaxBounds = 2 * kInputs + kMaxInputLimits;
 
   const BodyProblem<Motion>* problem = nullptr;

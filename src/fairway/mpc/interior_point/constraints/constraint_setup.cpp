@@ -43,26 +43,10 @@ FAIRWAY_LANES Lanes128 gathered(const std::array<Step, kLanes>& four,
   return {four[0].*member, four[1].*member, four[2].*member, four[3].*member};
 }
 
-// Caches the last axis, because consecutive poses are mostly in the same rectangle.
-class Axis {
- public:
-  const Eigen::Vector2d& of(double orientation) noexcept {
-    if (orientation != orientation_) {
-      orientation_ = orientation;
-      axis_ = direction(orientation);
-    }
-    return axis_;
-  }
-
- private:
-  double orientation_ = 0.0;
-  Eigen::Vector2d axis_{1.0, 0.0};
-};
-
 FAIRWAY_LANES FourRectangles rectangles_of(const ControlProblem& problem,
                                            std::size_t slot,
                                            std::size_t first,
-                                           Axis& axis) noexcept {
+                                           RectangleAxis& axis) noexcept {
   FourRectangles four;
   const auto horizon = static_cast<std::size_t>(problem.horizon);
   const Eigen::Vector2d& origin = problem.start.position;
@@ -211,7 +195,7 @@ FAIRWAY_LANES void load_barrier(const ControlProblem& problem,
 void load_soft_constraints(const ControlProblem& problem, Workspace& w) noexcept {
   PoseArray reach{};
   find_reach(w, problem.dt, reach);
-  std::array<Axis, kMaxRectanglesPerStep> axes;
+  std::array<RectangleAxis, kMaxRectanglesPerStep> axes;
   const double near = near_distance(problem);
   w.num_soft_constraints = 0;
   for (std::size_t b = 0; b < w.num_blocks; ++b) {
