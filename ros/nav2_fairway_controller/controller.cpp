@@ -35,6 +35,9 @@ bool same_body(const RobotSettings& a, const RobotSettings& b) noexcept {
   return a.radius == b.radius && a.length == b.length && a.width == b.width && a.discs == b.discs;
 }
 
+constexpr const char* kNoBody =
+    "expected a footprint of the costmap with at least 3 finite corners that are not on a line";
+
 [[noreturn]] void throw_fault(FollowerFault fault, const std::string& reason) {
   if (fault == FollowerFault::BadPath) throw InvalidPath(reason);
   if (fault == FollowerFault::NoFrame) throw ControllerTransformError(reason);
@@ -61,7 +64,13 @@ void FairwayController::configure(const LifecycleNode::WeakPtr& parent,
       read_switch(*node_, name_ + ".use_costmap_footprint", false,
                   "whether the body is the footprint of the costmap, also when that changes");
   const FollowerSettings settings = parameters_->settings();
-  follower_ = std::make_unique<PathFollower>(settings);
+  if (settings.motion.model == MotionModel::Disc) {
+    follower_ = std::make_unique<PathFollower>(settings);
+  } else {
+    const auto body = body_of(costmap_->getRobotFootprint());
+    if (!body) throw ControllerSetupError(name_ + ".motion.model: " + kNoBody);
+    body_follower_ = std::make_unique<BodyFollower>(settings, *body);
+  }
   footprint_ = settings.robot.robot;
   inputs_ = std::make_unique<ObstacleInputs>(
       node_, transforms_, costmap_, settings.robot,
@@ -78,6 +87,7 @@ void FairwayController::cleanup() {
   display_.reset();
   inputs_.reset();
   follower_.reset();
+  body_follower_.reset();
   parameters_.reset();
   costmap_.reset();
   transforms_.reset();
@@ -85,40 +95,66 @@ void FairwayController::cleanup() {
 }
 
 void FairwayController::deactivate() {
-  if (follower_) follower_->reset();
+  act([](auto& follower) { follower.reset(); });
   cancelling_ = false;
   standing_ = true;
 }
 
 void FairwayController::setSpeedLimit(const double& limit, const bool& percentage) {
-  if (follower_) follower_->set_speed_limit({.value = limit, .percentage = percentage});
+  act([&](auto& follower) {
+    follower.set_speed_limit({.value = limit, .percentage = percentage});
+  });
 }
 
 #if FAIRWAY_NAV2_TYPED_EXCEPTIONS
 // Nav2 requests commands until the robot has stopped.
 bool FairwayController::cancel() {
-  if (!follower_) return true;
-  if (!cancelling_) follower_->cancel();
+  if (!is_configured()) return true;
+  if (!cancelling_) act([](auto& follower) { follower.cancel(); });
   cancelling_ = true;
   return standing_;
 }
 
 void FairwayController::reset() {
-  if (follower_) follower_->reset();
+  act([](auto& follower) { follower.reset(); });
   cancelling_ = false;
   standing_ = true;
 }
 #endif
 
 void FairwayController::take_path(const nav_msgs::msg::Path& message) {
-  if (!follower_) throw InvalidPath("the controller is not configured");
+  if (!is_configured()) throw InvalidPath("the controller is not configured");
   Path path = to_path(message);
   if (const std::string fault = path_fault(path); !fault.empty()) throw InvalidPath(fault);
   path_frame_ = message.header.frame_id;
   cancelling_ = false;
   const double heading = bridge::heading_of(message.poses.back().pose.orientation);
-  follower_->set_path(std::move(path),
-                      std::isfinite(heading) ? std::optional(heading) : std::nullopt);
+  const auto goal_heading = std::isfinite(heading) ? std::optional(heading) : std::nullopt;
+  if (body_follower_) {
+    body_follower_->set_path({.path = std::move(path),
+                              .goal_heading = goal_heading,
+                              .headings = headings_of(message)});
+  } else {
+    follower_->set_path(std::move(path), goal_heading);
+  }
+}
+
+// The same for a body of its true shape.
+void FairwayController::take_body_changes() {
+  std::optional<FollowerSettings> changed = parameters_->take_change();
+  if (changed && changed->motion.model == MotionModel::Disc) {
+    RCLCPP_ERROR_THROTTLE(node_->get_logger(), *node_->get_clock(), 1000, "%s",
+                          "motion.model: disc takes effect when the controller is configured again");
+    changed->motion.model = body_follower_->settings().motion.model;
+  }
+  if (const auto body = body_of(costmap_->getRobotFootprint())) {
+    body_follower_->set_body(*body);
+  } else {
+    RCLCPP_ERROR_THROTTLE(node_->get_logger(), *node_->get_clock(), 1000, "%s", kNoBody);
+  }
+  if (!changed) return;
+  body_follower_->set_settings(*changed);
+  inputs_->set_settings(changed->robot);
 }
 
 // Passes changes of parameters and of the costmap's footprint to the follower.
@@ -149,7 +185,9 @@ void FairwayController::take_changes() {
 FollowerStep FairwayController::drive(const geometry_msgs::msg::PoseStamped& pose,
                                       const geometry_msgs::msg::Twist& velocity,
                                       nav2_core::GoalChecker* goal_checker) {
-  take_changes();
+  body_follower_ ? take_body_changes() : take_changes();
+  const FollowerSettings& settings =
+      body_follower_ ? body_follower_->settings() : follower_->settings();
   const double now = node_->now().seconds();
   const Pose2 here = bridge::compose(
       frame_in_costmap(*transforms_, *costmap_, pose.header.frame_id), bridge::to_pose(pose.pose));
@@ -157,7 +195,7 @@ FollowerStep FairwayController::drive(const geometry_msgs::msg::PoseStamped& pos
   {
     nav2_costmap_2d::Costmap2D* costmap = costmap_->getCostmap();
     const std::lock_guard<nav2_costmap_2d::Costmap2D::mutex_t> lock(*costmap->getMutex());
-    obstacles = to_obstacles(*costmap, unknown_cells(follower_->settings().robot.map));
+    obstacles = to_obstacles(*costmap, unknown_cells(settings.robot.map));
   }
   const bridge::ObstacleBoard moving = inputs_->collect();
   std::optional<Pose2> path_frame;
@@ -166,15 +204,17 @@ FollowerStep FairwayController::drive(const geometry_msgs::msg::PoseStamped& pos
   } catch (const ControllerTransformError&) {  // the follower uses the last one for a short time
   }
   constexpr double kNever = -std::numeric_limits<double>::infinity();
-  return follower_->update({.time = now,
+  const FollowerInput input{.time = now,
                             .pose = here,
                             .pose_time = seconds_of(pose.header.stamp),
                             .twist = bridge::to_twist(velocity),
+                            .lateral = velocity.linear.y,
                             .obstacles = obstacles,
                             .obstacles_time = costmap_->isCurrent() ? now : kNever,
                             .moving = moving,
                             .path_frame = path_frame,
-                            .goal = tolerance_of(goal_checker)});
+                            .goal = tolerance_of(goal_checker)};
+  return body_follower_ ? body_follower_->update(input) : follower_->update(input);
 }
 
 // A display must not end a drive.
@@ -183,7 +223,8 @@ void FairwayController::show(const FollowerStep& step) {
     std_msgs::msg::Header header;
     header.stamp = node_->now();
     header.frame_id = costmap_->getGlobalFrameID();
-    display_->show(step, follower_->plan(), header, costmap_->getBaseFrameID(),
+    const Plan& plan = body_follower_ ? body_follower_->plan() : follower_->plan();
+    display_->show(step, plan, header, costmap_->getBaseFrameID(),
                    node_->now().seconds());
   } catch (const std::exception& error) {
     RCLCPP_WARN_THROTTLE(node_->get_logger(), *node_->get_clock(), 5000, "%s", error.what());
@@ -194,7 +235,7 @@ geometry_msgs::msg::TwistStamped FairwayController::compute(
     const geometry_msgs::msg::PoseStamped& pose,
     const geometry_msgs::msg::Twist& velocity,
     nav2_core::GoalChecker* goal_checker) {
-  if (!follower_) throw NoValidControl("the controller is not configured");
+  if (!is_configured()) throw NoValidControl("the controller is not configured");
   FollowerStep step;
   try {
     step = drive(pose, velocity, goal_checker);
@@ -203,7 +244,8 @@ geometry_msgs::msg::TwistStamped FairwayController::compute(
   } catch (const std::bad_alloc& error) {
     throw NoValidControl(error.what());
   }
-  standing_ = step.command.linear == 0.0 && step.command.angular == 0.0;
+  standing_ =
+      step.command.linear == 0.0 && step.command.angular == 0.0 && step.lateral == 0.0;
   show(step);
   if (!step.reason.empty() && !cancelling_) {
     RCLCPP_WARN_THROTTLE(node_->get_logger(), *node_->get_clock(), 1000, "%s", step.reason.c_str());
@@ -213,6 +255,7 @@ geometry_msgs::msg::TwistStamped FairwayController::compute(
   command.header.stamp = node_->now();
   command.header.frame_id = costmap_->getBaseFrameID();
   bridge::set_twist(step.command, command.twist);
+  command.twist.linear.y = step.lateral;
   return command;
 }
 

@@ -8,6 +8,7 @@
 #include <nav2_core/goal_checker.hpp>
 #include <nav2_costmap_2d/costmap_2d_ros.hpp>
 
+#include "nav2_fairway_controller/body_follower.hpp"
 #include "nav2_fairway_controller/obstacle_inputs.hpp"
 #include "nav2_fairway_controller/parameters.hpp"
 #include "nav2_fairway_controller/path_follower.hpp"
@@ -63,7 +64,14 @@ class FairwayController : public nav2_core::Controller {
       const geometry_msgs::msg::Twist& velocity,
       nav2_core::GoalChecker* goal_checker);
   void take_changes();
+  void take_body_changes();
   void show(const FollowerStep& step);
+  template <typename Action>
+  void act(const Action& action) {
+    if (follower_) action(*follower_);
+    if (body_follower_) action(*body_follower_);
+  }
+  [[nodiscard]] bool is_configured() const noexcept { return follower_ || body_follower_; }
   [[nodiscard]] FollowerStep drive(const geometry_msgs::msg::PoseStamped& pose,
                                    const geometry_msgs::msg::Twist& velocity,
                                    nav2_core::GoalChecker* goal_checker);
@@ -73,7 +81,9 @@ class FairwayController : public nav2_core::Controller {
   TransformBuffer transforms_;
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap_;
   std::unique_ptr<Parameters> parameters_;
+  // One of both: the second one where `motion.model` is not disc.
   std::unique_ptr<PathFollower> follower_;
+  std::unique_ptr<BodyFollower> body_follower_;
   std::unique_ptr<ObstacleInputs> inputs_;
   std::unique_ptr<PlanDisplay> display_;
   bool uses_costmap_footprint_ = false;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "bridge/message_conversions.hpp"
 #include "fairway/map/bit_grid.hpp"
@@ -46,6 +47,26 @@ template <typename PathMessage>
   for (const auto& stamped : message.poses)
     path.waypoints.emplace_back(stamped.pose.position.x, stamped.pose.position.y);
   return path;
+}
+
+/// The headings of a nav_msgs/Path; NaN where a pose has none.
+template <typename PathMessage>
+[[nodiscard]] std::vector<double> headings_of(const PathMessage& message) {
+  std::vector<double> headings;
+  headings.reserve(message.poses.size());
+  for (const auto& stamped : message.poses)
+    headings.push_back(bridge::heading_of(stamped.pose.orientation));
+  return headings;
+}
+
+/// Fills a nav_msgs/Path with poses.
+template <typename PathMessage>
+void fill_poses(const std::vector<Pose2>& poses, PathMessage& message) {
+  for (const Pose2& pose : poses) {
+    message.poses.emplace_back();
+    message.poses.back().header = message.header;
+    bridge::set_pose(pose, message.poses.back().pose);
+  }
 }
 
 /// Fills a nav_msgs/Path with poses at most `spacing` [m] apart, as Nav2's controllers expect. Each

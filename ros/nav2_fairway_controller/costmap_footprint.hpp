@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "fairway/geometry/body_shape.hpp"
 #include "fairway/geometry/robot_settings.hpp"
 
 namespace fairway::nav2 {
@@ -61,6 +65,31 @@ struct DiscGrid {
   return true;
 }
 
+/// The corners of the convex hull of points, counter-clockwise (Andrew's monotone chain).
+[[nodiscard]] inline std::vector<Eigen::Vector2d> hull_of(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  std::vector<Eigen::Vector2d> hull;
+  const auto chain = [&](auto begin, auto end) {
+    const std::size_t first = hull.size();
+    for (auto p = begin; p != end; ++p) {
+      while (hull.size() >= first + 2) {
+        const Eigen::Vector2d a = hull.back() - hull[hull.size() - 2];
+        const Eigen::Vector2d b = *p - hull.back();
+        constexpr double kStraight = 1e-12;
+        if (a.x() * b.y() - a.y() * b.x() > kStraight) break;
+        hull.pop_back();
+      }
+      hull.push_back(*p);
+    }
+    if (!hull.empty()) hull.pop_back();
+  };
+  chain(points.begin(), points.end());
+  chain(points.rbegin(), points.rend());
+  return hull;
+}
+
 /// Sets the body from the footprint of a costmap: points with x and y in the robot's frame [m]. The
 /// body covers the footprint. It is
 ///   a disc      for 8 or more corners at nearly equal distances from the origin, as costmaps make
@@ -102,6 +131,30 @@ template <typename Points>
   robot.length = round ? 0.0 : 2.0 * half.x();
   robot.width = round ? 0.0 : 2.0 * half.y();
   return true;
+}
+
+/// The body that a costmap's footprint is: the convex hull of its points with x and y in the robot's
+/// frame [m], or the rectangle around a hull of more corners than a body can have. None if they are
+/// no body: fewer than 3, on a line, not finite or too far away.
+template <typename Points>
+[[nodiscard]] std::optional<BodyShape> body_of(const Points& footprint) {
+  std::vector<Eigen::Vector2d> points;
+  for (const auto& corner : footprint) {
+    points.emplace_back(corner.x, corner.y);
+    if (!points.back().allFinite()) return std::nullopt;
+  }
+  std::vector<Eigen::Vector2d> corners = hull_of(std::move(points));
+  if (corners.size() > ConvexPart::kMaxVertices) {
+    Eigen::Vector2d low = corners.front();
+    Eigen::Vector2d high = low;
+    for (const Eigen::Vector2d& corner : corners) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+    corners = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  }
+  const Expected<BodyShape> body = BodyShape::polygon(corners);
+  return body ? std::optional(*body) : std::nullopt;
 }
 
 }  // namespace fairway::nav2

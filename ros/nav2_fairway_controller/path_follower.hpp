@@ -19,6 +19,7 @@ struct FollowerInput {
   Pose2 pose;
   double pose_time = 0.0;
   Twist2 twist;  ///< actual twist of the robot
+  double lateral = 0.0;  ///< actual speed to the left [m/s]
   const BitGrid& obstacles;
   double obstacles_time = 0.0;  ///< time of the costmap's last update
   const bridge::ObstacleBoard& moving;
@@ -33,6 +34,7 @@ enum class FollowerFault : std::uint8_t { None, NoControl, BadPath, NoFrame };
 /// The result of a cycle.
 struct FollowerStep {
   Twist2 command;
+  double lateral = 0.0;  ///< speed to the left, of a base that moves to all sides [m/s]
   NavigationStatus status = NavigationStatus::NoPlan;
   LimitingFactor limit = LimitingFactor::None;  ///< reason why the robot is not faster
   std::size_t rectangle = 0;                    ///< of the corridor, with the robot

@@ -4,8 +4,10 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "bridge/message_conversions.hpp"
+#include "fairway/navigation/body/body_navigator.hpp"
 #include "bridge/sensing/pose_history.hpp"
 #include "nav2_fairway_controller/costmap_conversion.hpp"
+#include "nav2_fairway_controller/costmap_footprint.hpp"
 
 namespace fairway::nav2 {
 
@@ -62,6 +64,34 @@ Pose2 FairwayPlanner::in_costmap(const geometry_msgs::msg::PoseStamped& pose) co
   }
 }
 
+std::vector<Pose2> FairwayPlanner::plan_for_body(
+    const BitGrid& obstacles,
+    const FollowerSettings& settings,
+    Pose2 from,
+    const std::vector<geometry_msgs::msg::PoseStamped>& stops,
+    const std::function<bool()>& cancelled) const {
+  const auto body = body_of(costmap_->getRobotFootprint());
+  if (!body) throw NoValidPath("the costmap's footprint is no body");
+  Settings own = settings.robot;
+  own.planning.background = false;
+  BodyNavigator navigator(
+      own, {.body = *body, .base = base_of(settings.motion, settings.robot.robot)});
+  navigator.set_map(obstacles);
+  std::vector<Pose2> whole;
+  for (const geometry_msgs::msg::PoseStamped& stop : stops) {
+    if (cancelled()) throw PlannerCancelled("cancelled while planning");
+    const Pose2 goal = in_costmap(stop);
+    if (!is_finite(goal) || !is_finite(from)) throw NoValidPath("expected finite poses");
+    navigator.set_goal({.position = goal.position, .heading = goal.heading});
+    static_cast<void>(navigator.plan_now({.time = 0.0, .pose = from}));
+    if (!navigator.plan().usable()) throw_reason(navigator.plan(), navigator.explanation());
+    const std::vector<Pose2> leg = navigator.planned_poses(obstacles.frame().resolution);
+    whole.insert(whole.end(), leg.begin(), leg.end());
+    from = goal;
+  }
+  return whole;
+}
+
 nav_msgs::msg::Path FairwayPlanner::plan(
     const geometry_msgs::msg::PoseStamped& start,
     const geometry_msgs::msg::PoseStamped& goal,
@@ -69,17 +99,24 @@ nav_msgs::msg::Path FairwayPlanner::plan(
     const std::function<bool()>& cancelled) {
   if (!parameters_) throw NoValidPath("the planner is not configured");
   static_cast<void>(parameters_->take_change());
-  const Settings settings = parameters_->settings().robot;
+  const FollowerSettings all = parameters_->settings();
+  const Settings& settings = all.robot;
   PreparedMap map;
   {
     nav2_costmap_2d::Costmap2D* costmap = costmap_->getCostmap();
     const std::lock_guard<nav2_costmap_2d::Costmap2D::mutex_t> lock(*costmap->getMutex());
     map.obstacles = to_obstacles(*costmap, unknown_cells(settings.map));
   }
-  map.distances.update(map.obstacles);
-
   std::vector<geometry_msgs::msg::PoseStamped> stops = via_points;
   stops.push_back(goal);
+  if (all.motion.model != MotionModel::Disc) {
+    nav_msgs::msg::Path message;
+    message.header.stamp = node_->now();
+    message.header.frame_id = costmap_->getGlobalFrameID();
+    fill_poses(plan_for_body(map.obstacles, all, in_costmap(start), stops, cancelled), message);
+    return message;
+  }
+  map.distances.update(map.obstacles);
   Eigen::Vector2d from = in_costmap(start).position;
   Path whole;
   Pose2 last;

@@ -52,6 +52,13 @@ class FairwayPlanner : public nav2_core::GlobalPlanner {
       const geometry_msgs::msg::PoseStamped& goal,
       const std::vector<geometry_msgs::msg::PoseStamped>& via_points,
       const std::function<bool()>& cancelled);
+  /// Poses with their true headings, of the footprint on its base.
+  [[nodiscard]] std::vector<Pose2> plan_for_body(
+      const BitGrid& obstacles,
+      const FollowerSettings& settings,
+      Pose2 from,
+      const std::vector<geometry_msgs::msg::PoseStamped>& stops,
+      const std::function<bool()>& cancelled) const;
   [[nodiscard]] Pose2 in_costmap(const geometry_msgs::msg::PoseStamped& pose) const;
 
   std::shared_ptr<LifecycleNode> node_;

@@ -125,7 +125,10 @@ std::string SettingStore::assign(std::span<const SettingChange> changes,
             });
   if (!fault.empty()) return fault;
   const auto valid = validate(settings.robot);
-  return valid ? std::string() : valid.error().message;
+  if (!valid) return valid.error().message;
+  if (settings.motion.model == MotionModel::Disc) return {};
+  const auto base = validate(base_of(settings.motion, settings.robot.robot));
+  return base ? std::string() : "motion: " + base.error().message;
 }
 
 std::string SettingStore::set(std::span<const SettingChange> changes) {

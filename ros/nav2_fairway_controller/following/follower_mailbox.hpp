@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "nav2_fairway_controller/following/following_settings.hpp"
 #include "nav2_fairway_controller/following/speed_limit.hpp"
@@ -14,6 +15,8 @@ namespace fairway::nav2 {
 struct PathTask {
   Path path;
   std::optional<double> goal_heading;  ///< in the same frame [rad]
+  /// Headings of the waypoints [rad], NaN where one has none; a disc needs none of them.
+  std::vector<double> headings{};
 };
 
 /// The changes since the last cycle, in the order in which they apply.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fairway/navigation/settings.hpp"
+#include "nav2_fairway_controller/following/motion_settings.hpp"
 
 namespace fairway::nav2 {
 
@@ -29,13 +30,15 @@ void visit_following(Settings& s, Visitor&& field) {
 /// All settings of the controller.
 struct FollowerSettings {
   Settings robot;
+  MotionSettings motion;
   FollowingSettings following;
 };
 
-/// Visits the groups of the library and the group `following`; see visit_settings.
+/// Visits the groups of the library and the groups `motion` and `following`; see visit_settings.
 template <typename S, typename GroupVisitor>
 void visit_follower_settings(S& s, GroupVisitor&& group) {
   visit_settings(s.robot, group);
+  group("motion", [&](auto&& field) { visit_motion(s.motion, field); });
   group("following", [&](auto&& field) { visit_following(s.following, field); });
 }
 

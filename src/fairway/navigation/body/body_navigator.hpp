@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/occupancy_grid.hpp"
@@ -120,6 +121,9 @@ class BodyNavigator {
   /// The path of the reference point; its corridor is empty.
   [[nodiscard]] const Plan& plan() const noexcept;
   [[nodiscard]] bool plan_is_current() const noexcept;
+  /// Poses of the present drive, from its begin to its end, with the true headings.
+  /// @param apart  Greatest distance between two [m], where the robot turns 0.1 rad; > 0.
+  [[nodiscard]] std::vector<Pose2> planned_poses(double apart) const;
   [[nodiscard]] bool follows_new_plan() const noexcept;
   [[nodiscard]] bool planned() const noexcept;
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a BodyNavigator follows a path: one part of it after the other.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
+#include "fairway/geometry/angle.hpp"
 #include "fairway/navigation/body/body_navigator_state.hpp"
 #include "fairway/navigation/body/guide/guide_path.hpp"
 
@@ -42,6 +44,25 @@ void BodyNavigator::State::note_place(const Measurements& m) noexcept {
   place = {.driven = along_.arc,
            .remaining = std::max(0.0, along_.guide->length() - along_.arc),
            .deviation = deviation};
+}
+
+std::vector<Pose2> BodyNavigator::planned_poses(double apart) const {
+  std::vector<Pose2> poses;
+  if (!state_->has_drive()) return poses;
+  constexpr double kTurn = 0.1;   // [rad]
+  constexpr double kShare = 0.9;  // of `apart`: the next row may be further
+  const std::vector<TrajectoryRow>& rows = state_->follower.reference().rows();
+  const auto away = [&](const Pose2& a, const Pose2& b) {
+    return (a.position - b.position).norm() > kShare * apart ||
+           std::abs(shortest_turn(a.heading, b.heading)) > kTurn;
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool last = i + 1 == rows.size();
+    if (poses.empty() || last || away(poses.back(), rows[i + 1].pose))
+      poses.push_back({.position = rows[i].pose.position,
+                       .heading = wrap_to_pi(rows[i].pose.heading)});
+  }
+  return poses;
 }
 
 // Whether the next part is planned before the robot brakes for the end of this one.

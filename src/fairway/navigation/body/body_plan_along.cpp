@@ -83,14 +83,16 @@ BodyPlan plan_on(const PreparedMap& map,
     // A path of its own to where the body fits again.
     constexpr double kFurthest = 10.0;  // [m]
     constexpr double kStep = 0.2;       // [m]
+    constexpr int kStates = 60000;      // it is tried again soon
     end = std::min(guide.length(), stop.arc + kFurthest);
     while (end > stop.arc && !clearance.is_free(guide.at(end), 0.0))
       end -= kStep;
     if (end > stop.arc || guide.length() <= stop.arc) {
       plan.goal_pose = guide.at(end);
       plan.complete = end >= guide.length();
-      plan.drive =
-          plan_drive(clearance, robot.base, lead, plan.goal_pose, period, settings);
+      DriveSettings brief = settings;
+      brief.path.total_states = kStates;
+      plan.drive = plan_drive(clearance, robot.base, lead, plan.goal_pose, period, brief);
     }
   }
   internal::begin_with(request.lead, robot.base, period, plan);

@@ -40,7 +40,12 @@ void BodySurroundings::set_map(const OccupancyGrid& given) { set_map(BitGrid(giv
 void BodySurroundings::set_map(const BitGrid& map) {
   BitGrid bits = map;
   bits.set_zones(zones_);
-  own_.emplace(std::move(bits));
+  if (own_ && own_->obstacles == bits) return;  // some callers repeat it in every cycle
+  if (own_ && same_frame(own_->obstacles.frame(), bits.frame())) {
+    own_->update(bits, difference(bits, own_->obstacles));
+  } else {
+    own_.emplace(std::move(bits));
+  }
   seen_free_.reset();
   merged_.reset();
   refresh();
