@@ -13,13 +13,15 @@ constexpr std::size_t kRemembered = 64;  // messages kept per robot when they ca
 FleetRadio::FleetRadio(const RadioModel& model, std::size_t robots, std::uint64_t seed)
     : model_(model),
       noise_(seed),
-      told_(robots) {}
+      told_(robots),
+      places_(robots, Eigen::Vector2d::Zero()) {}
 
 void FleetRadio::tell(std::size_t robot, const SharedMotion& motion) {
   std::deque<Message>& told = told_[robot];
   const std::size_t kept = model_.delay > 0.0 || model_.loss > 0.0 ? kRemembered : 1;
   if (told.size() == kept) told.pop_front();
   told.push_back({.motion = motion, .lost = {}});
+  places_[robot] = motion.position;
   if (model_.loss <= 0.0 || told.size() == 1) return;
   std::vector<bool>& lost = told.back().lost;
   for (std::size_t i = 0; i < told_.size(); ++i)
@@ -41,6 +43,8 @@ Fleet FleetRadio::hear(std::size_t robot, const Eigen::Vector2d& position, doubl
   const bool exact = model_.delay <= 0.0 && model_.loss <= 0.0;
   for (std::size_t other = 0; other < told_.size(); ++other) {
     if (other == robot) continue;
+    // Without delay and loss the only message is the newest one.
+    if (exact && (places_[other] - position).norm() > model_.range) continue;
     const Message* message = newest(other, robot, time);
     if (message == nullptr) continue;
     if ((message->motion.position - position).norm() > model_.range) continue;

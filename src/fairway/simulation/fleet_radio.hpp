@@ -32,7 +32,10 @@ class FleetRadio {
   void tell(std::size_t robot, const SharedMotion& motion);
 
   /// Adds a robot, which has published nothing yet.
-  void add_robot() { told_.emplace_back(); }
+  void add_robot() {
+    told_.emplace_back();
+    places_.emplace_back(Eigen::Vector2d::Zero());
+  }
 
   /// Drops the messages of a robot that was removed.
   void forget(std::size_t robot) { told_[robot].clear(); }
@@ -52,6 +55,7 @@ class FleetRadio {
   RadioModel model_;
   Noise noise_;
   std::vector<std::deque<Message>> told_;  // per robot, oldest first
+  std::vector<Eigen::Vector2d> places_;    // of the newest messages, close together in memory
   std::vector<FleetMember> heard_;
 };
 

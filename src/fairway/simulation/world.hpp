@@ -135,6 +135,7 @@ class World {
     Contact::With with = Contact::With::Nothing;
     std::size_t other = 0;
   };
+  [[nodiscard]] bool is_further(std::size_t robot, std::size_t other, double length) const;
   [[nodiscard]] Gap gap_to_moving(std::size_t robot) const;
 
   BitGrid obstacles_;

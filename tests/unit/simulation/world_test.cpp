@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/simulation/world.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
+
+#include "support/random_world.hpp"
 
 namespace fairway {
 namespace {
@@ -71,6 +76,31 @@ TEST(World, TwoRobotsThatMeetHaveBothCollided) {
     world.advance({{1.0, 0.0}, {1.0, 0.0}}, 0.1);
   EXPECT_TRUE(world.encounters()[0].collided);
   EXPECT_TRUE(world.encounters()[1].collided);
+}
+
+// The slow, obvious version looks at all pairs.
+TEST(World, TheSeparationIsThatOfTheNearestRobot) {
+  test::Random random(4);
+  for (int trial = 0; trial < 40; ++trial) {
+    Scenario scenario = open_floor();
+    scenario.settings.robot.radius = random.uniform(0.1, 0.4);
+    scenario.robots.clear();
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector2d place(random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0));
+      scenario.robots.push_back({.name = std::to_string(i), .start = {place, 0.0}, .goal = {}});
+    }
+    const World world(scenario);
+    for (std::size_t i = 0; i < 8; ++i) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t j = 0; j < 8; ++j) {
+        const double between =
+            (scenario.robots[i].start.position - scenario.robots[j].start.position).norm();
+        const double radius = scenario.settings.robot.radius;
+        if (i != j) nearest = std::min(nearest, std::max(0.0, between - radius) - radius);
+      }
+      ASSERT_NEAR(world.encounters()[i].min_separation, nearest, 1e-12);
+    }
+  }
 }
 
 TEST(World, PutsARobotOnlyWhereItTouchesNothing) {
