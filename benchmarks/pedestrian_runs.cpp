@@ -163,12 +163,13 @@ struct Tally {
     };
     const Quantiles cycle = quantiles(cycles);
     std::printf(
-        "prediction %-3s: %d runs, arrived %d, ran into a person %d (%d who had just appeared), run over "
+        "prediction %-3s: %d runs, arrived %d, ran into a person %d (%d who had just appeared), "
+        "run over "
         "%d, too late %d, "
         "least separation without contact %.3f m, time x %.2f median, x %.2f at 90 %%, x %.2f "
         "worst, cycle %.0f/%.0f us\n",
-        name, runs, arrived, ran_into, appeared, run_over, not_there, separation, at(0.5), at(0.9), at(1.0),
-        1e6 * cycle.median, 1e6 * cycle.p99);
+        name, runs, arrived, ran_into, appeared, run_over, not_there, separation, at(0.5), at(0.9),
+        at(1.0), 1e6 * cycle.median, 1e6 * cycle.p99);
   }
 };
 

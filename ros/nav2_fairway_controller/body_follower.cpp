@@ -40,7 +40,8 @@ std::vector<PathPose> poses_of(const PathTask& task) {
   std::vector<PathPose> poses;
   for (std::size_t i = 0; i < task.path.waypoints.size(); ++i) {
     PathPose pose{.position = task.path.waypoints[i], .heading = {}};
-    if (i < task.headings.size() && std::isfinite(task.headings[i])) pose.heading = task.headings[i];
+    if (i < task.headings.size() && std::isfinite(task.headings[i]))
+      pose.heading = task.headings[i];
     poses.push_back(pose);
   }
   if (!poses.empty() && task.goal_heading) poses.back().heading = task.goal_heading;
@@ -161,8 +162,8 @@ void BodyFollower::update_speed(const FollowerInput& input) {
   double speed = now.settings.robot.linear_max;
   if (input.goal && !poses_.empty()) {
     const Eigen::Vector2d goal = transform(frame_, poses_.back().position);
-    const auto slow = approach_speed(now.settings, *input.goal,
-                                     (goal - input.pose.position).norm(), input.twist.linear);
+    const auto slow = approach_speed(now.settings, *input.goal, (goal - input.pose.position).norm(),
+                                     input.twist.linear);
     const auto place = navigator_->place_on_path();
     constexpr double kNear = 3.0;  // on the path [m]
     if (slow && place && place->remaining < kNear) speed = std::min(speed, *slow);
@@ -224,10 +225,9 @@ FollowerStep BodyFollower::update(const FollowerInput& input) {
         shows ? std::clamp(std::atan(base.wheelbase * input.twist.angular / input.twist.linear),
                            -base.steering_max, base.steering_max)
               : sent_steering_;
-    navigator_->reset({.linear = input.twist.linear,
-                       .lateral = input.lateral,
-                       .angular = input.twist.angular},
-                      steering);
+    navigator_->reset(
+        {.linear = input.twist.linear, .lateral = input.lateral, .angular = input.twist.angular},
+        steering);
     starts_ = false;
   }
   const bool has_frame = update_frame(input);
@@ -241,14 +241,13 @@ FollowerStep BodyFollower::update(const FollowerInput& input) {
     follows_ = false;
   }
   const bridge::SeenObstacles moving = input.moving.collect(input.time);
-  const NavigationStep driven =
-      navigator_->update({.time = input.time,
-                          .pose = input.pose,
-                          .pose_time = input.pose_time,
-                          .obstacles = moving.obstacles,
-                          .obstacles_time = moving.time,
-                          .obstacles_due = input.moving.has_detectors(),
-                          .map_time = input.obstacles_time});
+  const NavigationStep driven = navigator_->update({.time = input.time,
+                                                    .pose = input.pose,
+                                                    .pose_time = input.pose_time,
+                                                    .obstacles = moving.obstacles,
+                                                    .obstacles_time = moving.time,
+                                                    .obstacles_due = input.moving.has_detectors(),
+                                                    .map_time = input.obstacles_time});
   sent_steering_ = driven.steering;
   FollowerStep step = judged(driven, input);
   if (!poses_.empty() && !has_frame && rests(step)) {

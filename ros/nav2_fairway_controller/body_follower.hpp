@@ -10,12 +10,12 @@
 
 namespace fairway::nav2 {
 
-/// The counterpart of PathFollower for a robot with its true outline on any base: the part of Nav2's
-/// controller that does not depend on Nav2.
+/// The counterpart of PathFollower for a robot with its true outline on any base: the part of
+/// Nav2's controller that does not depend on Nav2.
 ///
-/// The path stays in its own frame; where that moves in the costmap's frame, the rest of the path is
-/// followed again. A speed limit is a zone everywhere. As in PathFollower, the functions `set_...`,
-/// `cancel` and `reset` may be called from any thread, except `set_body`.
+/// The path stays in its own frame; where that moves in the costmap's frame, the rest of the path
+/// is followed again. A speed limit is a zone everywhere. As in PathFollower, the functions
+/// `set_...`, `cancel` and `reset` may be called from any thread, except `set_body`.
 class BodyFollower {
  public:
   /// @pre the settings are valid, and their model is not Disc.
@@ -71,6 +71,7 @@ class BodyFollower {
 };
 
 /// Whether a path has the same poses.
-[[nodiscard]] bool same_path(const std::vector<PathPose>& a, const std::vector<PathPose>& b) noexcept;
+[[nodiscard]] bool same_path(const std::vector<PathPose>& a,
+                             const std::vector<PathPose>& b) noexcept;
 
 }  // namespace fairway::nav2

@@ -131,9 +131,8 @@ void FairwayController::take_path(const nav_msgs::msg::Path& message) {
   const double heading = bridge::heading_of(message.poses.back().pose.orientation);
   const auto goal_heading = std::isfinite(heading) ? std::optional(heading) : std::nullopt;
   if (body_follower_) {
-    body_follower_->set_path({.path = std::move(path),
-                              .goal_heading = goal_heading,
-                              .headings = headings_of(message)});
+    body_follower_->set_path(
+        {.path = std::move(path), .goal_heading = goal_heading, .headings = headings_of(message)});
   } else {
     follower_->set_path(std::move(path), goal_heading);
   }
@@ -143,8 +142,9 @@ void FairwayController::take_path(const nav_msgs::msg::Path& message) {
 void FairwayController::take_body_changes() {
   std::optional<FollowerSettings> changed = parameters_->take_change();
   if (changed && changed->motion.model == MotionModel::Disc) {
-    RCLCPP_ERROR_THROTTLE(node_->get_logger(), *node_->get_clock(), 1000, "%s",
-                          "motion.model: disc takes effect when the controller is configured again");
+    RCLCPP_ERROR_THROTTLE(
+        node_->get_logger(), *node_->get_clock(), 1000, "%s",
+        "motion.model: disc takes effect when the controller is configured again");
     changed->motion.model = body_follower_->settings().motion.model;
   }
   if (const auto body = body_of(costmap_->getRobotFootprint())) {
@@ -224,8 +224,7 @@ void FairwayController::show(const FollowerStep& step) {
     header.stamp = node_->now();
     header.frame_id = costmap_->getGlobalFrameID();
     const Plan& plan = body_follower_ ? body_follower_->plan() : follower_->plan();
-    display_->show(step, plan, header, costmap_->getBaseFrameID(),
-                   node_->now().seconds());
+    display_->show(step, plan, header, costmap_->getBaseFrameID(), node_->now().seconds());
   } catch (const std::exception& error) {
     RCLCPP_WARN_THROTTLE(node_->get_logger(), *node_->get_clock(), 5000, "%s", error.what());
   }
@@ -244,8 +243,7 @@ geometry_msgs::msg::TwistStamped FairwayController::compute(
   } catch (const std::bad_alloc& error) {
     throw NoValidControl(error.what());
   }
-  standing_ =
-      step.command.linear == 0.0 && step.command.angular == 0.0 && step.lateral == 0.0;
+  standing_ = step.command.linear == 0.0 && step.command.angular == 0.0 && step.lateral == 0.0;
   show(step);
   if (!step.reason.empty() && !cancelling_) {
     RCLCPP_WARN_THROTTLE(node_->get_logger(), *node_->get_clock(), 1000, "%s", step.reason.c_str());

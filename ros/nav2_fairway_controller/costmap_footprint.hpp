@@ -133,9 +133,9 @@ template <typename Points>
   return true;
 }
 
-/// The body that a costmap's footprint is: the convex hull of its points with x and y in the robot's
-/// frame [m], or the rectangle around a hull of more corners than a body can have. None if they are
-/// no body: fewer than 3, on a line, not finite or too far away.
+/// The body that a costmap's footprint is: the convex hull of its points with x and y in the
+/// robot's frame [m], or the rectangle around a hull of more corners than a body can have. None if
+/// they are no body: fewer than 3, on a line, not finite or too far away.
 template <typename Points>
 [[nodiscard]] std::optional<BodyShape> body_of(const Points& footprint) {
   std::vector<Eigen::Vector2d> points;

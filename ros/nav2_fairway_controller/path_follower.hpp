@@ -18,7 +18,7 @@ struct FollowerInput {
   double time = 0.0;
   Pose2 pose;
   double pose_time = 0.0;
-  Twist2 twist;  ///< actual twist of the robot
+  Twist2 twist;          ///< actual twist of the robot
   double lateral = 0.0;  ///< actual speed to the left [m/s]
   const BitGrid& obstacles;
   double obstacles_time = 0.0;  ///< time of the costmap's last update

@@ -4,8 +4,8 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "bridge/message_conversions.hpp"
-#include "fairway/navigation/body/body_navigator.hpp"
 #include "bridge/sensing/pose_history.hpp"
+#include "fairway/navigation/body/body_navigator.hpp"
 #include "nav2_fairway_controller/costmap_conversion.hpp"
 #include "nav2_fairway_controller/costmap_footprint.hpp"
 
@@ -74,8 +74,8 @@ std::vector<Pose2> FairwayPlanner::plan_for_body(
   if (!body) throw NoValidPath("the costmap's footprint is no body");
   Settings own = settings.robot;
   own.planning.background = false;
-  BodyNavigator navigator(
-      own, {.body = *body, .base = base_of(settings.motion, settings.robot.robot)});
+  BodyNavigator navigator(own,
+                          {.body = *body, .base = base_of(settings.motion, settings.robot.robot)});
   navigator.set_map(obstacles);
   std::vector<Pose2> whole;
   for (const geometry_msgs::msg::PoseStamped& stop : stops) {

@@ -28,8 +28,7 @@ RobotModel long_robot(BaseKind kind) {
 }
 
 OccupancyGrid hall() {
-  return OccupancyGrid(
-      GridFrame{.width = 400, .height = 160, .resolution = 0.05, .origin = {}});
+  return OccupancyGrid(GridFrame{.width = 400, .height = 160, .resolution = 0.05, .origin = {}});
 }
 
 // Boxes of up to 1 m in a hall of 20 m x 8 m.
@@ -76,7 +75,8 @@ class GoalRun {
     EXPECT_LE(std::abs(twist.angular - before.angular),
               base.angular_acceleration * period + kRounding);
     if (is_steered(base)) {
-      EXPECT_LE(std::abs(input.turn - robot_.sent.turn), base.steering_rate_max * period + kRounding);
+      EXPECT_LE(std::abs(input.turn - robot_.sent.turn),
+                base.steering_rate_max * period + kRounding);
       EXPECT_LE(std::abs(input.turn), base.steering_max + kRounding);
     }
     robot_.sent = input;

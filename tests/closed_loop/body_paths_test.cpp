@@ -205,8 +205,7 @@ TEST(BodyPaths, LanesAreAllDriven) {
   double most = 0.0;
   while (run.time_ < 120.0 && run.cycle().status != NavigationStatus::GoalReached) {
     for (std::size_t i = 0; i < missed.size(); ++i)
-      missed[i] =
-          std::min(missed[i], (path.poses[i].position - run.robot_.pose.position).norm());
+      missed[i] = std::min(missed[i], (path.poses[i].position - run.robot_.pose.position).norm());
     most = std::max(most, run.navigator_.place_on_path()->deviation);
   }
   EXPECT_LT(run.time_, 119.0) << run.navigator_.explanation();

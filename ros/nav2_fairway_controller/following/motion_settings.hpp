@@ -47,9 +47,8 @@ void visit_motion(Settings& s, Visitor&& field) {
         SettingInfo{"steering_max", "rad", "greatest steering angle, of the same", 0.01, 1.5});
   field(s.steering_rate_max,
         SettingInfo{"steering_rate_max", "rad/s", "its greatest rate, of the same", 0.01, 20});
-  field(s.lateral_max,
-        SettingInfo{"lateral_max", "m/s", "greatest speed to the sides, of omnidirectional", 0.01,
-                    10});
+  field(s.lateral_max, SettingInfo{"lateral_max", "m/s",
+                                   "greatest speed to the sides, of omnidirectional", 0.01, 10});
   field(s.lateral_acceleration,
         SettingInfo{"lateral_acceleration", "m/s^2", "greatest change of that speed", 0.01, 1000});
 }
@@ -57,7 +56,9 @@ void visit_motion(Settings& s, Visitor&& field) {
 /// The base that both groups describe. @pre the model is not Disc.
 [[nodiscard]] inline BaseModel base_of(const MotionSettings& motion,
                                        const RobotSettings& robot) noexcept {
-  const auto slower = [](double gain, double loss) { return loss > 0.0 ? std::min(gain, loss) : gain; };
+  const auto slower = [](double gain, double loss) {
+    return loss > 0.0 ? std::min(gain, loss) : gain;
+  };
   constexpr std::array<BaseKind, 5> kKinds{BaseKind::Unicycle, BaseKind::Unicycle, BaseKind::Car,
                                            BaseKind::Tricycle, BaseKind::Omni};
   BaseModel base;

@@ -11,9 +11,8 @@ DriveBand::Nearest DriveBand::nearest(const Eigen::Vector2d& position,
                                       double to) const noexcept {
   const auto after = std::upper_bound(arcs.begin(), arcs.end(), from);
   std::size_t i = after == arcs.begin() ? 0 : static_cast<std::size_t>(after - arcs.begin()) - 1;
-  Nearest best{.point = points[i],
-               .arc = arcs[i],
-               .distance = std::numeric_limits<double>::infinity()};
+  Nearest best{
+      .point = points[i], .arc = arcs[i], .distance = std::numeric_limits<double>::infinity()};
   const auto take = [&](const Eigen::Vector2d& point, double arc) {
     const double distance = (point - position).norm();
     if (distance < best.distance) best = {.point = point, .arc = arc, .distance = distance};
@@ -25,8 +24,7 @@ DriveBand::Nearest DriveBand::nearest(const Eigen::Vector2d& position,
     if (length <= 0.0) continue;
     const double low = std::clamp((from - arcs[i]) / length, 0.0, 1.0);
     const double high = std::clamp((to - arcs[i]) / length, low, 1.0);
-    const double share =
-        std::clamp(line.dot(position - points[i]) / line.squaredNorm(), low, high);
+    const double share = std::clamp(line.dot(position - points[i]) / line.squaredNorm(), low, high);
     take(points[i] + share * line, arcs[i] + share * length);
   }
   return best;

@@ -77,9 +77,8 @@ void make_rows(const BodyClearance& clearance,
   if (moves && !is_free(clearance, sampled(base, lead, period), period, plan.clearance))
     plan.clearance = 0.0;
   plan.trajectory = lead;
-  append(
-      stopping_trajectory(planned, plan.path.path, settings.knot_step, lead.inputs.back().turn),
-      plan.trajectory);
+  append(stopping_trajectory(planned, plan.path.path, settings.knot_step, lead.inputs.back().turn),
+         plan.trajectory);
   plan.rows = sampled(base, plan.trajectory, period);
   if (settings.iterations <= 0 || plan.trajectory.steps.empty()) return;
   // The rows that are driven decide, exactly: within the limits, free, and at the goal.
@@ -98,10 +97,11 @@ void make_rows(const BodyClearance& clearance,
                       std::abs(shortest_turn(verdict.end.heading, goal.heading)) < kAtGoal;
     constexpr double kMostStretch = 1.2;
     constexpr double kBandReserve = 2e-3;  // [m]
-    verdict.accepted =
-        verdict.at_goal && load <= kMostStretch && greatest_load(base, rows, period, begin) <= 1.0 &&
-        rows.size() <= plan.rows.size() && is_free(clearance, rows, period, plan.clearance) &&
-        (band == nullptr || is_within(*band, arc, rows, kBandReserve));
+    verdict.accepted = verdict.at_goal && load <= kMostStretch &&
+                       greatest_load(base, rows, period, begin) <= 1.0 &&
+                       rows.size() <= plan.rows.size() &&
+                       is_free(clearance, rows, period, plan.clearance) &&
+                       (band == nullptr || is_within(*band, arc, rows, kBandReserve));
     if (verdict.accepted) {
       plan.trajectory = std::move(driven);
       plan.rows = std::move(rows);

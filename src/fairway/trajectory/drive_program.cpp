@@ -108,10 +108,9 @@ double look_at_band(
   const double left = problem.band->half_width - nearest.distance;
   if (left > reach || nearest.distance <= 0.0) return nearest.arc;
   const std::size_t place = std::min(sample.count, sample.contacts.size() - 1);
-  sample.contacts[place] = {
-      .distance = left + problem.margin,
-      .point = sample.pose.position,
-      .normal = (nearest.point - sample.pose.position) / nearest.distance};
+  sample.contacts[place] = {.distance = left + problem.margin,
+                            .point = sample.pose.position,
+                            .normal = (nearest.point - sample.pose.position) / nearest.distance};
   sample.count = place + 1;
   return nearest.arc;
 }

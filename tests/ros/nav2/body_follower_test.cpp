@@ -203,7 +203,8 @@ TEST(BodyFollower, TakesOverAnotherBodyWhileItDrives) {
 }
 
 TEST(BodyFollower, FootprintsOfCostmapsAreBodies) {
-  const auto rectangle = body_of(std::vector<Corner>{{0.7, 0.25}, {0.7, -0.25}, {-0.3, -0.25}, {-0.3, 0.25}});
+  const auto rectangle =
+      body_of(std::vector<Corner>{{0.7, 0.25}, {0.7, -0.25}, {-0.3, -0.25}, {-0.3, 0.25}});
   ASSERT_TRUE(rectangle);
   EXPECT_NEAR(rectangle->low().x(), -0.3, 1e-9);
   EXPECT_NEAR(rectangle->high().x(), 0.7, 1e-9);

@@ -86,7 +86,8 @@ TEST(MotionModelPlugins, ThePlannerMakesTrueHeadings) {
     const Eigen::Vector2d way = b.position - a.position;
     EXPECT_LE(way.norm(), 0.06);
     if (way.norm() < 0.02) continue;
-    const double along = way.normalized().dot(Eigen::Vector2d(std::cos(a.heading), std::sin(a.heading)));
+    const double along =
+        way.normalized().dot(Eigen::Vector2d(std::cos(a.heading), std::sin(a.heading)));
     EXPECT_GT(std::abs(along), 0.9) << "no sideways motion";
     (along > 0.0 ? forwards : backwards) = true;
   }
@@ -94,8 +95,8 @@ TEST(MotionModelPlugins, ThePlannerMakesTrueHeadings) {
   const Pose2 end = bridge::to_pose(path.poses.back().pose);
   EXPECT_NEAR(end.position.y(), 3.8, 0.01);
   EXPECT_NEAR(end.heading, 0.0, 0.01);
-  EXPECT_THROW(static_cast<void>(planner.createPlan(pose(3, 3, 0.0), pose(0.1, 3.0, 0.0),
-                                                    [] { return false; })),
+  EXPECT_THROW(static_cast<void>(
+                   planner.createPlan(pose(3, 3, 0.0), pose(0.1, 3.0, 0.0), [] { return false; })),
                nav2_core::PlannerException);
 }
 

@@ -8,9 +8,9 @@
 
 #include "fairway/geometry/robot_model.hpp"
 #include "fairway/map/occupancy_grid.hpp"
-#include "fairway/navigation/body/guide/pose_path.hpp"
 #include "fairway/navigation/navigation_step.hpp"
 #include "fairway/navigation/settings.hpp"
+#include "fairway/path/path.hpp"
 #include "fairway/perception/lidar_scan.hpp"
 #include "fairway/planning/plan.hpp"
 #include "fairway/zones/zones.hpp"
@@ -29,9 +29,9 @@ struct PreparedMap;
 ///
 /// The navigator plans a drive that is proven free for the true body, and follows it. Before every
 /// command it proves that the base can stop on its drive without contact. Moving obstacles make the
-/// robot slower; if one stays in its path, it plans another drive around that. A drive to a new goal,
-/// or one for another map, continues from the present motion. Where there is none that can, the
-/// robot stops first.
+/// robot slower; if one stays in its path, it plans another drive around that. A drive to a new
+/// goal, or one for another map, continues from the present motion. Where there is none that can,
+/// the robot stops first.
 ///
 /// Limits and outline come from the robot model; of Settings, the groups navigation, safety,
 /// prediction, planning and map apply. If `planning.background` is false the cycle that needs a

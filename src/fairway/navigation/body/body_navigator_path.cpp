@@ -59,8 +59,8 @@ std::vector<Pose2> BodyNavigator::planned_poses(double apart) const {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool last = i + 1 == rows.size();
     if (poses.empty() || last || away(poses.back(), rows[i + 1].pose))
-      poses.push_back({.position = rows[i].pose.position,
-                       .heading = wrap_to_pi(rows[i].pose.heading)});
+      poses.push_back(
+          {.position = rows[i].pose.position, .heading = wrap_to_pi(rows[i].pose.heading)});
   }
   return poses;
 }

@@ -80,7 +80,7 @@ struct BodyNavigator::State {
   bool goal_is_new_ = false;
   bool reached_ = false;
   bool tried_moving_ = false;  // no drive that begins in motion was found since the last one
-  int failures_ = 0;  // plans that failed, one after the other
+  int failures_ = 0;           // plans that failed, one after the other
   int goal_number_ = 0;
   int asked_number_ = 0;
   double plan_time_ = -std::numeric_limits<double>::infinity();

@@ -56,8 +56,7 @@ BodyPlan plan_on(const PreparedMap& map,
   const BaseModel planned = with_reserve(robot.base, settings.limit_share, settings.speed_share);
   const Trajectory lead = internal::lead_of(request);
   const std::vector<Pose2> poses = knot_poses(robot.base, lead);
-  const double bound =
-      request.along.bound ? inner_bound(*request.along.bound, guide) : kLooseBound;
+  const double bound = request.along.bound ? inner_bound(*request.along.bound, guide) : kLooseBound;
   const DriveBand::Nearest begin = along(guide.band(), request.along.arc, {poses.front()});
   const DriveBand::Nearest stop = along(guide.band(), begin.arc, poses);
   const GuidePath found = find_guide_path(clearance, planned,

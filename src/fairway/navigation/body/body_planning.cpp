@@ -215,10 +215,9 @@ void BodyPlanning::make(const PreparedMap& map) {
   }
   DriveSettings settings = drive_settings_for(robot_.body);
   settings.path.margin += request_.more_margin;
-  made_ = request_.evades ? plan_body_evasion(map, robot_, request_, row_period_)
-          : request_.along.guide
-              ? plan_body_guide(map, robot_, request_, row_period_, settings)
-              : plan_body_drive(map, robot_, request_, row_period_, settings);
+  made_ = request_.evades        ? plan_body_evasion(map, robot_, request_, row_period_)
+          : request_.along.guide ? plan_body_guide(map, robot_, request_, row_period_, settings)
+                                 : plan_body_drive(map, robot_, request_, row_period_, settings);
   seconds_ = clock_ ? clock_() - begin : 0.0;
 }
 

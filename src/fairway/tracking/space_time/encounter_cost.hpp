@@ -151,10 +151,10 @@ class EncounterCost {
   static constexpr double kSpread = 1.5;    // standard deviations
 
   Settings settings_;
-  std::array<double, Forecast::kMaxObstacles> bodies_{};  // distance at the safety distance [m]
+  std::array<double, Forecast::kMaxObstacles> bodies_{};      // distance at the safety distance [m]
   std::array<double, Forecast::kMaxObstacles> turn_reach_{};  // of the gap, for turns [m]
-  std::array<double, Forecast::kMaxObstacles> reach_{};   // beyond which nothing is counted [m]
-  std::array<double, Forecast::kMaxObstacles> step_{};    // of the obstacle between samples [m]
+  std::array<double, Forecast::kMaxObstacles> reach_{};       // beyond which nothing is counted [m]
+  std::array<double, Forecast::kMaxObstacles> step_{};        // of the obstacle between samples [m]
   /// Of contact, per metre of overlap, by sample and obstacle.
   std::array<std::array<double, Forecast::kMaxObstacles>, Forecast::kMaxSamples> weight_{};
 };

@@ -48,9 +48,8 @@ DriveLead DriveFollower::lead(const Pose2& pose, double ahead, double step) cons
   if (is_at_rest(base_, begin)) return lead;
   constexpr double kKnots = 0.1;  // [s]
   const DriveReference gentle =
-      reference_.rows().empty()
-          ? DriveReference()
-          : DriveReference(planned, reference_.rows(), reference_.period());
+      reference_.rows().empty() ? DriveReference()
+                                : DriveReference(planned, reference_.rows(), reference_.period());
   BodyStop stop;
   make_stop(planned, gentle, progress, begin, kKnots, stop);
   for (int k = 0; k < stop.count; ++k) {

@@ -32,8 +32,9 @@ Line resampled(const std::vector<PathPose>& poses) {
     const Vector2d way = poses[i + 1].position - poses[i].position;
     const double length = way.norm();
     const double first = poses[i].heading.value_or(0.0);
-    const double turn =
-        poses[i].heading && poses[i + 1].heading ? shortest_turn(first, *poses[i + 1].heading) : 0.0;
+    const double turn = poses[i].heading && poses[i + 1].heading
+                            ? shortest_turn(first, *poses[i + 1].heading)
+                            : 0.0;
     for (; rest < length; rest += kSpacing) {
       line.points.emplace_back(poses[i].position + rest / length * way);
       line.headings.push_back(first + rest / length * turn);
@@ -71,8 +72,8 @@ std::vector<double> directions(const std::vector<Vector2d>& points) {
   constexpr std::size_t kReach = 3;
   std::vector<double> angles;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector2d way = points[std::min(i + kReach, points.size() - 1)] -
-                         points[i > kReach ? i - kReach : 0];
+    const Vector2d way =
+        points[std::min(i + kReach, points.size() - 1)] - points[i > kReach ? i - kReach : 0];
     angles.push_back(std::atan2(way.y(), way.x()));
   }
   return angles;
@@ -98,13 +99,13 @@ std::string fault_of(const PosePath& path) {
     const PathPose& pose = path.poses[i];
     const std::string place = joined_text({"path: pose ", std::to_string(i), ": expected "});
     if (!pose.position.allFinite() || pose.position.cwiseAbs().maxCoeff() > kFurthest)
-      return joined_text(
-          {place, "a position within 1000 km, found ", place_text(pose.position)});
-    if (pose.heading && !std::isfinite(*pose.heading)) return joined_text({place, "a finite heading"});
+      return joined_text({place, "a position within 1000 km, found ", place_text(pose.position)});
+    if (pose.heading && !std::isfinite(*pose.heading))
+      return joined_text({place, "a finite heading"});
   }
   if (path.max_deviation && !(*path.max_deviation > 0.0))
-    return joined_text({"path: max_deviation: expected more than 0 m, found ",
-                        length_text(*path.max_deviation)});
+    return joined_text(
+        {"path: max_deviation: expected more than 0 m, found ", length_text(*path.max_deviation)});
   return {};
 }
 
@@ -124,9 +125,8 @@ Expected<Guide> Guide::make(const PosePath& path, const BaseModel& base) {
   }
   const bool omni = base.kind == BaseKind::Omni;
   const bool follows_headings =
-      omni && std::all_of(poses.begin(), poses.end(), [](const PathPose& pose) {
-        return pose.heading.has_value();
-      });
+      omni && std::all_of(poses.begin(), poses.end(),
+                          [](const PathPose& pose) { return pose.heading.has_value(); });
   const std::optional<double> last = poses.back().heading;
   double arc = 0.0;
   for (const internal::PathPiece& piece : internal::cut_path(std::move(poses), base)) {
@@ -155,8 +155,8 @@ Expected<Guide> Guide::make(const PosePath& path, const BaseModel& base) {
   }
   if (last) guide.headings_.back() = *last;
   for (std::size_t i = 1; i < guide.headings_.size(); ++i)
-    guide.headings_[i] = guide.headings_[i - 1] +
-                         shortest_turn(guide.headings_[i - 1], guide.headings_[i]);
+    guide.headings_[i] =
+        guide.headings_[i - 1] + shortest_turn(guide.headings_[i - 1], guide.headings_[i]);
   return guide;
 }
 

@@ -3,7 +3,7 @@
 
 #include "fairway/base/error.hpp"
 #include "fairway/geometry/robot_model.hpp"
-#include "fairway/navigation/body/guide/pose_path.hpp"
+#include "fairway/path/path.hpp"
 #include "fairway/trajectory/drive_band.hpp"
 
 namespace fairway {

@@ -54,8 +54,8 @@ class GuideSearch {
     constexpr double kNothing = 0.02;  // [m]
     const double length = guide_.length();
     if (end <= arc_ + kNothing && end < length) {
-      path_.why = joined_text({"the body does not fit on the path from ",
-                               place_text(guide_.at(arc_).position), " on"});
+      path_.why = joined_text(
+          {"the body does not fit on the path from ", place_text(guide_.at(arc_).position), " on"});
       return std::move(path_);
     }
     constexpr double kReached = 1e-6;
@@ -63,8 +63,9 @@ class GuideSearch {
     while (first || arc_ < end - kReached) {
       first = false;
       if (!advance(end)) {
-        path_.why = joined_text({"the base cannot follow the path from ", place_text(pose_.position),
-                                 " on", task_.may_leave ? "" : " within max_deviation"});
+        path_.why =
+            joined_text({"the base cannot follow the path from ", place_text(pose_.position), " on",
+                         task_.may_leave ? "" : " within max_deviation"});
         break;
       }
     }
@@ -85,15 +86,17 @@ class GuideSearch {
     constexpr double kLess = 0.4;
     constexpr double kLeast = 0.1;
     const double margin = settings_.margin;
-    return connect(end, margin) || (task_.may_leave && search(end)) || connect(end, kLess * margin) ||
-           connect(end, kLeast * margin) || (!task_.may_leave && search(end));
+    return connect(end, margin) || (task_.may_leave && search(end)) ||
+           connect(end, kLess * margin) || connect(end, kLeast * margin) ||
+           (!task_.may_leave && search(end));
   }
 
   [[nodiscard]] double offset(const Pose2& pose, double from, double to) const noexcept {
     return guide_.band().nearest(pose.position, from, to).distance;
   }
 
-  // The furthest place at which the body fits, not beyond a stop, which the optimisation would move.
+  // The furthest place at which the body fits, not beyond a stop, which the optimisation would
+  // move.
   [[nodiscard]] double last_place() const noexcept {
     constexpr double kStep = 0.1;  // [m]
     constexpr double kNear = 0.7;  // [m]
@@ -107,7 +110,7 @@ class GuideSearch {
 
   // How far a path from here may be from the guide.
   [[nodiscard]] double allowed() const noexcept {
-    constexpr double kShare = 0.7;      // of the bound; the rest is for the optimisation
+    constexpr double kShare = 0.7;       // of the bound; the rest is for the optimisation
     constexpr double kReturning = 1.02;  // of the present offset
     const double now = offset(pose_, arc_ - 0.2, arc_ + 0.2);
     return std::max(kShare * task_.bound, now > kShare * task_.bound ? kReturning * now : 0.0);

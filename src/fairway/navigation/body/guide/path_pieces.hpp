@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fairway/geometry/robot_model.hpp"
-#include "fairway/navigation/body/guide/pose_path.hpp"
+#include "fairway/path/path.hpp"
 
 namespace fairway::internal {
 
