@@ -113,7 +113,7 @@ CellWindow DistanceField::changed_part(const BitGrid& obstacles, const CellWindo
     part.last.y = y;
   }
   const auto changed = [](std::uint16_t lane) { return lane != 0; };
-  const auto first = std::ranges::find_if(window_steps_, changed);
+  const auto first = std::find_if(window_steps_.begin(), window_steps_.end(), changed);
   if (first == window_steps_.end()) return part;
   const auto last = std::find_if(window_steps_.rbegin(), window_steps_.rend(), changed);
   part.first.x =
