@@ -137,17 +137,17 @@ void surface_of_scan(std::span<const Vector2d> ends,
 }
 
 void add_surface_of_map(const BitGrid& map, SurfacePoints& points) {
-  constexpr int kReach = 3;  // [cells]; the sides within it give the normal
+  constexpr int kAround = 3;  // [cells]; the sides within it give the normal
   const GridFrame& frame = map.frame();
   // Mean direction to the free cells around a side: a straight staircase then has one normal.
   const auto normal_at = [&](const Vector2d& middle) {
     Vector2d sum = Vector2d::Zero();
     const int x0 = static_cast<int>(std::floor(middle.x()));
     const int y0 = static_cast<int>(std::floor(middle.y()));
-    for (int y = y0 - kReach; y <= y0 + kReach; ++y) {
-      for (int x = x0 - kReach; x <= x0 + kReach; ++x) {
+    for (int y = y0 - kAround; y <= y0 + kAround; ++y) {
+      for (int x = x0 - kAround; x <= x0 + kAround; ++x) {
         const Vector2d away = Vector2d(x + 0.5, y + 0.5) - middle;
-        if (away.squaredNorm() > kReach * kReach) continue;
+        if (away.squaredNorm() > kAround * kAround) continue;
         sum += map.blocked({.x = x, .y = y}) ? Vector2d(-away) : away;
       }
     }
