@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fairway/io/maps/map_file.hpp"
+#include "fairway/io/maps/map_image.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(data, data + size);
