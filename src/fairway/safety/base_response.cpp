@@ -9,7 +9,7 @@ void advance(BaseResponse& response,
              double from,
              double to) noexcept {
   constexpr double kPiece = 0.025;  // [s]
-  constexpr double kMemory = 5.0;  // [s]; later it has answered to all that was sent
+  constexpr double kMemory = 5.0;   // [s]; later it has answered to all that was sent
   const double start = std::max(from, to - kMemory);
   const double duration = to - start;
   const auto sent = [&](double time) { return history.sent(time); };
