@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/base/simd_math.hpp"
+#include "fairway/mpc/interior_point/barrier_iteration.hpp"
 #include "fairway/mpc/interior_point/initial_point.hpp"
 #include "fairway/mpc/interior_point/kernels.hpp"
 #include "fairway/mpc/interior_point/report.hpp"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/mpc/interior_point/barrier_iteration.hpp"
+
 namespace fairway::interior_point {
 namespace {
 
@@ -47,22 +49,6 @@ ConstraintName limiting_constraint(const Workspace& w) noexcept {
   return name;
 }
 
-struct Violations {
-  double sum = 0.0;
-  double greatest = 0.0;
-};
-
-Violations violations_of(const Workspace& w, const Point& point) noexcept {
-  Lanes128 sum = 0.0;
-  Lanes128 worst = 0.0;
-  for (std::size_t i = 0; i < w.num_soft_constraints; ++i) {
-    const Lanes128 violation = greatest(-Lanes128(point.constraints[i].value), Lanes128(0.0));
-    sum += violation;
-    worst = greatest(worst, violation);
-  }
-  return {.sum = sum_of(sum), .greatest = greatest_of(worst)};
-}
-
 // The difference of a non-finite number from itself is NaN. The start position is added later and
 // is far smaller.
 bool all_finite(const Workspace& w, const Point& p) noexcept {
@@ -76,14 +62,6 @@ bool all_finite(const Workspace& w, const Point& p) noexcept {
 }
 
 }  // namespace
-
-double greatest_violation(const Workspace& w, const Point& point) noexcept {
-  return violations_of(w, point).greatest;
-}
-
-double penalised_cost(const Workspace& w, const Point& point) noexcept {
-  return point.cost + w.problem->violation_weight * violations_of(w, point).sum;
-}
 
 void clip_commands(const Workspace& w, Point& point) noexcept {
   for (std::size_t j = 0; j < 2; ++j)

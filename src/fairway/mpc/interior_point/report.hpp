@@ -5,13 +5,6 @@
 
 namespace fairway::interior_point {
 
-/// Returns the cost plus the penalty of all violations at `point`, Eq. (S2); the slacks do not
-/// matter.
-[[nodiscard]] double penalised_cost(const Workspace& w, const Point& point) noexcept;
-
-/// Returns the greatest violation of one soft constraint; the slacks do not matter.
-[[nodiscard]] double greatest_violation(const Workspace& w, const Point& point) noexcept;
-
 /// Moves the commands of `point` onto the bounds exactly; before, they satisfy them up to rounding.
 void clip_commands(const Workspace& w, Point& point) noexcept;
 

@@ -5,34 +5,13 @@
 
 #include "fairway/geometry/angle.hpp"
 #include "fairway/mpc/interior_point/constraints/constraint_setup.hpp"
+#include "fairway/mpc/interior_point/setup_blocks.hpp"
 
 namespace fairway::interior_point {
 namespace {
 
-// Bounds of constraints that are not needed: so far away that they have no weight.
-constexpr double kFar = 1e8;
-
-// Sets the entries from `first` on to zero, as far as the blocks of lanes read.
-template <std::size_t n>
-void clear_beyond(std::size_t first, const Workspace& w, std::array<double, n>& array) noexcept {
-  for (std::size_t k = first; k < std::min(n, kLanes * w.num_blocks + 2); ++k)
-    array[k] = 0.0;
-}
-
 void load_targets(const ControlProblem& problem, Workspace& w) noexcept {
-  const Eigen::Vector2d origin = problem.start.position;
-  for (std::size_t k = 0; k < w.horizon; ++k) {
-    const StepTarget& target = problem.targets[k + 1];
-    w.target_x[k] = target.position.x() - origin.x();
-    w.target_y[k] = target.position.y() - origin.y();
-    w.target_heading[k] = target.heading - w.full_turns;
-    w.weight_x[k] = target.weight.x();
-    w.weight_y[k] = target.weight.y();
-    w.weight_heading[k] = target.weight.z();
-  }
-  for (StepArray* array :
-       {&w.target_x, &w.target_y, &w.target_heading, &w.weight_x, &w.weight_y, &w.weight_heading})
-    clear_beyond(w.horizon, w, *array);
+  load_pose_targets(problem, w);
   for (std::size_t j = 0; j < 2; ++j) {
     const auto coordinate = static_cast<Eigen::Index>(j);
     const auto n = static_cast<std::ptrdiff_t>(w.horizon);
@@ -42,11 +21,6 @@ void load_targets(const ControlProblem& problem, Workspace& w) noexcept {
     clear_beyond(w.horizon, w, w.command_weight[j]);
     clear_beyond(w.horizon, w, w.change_weight[j]);
   }
-}
-
-void set_bounds(Bounds& bounds, std::size_t k, double low, double high) noexcept {
-  bounds.blocks[k / kLanes].low[k % kLanes] = low;
-  bounds.blocks[k / kLanes].high[k % kLanes] = high;
 }
 
 void load_bounds(const ControlProblem& problem, Workspace& w) noexcept {
@@ -59,8 +33,9 @@ void load_bounds(const ControlProblem& problem, Workspace& w) noexcept {
       const bool fixed_before = k > 0 && limits.fixed[k - 1];
       w.is_free[j][k] = fixed ? 0.0 : 1.0;
       w.is_coupled[j][k] = fixed || fixed_before ? 0.0 : 1.0;
-      set_bounds(w.bounds[j], k, fixed ? -kFar : limits.low[k], fixed ? kFar : limits.high[k]);
-      const double change = limits.change_bound[k] ? limits.max_change : kFar;
+      set_bounds(w.bounds[j], k, fixed ? -kFarBound : limits.low[k],
+                 fixed ? kFarBound : limits.high[k]);
+      const double change = limits.change_bound[k] ? limits.max_change : kFarBound;
       set_bounds(w.bounds[2 + j], k, -change, change);
       any_change_bound = any_change_bound || limits.change_bound[k];
     }
@@ -68,7 +43,7 @@ void load_bounds(const ControlProblem& problem, Workspace& w) noexcept {
     clear_beyond(w.horizon, w, w.is_coupled[j]);
     for (std::size_t k = w.horizon; k < kLanes * w.num_blocks; ++k) {
       set_bounds(w.bounds[j], k, -1.0, 1.0);
-      set_bounds(w.bounds[2 + j], k, -kFar, kFar);
+      set_bounds(w.bounds[2 + j], k, -kFarBound, kFarBound);
     }
   }
   for (Bounds& bounds : w.bounds) {

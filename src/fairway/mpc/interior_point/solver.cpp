@@ -6,13 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "fairway/base/simd_math.hpp"
 #include "fairway/mpc/evaluation.hpp"
+#include "fairway/mpc/interior_point/barrier_iteration.hpp"
 #include "fairway/mpc/interior_point/initial_point.hpp"
 #include "fairway/mpc/interior_point/kernels.hpp"
 #include "fairway/mpc/interior_point/report.hpp"
 #include "fairway/mpc/interior_point/setup.hpp"
-#include "fairway/mpc/interior_point/workspace/iteration_rules.hpp"
 
 namespace fairway {
 namespace interior_point {
@@ -31,28 +30,9 @@ SolveStatus iterate(const SimdKernels& kernels,
                     const InteriorPointSettings& settings,
                     Workspace& w,
                     int& iterations) noexcept {
-  const double least = least_barrier(settings);
-  w.step.convex = true;
-  kernels.evaluate(w, *w.now);
-  double mu = first_barrier(settings, greatest_violation(w, *w.now), w.problem->violation_weight);
-  w.first_slack = settings.first_slack;
-  kernels.start(w, mu);
-  Filter filter;
-  for (iterations = 0;; ++iterations) {
-    const OptimalityError error = kernels.linearise(w, mu);
-    if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
-      return SolveStatus::Solved;
-    if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
-
-    const double next = next_barrier(mu, least, error);
-    const bool lowered = next < mu;
-    if (lowered) filter.clear();
-    mu = next;
-    if (!kernels.solve_newton_system(w, mu)) return SolveStatus::Stalled;
-    if (!lowered && is_rounding(w.step, w.horizon)) return SolveStatus::Stalled;
-    const double fraction_to_boundary = fraction_of_slack(mu, error);
-    if (!kernels.take_step(w, mu, fraction_to_boundary, filter)) return SolveStatus::Stalled;
-  }
+  return iterate_barrier(
+      kernels, settings, [](const Workspace& at) { return is_rounding(at.step, at.horizon); }, w,
+      iterations);
 }
 
 // Continues from a stationary point that is not a minimum: the Hessian was not positive definite on

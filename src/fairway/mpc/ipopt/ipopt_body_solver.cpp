@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <exception>
-#include <stdexcept>
 
-#include <IpIpoptApplication.hpp>
-#include <IpSolveStatistics.hpp>
-
+#include "fairway/mpc/ipopt/configured_ipopt.hpp"
 #include "fairway/mpc/ipopt/ipopt_body_derivatives.hpp"
 #include "fairway/mpc/ipopt/ipopt_body_problem.hpp"
 #include "fairway/mpc/step_index.hpp"
@@ -16,32 +13,13 @@ namespace fairway {
 
 template <typename Motion>
 struct IpoptBodySolver<Motion>::Session {
-  double guess_barrier;
-  Ipopt::SmartPtr<Ipopt::IpoptApplication> application;
+  ConfiguredIpopt ipopt;
   Ipopt::SmartPtr<IpoptBodyProblem<Motion>> nlp;
   BodySolution<Motion> solution;
 
   explicit Session(const IpoptSettings& settings)
-      : guess_barrier(settings.guess_barrier),
-        application(new Ipopt::IpoptApplication(false)),
-        nlp(new IpoptBodyProblem<Motion>(settings.constraints)) {
-    Ipopt::OptionsList& options = *application->Options();
-    options.SetIntegerValue("print_level", 0);
-    options.SetStringValue("sb", "yes");  // no banner
-    options.SetStringValue("linear_solver", "mumps");
-    options.SetIntegerValue("max_iter", settings.max_iterations);
-    options.SetNumericValue("tol", settings.tolerance);
-    options.SetNumericValue("bound_relax_factor", 0.0);
-    if (application->Initialize("") != Ipopt::Solve_Succeeded)
-      throw std::runtime_error("IPOPT could not be initialised with MUMPS");
-  }
-
-  void trust(bool guess) {
-    Ipopt::OptionsList& options = *application->Options();
-    options.SetNumericValue("mu_init", guess ? guess_barrier : 0.1);
-    for (const char* push : {"bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac"})
-      options.SetNumericValue(push, guess ? 1e-4 : 1e-2);
-  }
+      : ipopt(settings),
+        nlp(new IpoptBodyProblem<Motion>(settings.constraints)) {}
 
   void run(const BodyProblem<Motion>& problem, const BodyGuess<Motion>& guess) {
     InputBounds<Motion> bounds;
@@ -50,10 +28,8 @@ struct IpoptBodySolver<Motion>::Session {
       solution.inputs[k] = guess.count > 0 ? guess.inputs[std::min(k, step_index(guess.count - 1))]
                                            : bounds.inside[k];
     nlp->set(problem, solution.inputs);
-    trust(guess.count > 0);
-    const Ipopt::ApplicationReturnStatus status = application->OptimizeTNLP(GetRawPtr(nlp));
-    const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
-    if (IsValid(statistics)) solution.iterations = statistics->IterationCount();
+    const Ipopt::ApplicationReturnStatus status =
+        ipopt.solve(GetRawPtr(nlp), guess.count > 0, solution.iterations);
     solution.inputs = nlp->inputs();
     assess(problem, solution);
     const bool converged =

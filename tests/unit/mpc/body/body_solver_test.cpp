@@ -177,6 +177,16 @@ TYPED_TEST(BodySolverOf, IsNeverWorseWithRestarts) {
 }
 
 // From the drive to the targets, the base ends with a corner of its body outside.
+// A caller that bounds the iterations bounds those of every start.
+TYPED_TEST(BodySolverOf, RestartsObeyTheSettings) {
+  constexpr int kStarts = 4;
+  for (int i = 0; i < kProblems; ++i) {
+    const auto problem = this->next();
+    const auto& best = this->solver->solve_with_restarts(problem, {}, {.max_iterations = 1});
+    EXPECT_LE(best.iterations, kStarts);
+  }
+}
+
 TEST(BodySolverRestarts, FindAFeasiblePointBesideAViolatedMinimum) {
   test::RandomBodyProblems problems(12);
   static_cast<void>(problems.next<OmniMotion>({.obstacles = 0}));

@@ -4,52 +4,26 @@
 #include <algorithm>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/mpc/interior_point/setup_blocks.hpp"
 
 namespace fairway::interior_point {
 namespace {
 
-// Bounds of constraints that are not needed: so far away that they have no weight.
-constexpr double kFarInput = 1e8;
-
-// Sets the entries from `first` on to zero, as far as the blocks of lanes read.
-template <typename Motion, std::size_t n>
-void clear_from(std::size_t first,
-                const BodyWorkspace<Motion>& w,
-                std::array<double, n>& array) noexcept {
-  for (std::size_t k = first; k < std::min(n, kLanes * w.num_blocks + 2); ++k)
-    array[k] = 0.0;
-}
-
 template <typename Motion>
 void load_body_targets(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& w) noexcept {
-  const Eigen::Vector2d origin = problem.start.position;
-  for (std::size_t k = 0; k < w.horizon; ++k) {
-    const StepTarget& target = problem.targets[k + 1];
-    w.target_x[k] = target.position.x() - origin.x();
-    w.target_y[k] = target.position.y() - origin.y();
-    w.target_heading[k] = target.heading - w.full_turns;
-    w.weight_x[k] = target.weight.x();
-    w.weight_y[k] = target.weight.y();
-    w.weight_heading[k] = target.weight.z();
+  load_pose_targets(problem, w);
+  for (std::size_t k = 0; k < w.horizon; ++k)
     w.is_step[k] = 1.0;
-  }
-  for (StepArray* array : {&w.target_x, &w.target_y, &w.target_heading, &w.weight_x, &w.weight_y,
-                           &w.weight_heading, &w.is_step})
-    clear_from(w.horizon, w, *array);
+  clear_beyond(w.horizon, w, w.is_step);
   for (std::size_t j = 0; j < Motion::kInputs; ++j) {
     const auto input = static_cast<Eigen::Index>(j);
     const auto n = static_cast<std::ptrdiff_t>(w.horizon);
     std::fill_n(w.input_weight[j].begin(), n, problem.input_weight[input]);
     std::fill_n(w.change_weight[j].begin(), n, problem.change_weight[input]);
     if (!problem.penalise_first_change) w.change_weight[j][0] = 0.0;
-    clear_from(w.horizon, w, w.input_weight[j]);
-    clear_from(w.horizon, w, w.change_weight[j]);
+    clear_beyond(w.horizon, w, w.input_weight[j]);
+    clear_beyond(w.horizon, w, w.change_weight[j]);
   }
-}
-
-void set_interval(Bounds& bounds, std::size_t k, double low, double high) noexcept {
-  bounds.blocks[k / kLanes].low[k % kLanes] = low;
-  bounds.blocks[k / kLanes].high[k % kLanes] = high;
 }
 
 template <typename Motion>
@@ -67,23 +41,23 @@ void load_input_bounds(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>
     w.has_change_bounds = w.has_change_bounds || is_limited;
     for (std::size_t k = 0; k < kLanes * w.num_blocks; ++k) {
       const bool inside = k < w.horizon;
-      set_interval(w.bounds[j], k, inside ? bounds.low[k][input] : -1.0,
-                   inside ? bounds.high[k][input] : 1.0);
-      const double most = inside && is_limited ? change : kFarInput;
-      set_interval(w.bounds[n + j], k, -most, most);
+      set_bounds(w.bounds[j], k, inside ? bounds.low[k][input] : -1.0,
+                 inside ? bounds.high[k][input] : 1.0);
+      const double most = inside && is_limited ? change : kFarBound;
+      set_bounds(w.bounds[n + j], k, -most, most);
     }
   }
   for (std::size_t i = 0; i < w.num_limits; ++i) {
     for (std::size_t k = 0; k < kLanes * w.num_blocks; ++k) {
-      const double most = k < w.horizon ? bounds.limits[k][i] : kFarInput;
-      set_interval(w.bounds[2 * n + i], k, -most, most);
+      const double most = k < w.horizon ? bounds.limits[k][i] : kFarBound;
+      set_bounds(w.bounds[2 * n + i], k, -most, most);
     }
   }
   for (Bounds& each : w.bounds) {
     for (PoseArray* array : {&each.curvature, &each.by_mu, &each.dual})
-      clear_from(kLanes * w.num_blocks, w, *array);
+      clear_beyond(kLanes * w.num_blocks, w, *array);
   }
-  clear_from(w.horizon, w, w.model.turn_turn);
+  clear_beyond(w.horizon, w, w.model.turn_turn);
 }
 
 template <typename Motion>
@@ -101,10 +75,10 @@ void load_body_start(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& 
     point.x[0] = point.y[0] = 0.0;
     point.heading[0] = start.heading;
     for (PoseArray* array : {&point.x, &point.y, &point.heading})
-      clear_from(w.horizon + 1, w, *array);
+      clear_beyond(w.horizon + 1, w, *array);
     for (std::size_t j = 0; j < Motion::kInputs; ++j) {
       point.inputs[j][0] = problem.previous_input[static_cast<Eigen::Index>(j)];
-      clear_from(w.horizon + 1, w, point.inputs[j]);
+      clear_beyond(w.horizon + 1, w, point.inputs[j]);
     }
     for (std::size_t m = 0; m < w.num_marks; ++m) {
       const Eigen::Vector2d place = transform(start, w.marks[m]);
@@ -114,11 +88,11 @@ void load_body_start(const BodyProblem<Motion>& problem, BodyWorkspace<Motion>& 
   }
   for (PoseArray* array : {&w.step.x, &w.step.y, &w.step.turn}) {
     (*array)[0] = 0.0;
-    clear_from(w.horizon + 1, w, *array);
+    clear_beyond(w.horizon + 1, w, *array);
   }
   for (PoseArray& inputs : w.step.inputs) {
     inputs[0] = 0.0;
-    clear_from(w.horizon + 1, w, inputs);
+    clear_beyond(w.horizon + 1, w, inputs);
   }
   w.now = w.points.data();
   w.trial = &w.points[1];

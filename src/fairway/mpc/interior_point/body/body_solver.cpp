@@ -6,36 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "fairway/mpc/interior_point/barrier_iteration.hpp"
 #include "fairway/mpc/interior_point/body/body_setup.hpp"
-#include "fairway/mpc/interior_point/workspace/iteration_rules.hpp"
 
 namespace fairway {
 namespace interior_point {
 namespace {
-
-struct BodyViolation {
-  double sum = 0.0;
-  double greatest = 0.0;
-};
-
-template <typename Motion>
-BodyViolation violation_of(const BodyWorkspace<Motion>& w,
-                           const BodyPoint<Motion>& point) noexcept {
-  Lanes128 sum = 0.0;
-  Lanes128 worst = 0.0;
-  for (std::size_t i = 0; i < w.num_soft_constraints; ++i) {
-    const Lanes128 violation = greatest(-Lanes128(point.constraints[i].value), Lanes128(0.0));
-    sum += violation;
-    worst = greatest(worst, violation);
-  }
-  return {.sum = sum_of(sum), .greatest = greatest_of(worst)};
-}
-
-// Cost plus the penalty of all violations; the slacks do not matter.
-template <typename Motion>
-double penalised(const BodyWorkspace<Motion>& w, const BodyPoint<Motion>& point) noexcept {
-  return point.cost + w.problem->violation_weight * violation_of(w, point).sum;
-}
 
 template <typename Motion>
 bool is_rounding(const BodyWorkspace<Motion>& w) noexcept {
@@ -46,32 +22,13 @@ bool is_rounding(const BodyWorkspace<Motion>& w) noexcept {
 }
 
 template <typename Motion>
-SolveStatus iterate(const BodyKernels<Motion>& kernels,
-                    const InteriorPointSettings& settings,
-                    BodyWorkspace<Motion>& w,
-                    int& iterations) noexcept {
-  const double least = least_barrier(settings);
-  w.step.convex = true;
-  kernels.evaluate(w, *w.now);
-  double mu =
-      first_barrier(settings, violation_of(w, *w.now).greatest, w.problem->violation_weight);
-  w.first_slack = settings.first_slack;
-  kernels.start(w, mu);
-  Filter filter;
-  for (iterations = 0;; ++iterations) {
-    const OptimalityError error = kernels.linearise(w, mu);
-    if (error.at(0.0) <= settings.tolerance && error.residual <= kResidualTolerance)
-      return SolveStatus::Solved;
-    if (iterations >= settings.max_iterations) return SolveStatus::IterationLimit;
-    const double next = next_barrier(mu, least, error);
-    const bool lowered = next < mu;
-    if (lowered) filter.clear();
-    mu = next;
-    if (!kernels.solve_newton_system(w, mu)) return SolveStatus::Stalled;
-    if (!lowered && is_rounding(w)) return SolveStatus::Stalled;
-    if (!kernels.take_step(w, mu, fraction_of_slack(mu, error), filter))
-      return SolveStatus::Stalled;
-  }
+SolveStatus iterate_body(const BodyKernels<Motion>& kernels,
+                         const InteriorPointSettings& settings,
+                         BodyWorkspace<Motion>& w,
+                         int& iterations) noexcept {
+  return iterate_barrier(
+      kernels, settings, [](const BodyWorkspace<Motion>& at) { return is_rounding(at); }, w,
+      iterations);
 }
 
 // Continues from a stationary point that is not a minimum, as `leave_saddle` of a disc: the input
@@ -83,7 +40,7 @@ void leave_body_saddle(const BodyKernels<Motion>& kernels,
                        int& iterations) noexcept {
   constexpr double kNudge = 0.2;  // share of the distance to the bound
   const auto saddle = w.now->inputs;
-  const double merit = penalised(w, *w.now);
+  const double merit = penalised_cost(w, *w.now);
   BodyGuess<Motion> beside;
   beside.count = static_cast<int>(w.horizon);
   for (std::size_t k = 0; k < w.horizon; ++k) {
@@ -96,9 +53,9 @@ void leave_body_saddle(const BodyKernels<Motion>& kernels,
   InteriorPointSettings rest = settings;
   rest.max_iterations -= iterations;
   int more = 0;
-  const SolveStatus status = iterate(kernels, rest, w, more);
+  const SolveStatus status = iterate_body(kernels, rest, w, more);
   iterations += more;
-  if (status == SolveStatus::Solved && penalised(w, *w.now) < merit) return;
+  if (status == SolveStatus::Solved && penalised_cost(w, *w.now) < merit) return;
   w.now->inputs = saddle;
   kernels.evaluate(w, *w.now);
 }
@@ -131,7 +88,7 @@ bool report_body(const BodyWorkspace<Motion>& w, BodySolution<Motion>& solution)
   const Eigen::Vector2d& origin = w.problem->start.position;
   solution.horizon = w.problem->horizon;
   solution.cost = p.cost;
-  const BodyViolation violation = violation_of(w, p);
+  const Violations violation = violations_of(w, p);
   solution.max_violation = violation.greatest;
   solution.sum_violation = violation.sum;
   solution.limiting = limiting_constraint(w);
@@ -183,7 +140,7 @@ const BodySolution<Motion>& BodySolver<Motion>::solve(
   interior_point::BodyWorkspace<Motion>& w = workspace_;
   interior_point::load_body_problem(problem, w);
   interior_point::load_body_guess(*kernels_, guess, w, *w.now);
-  solution_.status = interior_point::iterate(*kernels_, settings, w, solution_.iterations);
+  solution_.status = interior_point::iterate_body(*kernels_, settings, w, solution_.iterations);
   if (solution_.status == SolveStatus::Solved && !w.step.convex)
     interior_point::leave_body_saddle(*kernels_, settings, w, solution_.iterations);
   kernels_->evaluate(w, *w.now);
@@ -191,7 +148,7 @@ const BodySolution<Motion>& BodySolver<Motion>::solve(
     // The result of an unfinished solve must not be worse than the guess.
     interior_point::load_body_guess(*kernels_, guess, w, *w.trial);
     kernels_->evaluate(w, *w.trial);
-    if (!(interior_point::penalised(w, *w.now) <= interior_point::penalised(w, *w.trial)))
+    if (!(interior_point::penalised_cost(w, *w.now) <= interior_point::penalised_cost(w, *w.trial)))
       std::swap(w.now, w.trial);
   }
   if (!interior_point::report_body(w, solution_)) {
@@ -218,7 +175,7 @@ const BodySolution<Motion>& BodySolver<Motion>::solve_with_restarts(
     other.count = 1;
     other.inputs[0].setZero();
     other.inputs[0][Motion::kTurn] = kTurns[i];
-    const BodySolution<Motion>& result = solve(problem, other);
+    const BodySolution<Motion>& result = solve(problem, other, settings);
     iterations += result.iterations;
     const auto merit = [&](const BodySolution<Motion>& s) {
       return s.cost + problem.violation_weight * s.sum_violation;
