@@ -9,7 +9,7 @@ namespace {
 using namespace fairway::vda5050;
 
 std::unique_ptr<RobotBases> make_bases(const NodeOptions& options) {
-  const LinkTexts& given = options.link;
+  const MiddlewareOptions& given = options.middleware;
   std::vector<std::unique_ptr<RobotLink>> links;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < options.vehicles.size(); ++i) {

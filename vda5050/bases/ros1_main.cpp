@@ -17,7 +17,7 @@ std::unique_ptr<RobotBases> make_bases(const NodeOptions& options) {
   if (!ros::master::check())
     throw std::runtime_error("expected a ROS master at " + ros::master::getURI() + ", found none");
   fairway::ros1::take_over_exit();
-  const LinkTexts& given = options.link;
+  const MiddlewareOptions& given = options.middleware;
   std::vector<std::unique_ptr<RobotLink>> links;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < options.vehicles.size(); ++i) {

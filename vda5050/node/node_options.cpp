@@ -84,7 +84,7 @@ void add_simulation_options(CLI::App& app, CommandLineTexts& texts) {
   app.add_option("--speed", texts.speed, "Simulated seconds in a second")->capture_default_str();
 }
 
-void add_link_options(CLI::App& app, CommandLineTexts& texts, LinkTexts& link) {
+void add_link_options(CLI::App& app, CommandLineTexts& texts, MiddlewareOptions& link) {
   app.add_option("--namespace", texts.space,
                  "Namespace of the robot's topics, without slashes around it");
   app.add_option("--base-frame", texts.base_frame, "Frame of the robot")->capture_default_str();
@@ -193,9 +193,9 @@ Expected<void> add_robot(const FleetRobot& robot,
        .interface_name = texts.interface_name,
        .manufacturer = robot.manufacturer.empty() ? texts.manufacturer : robot.manufacturer,
        .serial = robot.serial});
-  options.link.spaces.push_back(robot.space);
-  options.link.base_frames.push_back(robot.base_frame.empty() ? texts.base_frame
-                                                              : robot.base_frame);
+  options.middleware.spaces.push_back(robot.space);
+  options.middleware.base_frames.push_back(robot.base_frame.empty() ? texts.base_frame
+                                                                    : robot.base_frame);
   return {};
 }
 
@@ -221,8 +221,8 @@ Expected<void> fill(const CommandLineTexts& texts, RobotKind kind, NodeOptions& 
   scenario.settings = *settings;
   scenario.sensing.sensing = texts.sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
   if (texts.physics == "mujoco") scenario.engine = Engine::Mujoco;
-  options.link.use_scan = !texts.no_scan;
-  options.link.use_monitor = !texts.no_monitor;
+  options.middleware.use_scan = !texts.no_scan;
+  options.middleware.use_monitor = !texts.no_monitor;
   const BitGrid obstacles(*map, unknown_cells(settings->map));
   for (const FleetRobot& robot : *robots) {
     if (const auto added = add_robot(robot, texts, obstacles, kind, options); !added) return added;
@@ -240,7 +240,7 @@ Expected<ParsedOptions> parse_options(int argc, char** argv, RobotKind kind) {
   if (kind == RobotKind::Simulated) {
     add_simulation_options(app, texts);
   } else {
-    add_link_options(app, texts, parsed.options.link);
+    add_link_options(app, texts, parsed.options.middleware);
   }
   try {
     app.parse(argc, argv);

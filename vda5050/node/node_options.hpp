@@ -14,7 +14,7 @@
 namespace fairway::vda5050 {
 
 /// What robots behind a middleware need besides their names.
-struct LinkTexts {
+struct MiddlewareOptions {
   std::vector<std::string> spaces;       ///< namespace of each robot's topics
   std::vector<std::string> base_frames;  ///< frame of each robot
   std::string map_frame = "map";
@@ -31,9 +31,9 @@ struct NodeOptions {
   Scenario scenario;                      ///< map, settings, robots and sensing
   PhysicsMaker physics;                   ///< empty for the unicycle
   std::string map_id;
-  double speed = 1.0;         ///< simulated seconds in a second
-  std::optional<int> page{};  ///< port of the live page; 0 takes a free one
-  LinkTexts link{};           ///< of robots behind a middleware
+  double speed = 1.0;              ///< simulated seconds in a second
+  std::optional<int> page{};       ///< port of the live page; 0 takes a free one
+  MiddlewareOptions middleware{};  ///< of robots behind a middleware
 };
 
 /// The options, or how the program ends at once.
