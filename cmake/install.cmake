@@ -52,3 +52,18 @@ if(TARGET fairway_tool)
     install(FILES ${made}/_fairway DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT tool)
   endif()
 endif()
+
+# Completion of the programs beside the tool: both shells read their options from --help.
+foreach(program fairway_vda5050:tool fairway_vda5050_ros:ros1 fairway_vda5050_dds:dds fairway_dds_node:dds
+                fairway_dds_simulator:dds fairway_dds_goal:dds)
+  string(REPLACE ":" ";" program ${program})
+  list(GET program 0 name)
+  list(GET program 1 component)
+  if(TARGET ${name})
+    set(made ${CMAKE_CURRENT_BINARY_DIR}/completion)
+    file(WRITE ${made}/${name} "complete -o filenames -F _longopt ${name}\n")
+    file(WRITE ${made}/_${name} "#compdef ${name}\n_gnu_generic\n")
+    install(FILES ${made}/${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT ${component})
+    install(FILES ${made}/_${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT ${component})
+  endif()
+endforeach()

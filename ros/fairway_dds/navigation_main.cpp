@@ -51,8 +51,8 @@ int main(int argc, char** argv) {
   app.add_option("--namespace", options.space,
                  "Namespace of the robot's topics, without slashes around it");
   app.add_option("--name", options.name, "Name of the robot in its fleet; no fleet without a name");
-  app.add_option("--map-frame", options.map_frame);
-  app.add_option("--base-frame", options.base_frame);
+  app.add_option("--map-frame", options.map_frame, "Frame of the map")->capture_default_str();
+  app.add_option("--base-frame", options.base_frame, "Frame of the robot")->capture_default_str();
   app.add_option("--settings", file, "Settings file (YAML), as printed by `fairway settings`");
   app.add_option("--set", assignments, "group.name=value");
   app.add_option("--zones", zones, "File (YAML) with a list `zones` that the robot obeys");

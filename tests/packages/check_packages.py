@@ -50,6 +50,9 @@ def problems_of(deb: pathlib.Path, version: str) -> list:
     for file in [*wanted, f"share/doc/{name}/copyright", f"share/doc/{name}/changelog.Debian.gz"]:
         if f"usr/{file}" not in files:
             problems.append(f"{name}: expected /usr/{file}, found no such file")
+    for program in sorted(pathlib.Path(file).name for file in files if re.fullmatch(r"usr/bin/.+", file)):
+        if f"usr/share/bash-completion/completions/{program}" not in files:
+            problems.append(f"{name}: expected a completion of {program}, found none")
     outside = sorted(file for file in files if file and not file.startswith("usr"))
     if outside:
         problems.append(f"{name}: expected files below /usr only, found {outside[0]}")
