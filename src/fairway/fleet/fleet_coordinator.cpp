@@ -131,9 +131,9 @@ double FleetCoordinator::retreat_cost(const Vector2d& here,
                                       const PassingEnvironment& around) noexcept {
   double cost = retreat_.length(here);
   Vector2d from = here;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(retreat_.count); ++i) {
-    const OrientedRectangle piece = segment_rectangle(from, retreat_.points[i]);
-    from = retreat_.points[i];
+  for (const Vector2d& point : retreat_.points) {
+    const OrientedRectangle piece = segment_rectangle(from, point);
+    from = point;
     for (const FleetMember& member : around.fleet) {
       const SharedMotion& other = *member.motion;
       if (around.must_yield_to(other) || !other.under_way) continue;
@@ -222,7 +222,7 @@ bool FleetCoordinator::must_step_aside(const ReferencePath& path,
   if (!is_still_valid(retreat_, here, around)) {
     const std::optional<Vector2d> place = passing_place(here, around);
     retreat_ = {};
-    if (place) retreat_ = {.count = 1, .points = {*place}};
+    if (place) retreat_.points.push_back(*place);
   }
   return retreat_.exists();
 }
@@ -231,9 +231,9 @@ void FleetCoordinator::follow_retreat(const Vector2d& here) noexcept {
   path_.count = 1;
   path_.points[0] = here;
   path_.arc[0] = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(retreat_.count); ++i) {
+  for (const Vector2d& point : retreat_.points) {
     const auto at = static_cast<std::size_t>(path_.count++);
-    path_.points[at] = retreat_.points[i];
+    path_.points[at] = point;
     path_.arc[at] = path_.arc[at - 1] + (path_.points[at] - path_.points[at - 1]).norm();
   }
   path_.ends_at_goal = true;

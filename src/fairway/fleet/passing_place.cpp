@@ -61,7 +61,7 @@ NarrowPlaces::NarrowPlaces(const ReferencePath& path,
                            const BitGrid& obstacles) noexcept {
   const double both = 2.0 * radius + kPassingClearance;
   const double end = std::min(kFurthest, path.length());
-  for (double s = 0.0; s < end && count < kMaxPlaces; s += kPlaceSpacing) {
+  for (double s = 0.0; s < end && !places.full(); s += kPlaceSpacing) {
     const Vector2d here = path.at(s);
     const Vector2d along = path.at(std::min(s + kPlaceSpacing, path.length())) - here;
     const double length = along.norm();
@@ -71,23 +71,23 @@ NarrowPlaces::NarrowPlaces(const ReferencePath& path,
         is_free(obstacles, here, here - over, radius)) {
       continue;
     }
-    places[static_cast<std::size_t>(count++)] = {.length = s, .position = here, .along = along};
+    places.push_back({.length = s, .position = here, .along = along});
   }
 }
 
 double NarrowPlaces::length_to_meeting(const SharedMotion& other, double radius) const noexcept {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const NearestPoint near = nearest_on_path(other, places[i].position);
+  for (const Place& place : places) {
+    const NearestPoint near = nearest_on_path(other, place.position);
     if (near.distance <= radius + other.radius + kPassingClearance &&
-        places[i].along.dot(near.direction) < 0.0) {
-      return places[i].length;
+        place.along.dot(near.direction) < 0.0) {
+      return place.length;
     }
   }
   return std::numeric_limits<double>::infinity();
 }
 
 bool NarrowPlaces::contain_goal_of(const SharedMotion& other, double radius) const noexcept {
-  return std::any_of(places.begin(), places.begin() + count, [&](const Place& place) {
+  return std::any_of(places.begin(), places.end(), [&](const Place& place) {
     return (place.position - goal_of(other)).norm() <= radius + other.radius + kPassingClearance;
   });
 }
@@ -97,7 +97,7 @@ double NarrowPlaces::length_to_merging(const SharedMotion& other, double radius)
   constexpr double kInside = 0.1;  // [m]
   const double none = std::numeric_limits<double>::infinity();
   const double gap = radius + other.radius + kAside;
-  if (count == 0 || places[0].length < kInside || places[0].length > kNear) return none;
+  if (places.empty() || places[0].length < kInside || places[0].length > kNear) return none;
   const NearestPoint near = nearest_on_path(other, places[0].position);
   const bool enters = near.distance <= radius + other.radius + kPassingClearance &&
                       near.length > kInside && near.length < kNear &&

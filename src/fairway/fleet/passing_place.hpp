@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "fairway/base/fixed_vector.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
@@ -14,14 +15,12 @@ namespace fairway {
 /// Points of a path where another robot cannot pass. There is not enough clearance to move over by
 /// two bodies, neither to the left nor to the right.
 struct NarrowPlaces {
-  static constexpr int kMaxPlaces = 24;
   struct Place {
     double length = 0.0;  ///< arc length from the start of the path [m]
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< direction of the path, not normalised
   };
-  int count = 0;
-  std::array<Place, kMaxPlaces> places;
+  FixedVector<Place, 24> places;
 
   /// Finds the narrow places on the first 6 m of `path`, every 0.25 m, for robots of `radius` [m].
   NarrowPlaces(const ReferencePath& path, double radius, const BitGrid& obstacles) noexcept;

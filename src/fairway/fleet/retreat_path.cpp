@@ -13,9 +13,9 @@ double RetreatPath::length(const Vector2d& position) const noexcept {
   if (!exists()) return std::numeric_limits<double>::infinity();
   double sum = 0.0;
   Vector2d from = position;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    sum += (points[i] - from).norm();
-    from = points[i];
+  for (const Vector2d& point : points) {
+    sum += (point - from).norm();
+    from = point;
   }
   return sum;
 }
@@ -24,14 +24,13 @@ void shorten(RetreatPath& path,
              const Vector2d& position,
              const BitGrid& obstacles,
              double radius) noexcept {
-  int seen = path.count - 1;
-  while (seen > 0 && !is_free(obstacles, position, path.points[static_cast<std::size_t>(seen)],
-                              radius + kLeastRetreatClearance)) {
+  if (!path.exists()) return;
+  std::size_t seen = path.points.size() - 1;
+  while (seen > 0 &&
+         !is_free(obstacles, position, path.points[seen], radius + kLeastRetreatClearance)) {
     --seen;
   }
-  if (seen <= 0) return;
-  std::copy(path.points.begin() + seen, path.points.begin() + path.count, path.points.begin());
-  path.count -= seen;
+  path.points.pop_front(seen);
 }
 
 bool is_still_valid(const RetreatPath& path,
@@ -43,9 +42,9 @@ bool is_still_valid(const RetreatPath& path,
   };
   if (!std::all_of(around.passing.begin(), around.passing.end(), lets)) return false;
   Vector2d from = position;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(path.count); ++i) {
-    if (!is_free(*around.obstacles, from, path.points[i], around.radius)) return false;
-    from = path.points[i];
+  for (const Vector2d& point : path.points) {
+    if (!is_free(*around.obstacles, from, point, around.radius)) return false;
+    from = point;
   }
   return true;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <limits>
 
+#include "fairway/base/fixed_vector.hpp"
 #include "fairway/fleet/passing_place.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 
@@ -14,14 +14,11 @@ inline constexpr double kLeastRetreatClearance = 0.01;
 
 /// A path to a place where a robot lets oncoming robots pass.
 struct RetreatPath {
-  static constexpr int kMaxPoints = ReferencePath::kMaxPoints - 1;
-  int count = 0;                                   ///< 0: there is no path
-  std::array<Eigen::Vector2d, kMaxPoints> points;  ///< after the robot's position, up to the place
+  /// After the robot's position, up to the place; empty if there is no path.
+  FixedVector<Eigen::Vector2d, ReferencePath::kMaxPoints - 1> points;
 
-  [[nodiscard]] bool exists() const noexcept { return count > 0; }
-  [[nodiscard]] const Eigen::Vector2d& place() const noexcept {
-    return points[static_cast<std::size_t>(count - 1)];
-  }
+  [[nodiscard]] bool exists() const noexcept { return !points.empty(); }
+  [[nodiscard]] const Eigen::Vector2d& place() const noexcept { return points.back(); }
 
   /// Length from `position` through all points [m]; infinite for an empty path.
   [[nodiscard]] double length(const Eigen::Vector2d& position) const noexcept;

@@ -143,10 +143,10 @@ bool RetreatSearch::straighten(const PassingEnvironment& around, int& budget) no
       ++seen_;
       continue;
     }
-    path_.points[static_cast<std::size_t>(path_.count++)] = queued(seen_);
+    path_.points.push_back(queued(seen_));
     here_ = seen_;
     ++seen_;
-    if (here_ + 1 >= count_ || path_.count == RetreatPath::kMaxPoints) return true;
+    if (here_ + 1 >= count_ || path_.points.full()) return true;
   }
   return false;
 }

@@ -155,7 +155,7 @@ void Navigator::pose_problem(const NavigationInput& input) noexcept {
                          .heading = ahead_.heading,
                          .goal_heading = plan_.goal.heading,
                          .free_length = free_length,
-                         .speed_limits = zone_speeds_.count > 0 ? &zone_speeds_ : nullptr,
+                         .speed_limits = zone_speeds_.spans.empty() ? nullptr : &zone_speeds_,
                          .waits_at_reversals =
                              input.map->zones() != nullptr && input.map->zones()->has_strips()}},
               settings_.tracking, mpc, robot, problem_);
@@ -172,16 +172,16 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
                    timing_.elapsed, problem_, candidates_);
   const StopSituation now = situation(input);
   bool solved = false;
-  for (std::size_t i = 0; i < candidates_.count; ++i) {
-    if (candidates_.answers[i].status == SolveStatus::InvalidProblem) continue;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (candidates_[i].status == SolveStatus::InvalidProblem) continue;
     solved = true;
-    const std::span<const Twist2> commands = commands_of(candidates_.answers[i]);
+    const std::span<const Twist2> commands = commands_of(candidates_[i]);
     if (stop_.take(now, commands)) return send(i, commands);
   }
   if (!solved) return stop(NavigationStatus::Infeasible, LimitingFactor::SolverFailed);
   if (const std::optional<Twist2> slower = slower_command();
       slower && stop_.take(now, {&*slower, 1})) {
-    solution_ = candidates_.answers[0];
+    solution_ = candidates_[0];
     return {.command = *slower,
             .status = NavigationStatus::Degraded,
             .limit = LimitingFactor::StopNotProven,
@@ -192,14 +192,14 @@ NavigationStep Navigator::drive(const NavigationInput& input) noexcept {
 
 // The best answer's curve, driven as slowly as the limits allow in this cycle.
 std::optional<Twist2> Navigator::slower_command() noexcept {
-  const Twist2 best = commands_of(candidates_.answers[0])[0];
+  const Twist2 best = commands_of(candidates_[0])[0];
   const double linear = limited(Twist2{}).linear;
   if (!(std::abs(best.linear) > std::abs(linear)) || best.linear * linear <= 0.0) return {};
   return limited({.linear = 0.0, .angular = best.angular * linear / best.linear});
 }
 
 NavigationStep Navigator::send(std::size_t candidate, std::span<const Twist2> commands) noexcept {
-  solution_ = candidates_.answers[candidate];
+  solution_ = candidates_[candidate];
   const bool whole = candidate == 0 && solution_.max_violation <= kNoticeable;
   return {.command = commands[0],
           .status = whole ? NavigationStatus::Ok : NavigationStatus::Degraded,
@@ -217,7 +217,7 @@ NavigationStep Navigator::stop_or_evade(const NavigationInput& input) noexcept {
   const bool only_late = input.obstacles.empty() && is_late(input.fleet);
   const double contact =
       only_late ? std::numeric_limits<double>::infinity() : stop_.contact_time(now);
-  if (std::isfinite(contact) && stop_.evade(now, commands_of(candidates_.answers[0]), contact)) {
+  if (std::isfinite(contact) && stop_.evade(now, commands_of(candidates_[0]), contact)) {
     return stop(NavigationStatus::Degraded, LimitingFactor::MovingObstacle);
   }
   return stop(NavigationStatus::Stopping, LimitingFactor::StopNotProven);

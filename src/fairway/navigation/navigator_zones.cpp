@@ -20,7 +20,7 @@ constexpr double kHoldBraking = 0.8;
 
 // Where zones along the path limit the speed.
 void Navigator::find_zone_speeds(const NavigationInput& input) noexcept {
-  zone_speeds_.count = 0;
+  zone_speeds_.spans.clear();
   in_speed_zone_ = false;
   const ZoneMap* zones = input.map->zones();
   if (zones == nullptr || zones->speed_regions().empty()) return;

@@ -50,7 +50,7 @@ namespace {
 
 // The braking from the greatest speed must fit into a StopSequence.
 Expected<void> check_stop_length(const Settings& settings) {
-  constexpr int kMostCycles = StopSequence::kMaxLength - kMaxHorizon - 2;
+  constexpr int kMostCycles = static_cast<int>(StopSequence::capacity()) - kMaxHorizon - 2;
   const auto check = [&](const char* names, double speed, double braking) -> Expected<void> {
     const double cycles = speed / (braking * settings.navigation.control_period);
     if (cycles <= kMostCycles) return {};

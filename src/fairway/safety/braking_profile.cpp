@@ -19,9 +19,9 @@ Twist2 limited_change(const Twist2& current,
 StopSequence brake_from(const Twist2& current, const RobotSettings& robot, double period) noexcept {
   StopSequence stop;
   Twist2 now = current;
-  while ((now.linear != 0.0 || now.angular != 0.0) && stop.count < StopSequence::kMaxLength) {
+  while ((now.linear != 0.0 || now.angular != 0.0) && !stop.full()) {
     now = limited_change(now, Twist2{}, robot, period);
-    stop.commands[static_cast<std::size_t>(stop.count++)] = now;
+    stop.push_back(now);
   }
   return stop;
 }
@@ -36,7 +36,7 @@ SampledMotion stop_track(const Pose2& pose,
                          const Twist2& current,
                          const Twist2& command,
                          const StopSequence& stop,
-                         int done,
+                         std::size_t done,
                          double period,
                          double time) noexcept {
   SampledMotion track{.start = time, .interval = period};
@@ -55,8 +55,8 @@ SampledMotion stop_track(const Pose2& pose,
     }
   };
   ramp(command);
-  for (int i = done; i < stop.count; ++i)
-    ramp(stop.commands[static_cast<std::size_t>(i)]);
+  for (std::size_t i = done; i < stop.size(); ++i)
+    ramp(stop[i]);
   return track;
 }
 

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
+#include "fairway/base/fixed_vector.hpp"
 #include "fairway/geometry/pose2.hpp"
 #include "fairway/geometry/robot_settings.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
 
 namespace fairway {
 
-/// Commands that bring the robot to a standstill, one per control period.
-struct StopSequence {
-  static constexpr int kMaxLength = 640;
-  int count = 0;  ///< after the last one the robot is stopped
-  std::array<Twist2, kMaxLength> commands;
-};
+/// Commands that bring the robot to a standstill, one per control period. After the last one the
+/// robot is stopped.
+using StopSequence = FixedVector<Twist2, 640>;
 
 /// Returns the command of one cycle that leads from `current` towards `wanted`. Each speed changes
 /// by no more than the acceleration limits allow in `period` [s].
@@ -42,7 +38,7 @@ inline constexpr int kRampPieces = 4;
                                        const Twist2& current,
                                        const Twist2& command,
                                        const StopSequence& stop,
-                                       int done,
+                                       std::size_t done,
                                        double period,
                                        double time) noexcept;
 

@@ -18,12 +18,10 @@ StopSequence follow_then_brake(std::span<const Twist2> commands,
                                const RobotSettings& robot,
                                double period) noexcept {
   StopSequence stop;
-  for (std::size_t i = 1; i <= follow; ++i)
-    stop.commands[static_cast<std::size_t>(stop.count++)] = commands[i];
+  const auto after_first = commands.subspan(1, follow);
+  stop.append(after_first.begin(), after_first.end());
   const StopSequence braking = brake_from(commands[follow], robot, period);
-  for (int i = 0; i < braking.count && stop.count < StopSequence::kMaxLength; ++i)
-    stop.commands[static_cast<std::size_t>(stop.count++)] =
-        braking.commands[static_cast<std::size_t>(i)];
+  stop.append(braking.begin(), braking.end());
   return stop;
 }
 
@@ -174,14 +172,12 @@ double SafeStop::index() const noexcept {
 }
 
 Twist2 SafeStop::command_at(double index) const noexcept {
-  if (index >= stop_.count) {
-    return stop_.count > 0 ? stop_.commands[static_cast<std::size_t>(stop_.count - 1)] : first_;
-  }
+  if (index >= static_cast<double>(stop_.size())) return stop_.empty() ? first_ : stop_.back();
   const auto k = static_cast<std::size_t>(index);
-  const Twist2& from = k == 0 ? first_ : stop_.commands[k - 1];
+  const Twist2& from = k == 0 ? first_ : stop_[k - 1];
   const double share = index - static_cast<double>(k);
   if (share == 0.0) return from;
-  const Twist2& to = stop_.commands[k];
+  const Twist2& to = stop_[k];
   return {.linear = from.linear + share * (to.linear - from.linear),
           .angular = from.angular + share * (to.angular - from.angular)};
 }
@@ -189,10 +185,8 @@ Twist2 SafeStop::command_at(double index) const noexcept {
 double SafeStop::contact_time(const StopSituation& situation) const noexcept {
   const double now = index();
   StopSequence after;
-  while (now + after.count < stop_.count) {
-    after.commands[static_cast<std::size_t>(after.count)] = command_at(now + after.count + 1);
-    ++after.count;
-  }
+  for (double next = now + 1.0; next < static_cast<double>(stop_.size()) + 1.0; next += 1.0)
+    after.push_back(command_at(next));
   // A stop that was proven with a margin is left for a contact only. Obstacles are seen with
   // errors, and one that comes within the margin is no reason to evade.
   CollisionEnvironment touching = situation.around;
@@ -228,11 +222,8 @@ bool SafeStop::evade(const StopSituation& situation,
     latest = time;
     found = true;
     first_ = way[0];
-    stop_.count = 1;
-    stop_.commands[0] = way[0];
-    for (int i = 0; i < stop.count && stop_.count < StopSequence::kMaxLength; ++i)
-      stop_.commands[static_cast<std::size_t>(stop_.count++)] =
-          stop.commands[static_cast<std::size_t>(i)];
+    stop_ = {way[0]};
+    stop_.append(stop.begin(), stop.end());
     since_ = period_;  // its first command is the next
     done_ = 0;
     in_cycle_ = true;
@@ -262,8 +253,9 @@ Twist2 SafeStop::next() noexcept {
   last_ = command;
   if (!in_cycle_) since_ += period_;
   in_cycle_ = false;
-  done_ = std::min(stop_.count, static_cast<int>(now));
-  if (now >= stop_.count && (command.linear != 0.0 || command.angular != 0.0)) reset(command);
+  done_ = std::min(stop_.size(), static_cast<std::size_t>(now));
+  const bool over = now >= static_cast<double>(stop_.size());
+  if (over && (command.linear != 0.0 || command.angular != 0.0)) reset(command);
   return command;
 }
 

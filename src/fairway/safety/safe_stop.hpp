@@ -75,7 +75,7 @@ class SafeStop {
   [[nodiscard]] Twist2 next() noexcept;
 
   [[nodiscard]] const StopSequence& sequence() const noexcept { return stop_; }
-  [[nodiscard]] int done() const noexcept { return done_; }
+  [[nodiscard]] std::size_t done() const noexcept { return done_; }
 
  private:
   [[nodiscard]] StopManoeuvre manoeuvre(const StopSituation& situation,
@@ -98,7 +98,7 @@ class SafeStop {
   double since_ = 0.0;     // the time since `first_` was sent [s]
   double ramp_;            // within which the base ramps to the command of this cycle [s]
   bool in_cycle_ = false;  // begun, and nothing taken yet
-  int done_ = 0;           // commands of stop_ that were sent
+  std::size_t done_ = 0;   // commands of stop_ that were sent
   StopVerdict refusal_ = StopVerdict::Free;
 };
 

@@ -159,7 +159,7 @@ bool MotionFamily::begin_segment() noexcept {
     }
     ++segment_;
   }
-  if (segment_ > m_.stop.count) return begin_tail();
+  if (segment_ > static_cast<int>(m_.stop.size())) return begin_tail();
   to_ = stop_command(segment_);
   end_ = start_ + m_.period;
   pieces_ = pieces_in(m_.period);
@@ -170,8 +170,8 @@ bool MotionFamily::begin_segment() noexcept {
 // After the last command the delay and the lag have still to pass.
 bool MotionFamily::begin_tail() noexcept {
   if (exact_) return false;
-  to_ = stop_command(m_.stop.count);
-  const double last = std::max(m_.hold, m_.hold + m_.period * m_.stop.count);
+  to_ = stop_command(static_cast<int>(m_.stop.size()));
+  const double last = std::max(m_.hold, m_.hold + m_.period * static_cast<double>(m_.stop.size()));
   const auto moves = [](const Twist2& twist) {
     return std::abs(twist.linear) > kStopped || std::abs(twist.angular) > kStopped;
   };
@@ -189,8 +189,8 @@ bool MotionFamily::begin_tail() noexcept {
 
 // Command `k` of the stop; 0 is the one before it, and the last one stays.
 Twist2 MotionFamily::stop_command(int k) const noexcept {
-  const int last = std::min(k, m_.stop.count);
-  return last <= 0 ? m_.command : m_.stop.commands[static_cast<std::size_t>(last - 1)];
+  const int last = std::min(k, static_cast<int>(m_.stop.size()));
+  return last <= 0 ? m_.command : m_.stop[static_cast<std::size_t>(last - 1)];
 }
 
 // What a slow base without delay has ramped to.

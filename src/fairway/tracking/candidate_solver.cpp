@@ -31,24 +31,22 @@ void solve_candidates(ControlSolver& solver,
                       double shift,
                       ControlProblem& problem,
                       Candidates& candidates) noexcept {
-  std::array<GuessedMotion, Candidates::kMost> starts;
-  std::size_t count = 0;
-  if (last.horizon > 0) starts[count++] = shifted_guess(problem, last, shift);
-  if (count == 0 || settings.step_regions) starts[count++] = pursuit_guess(problem);
-  for (std::size_t i = 0; i < count; ++i) {
+  FixedVector<GuessedMotion, Candidates::capacity()> starts;
+  if (last.horizon > 0) starts.push_back(shifted_guess(problem, last, shift));
+  if (starts.empty() || settings.step_regions) starts.push_back(pursuit_guess(problem));
+  candidates.clear();
+  for (const GuessedMotion& start : starts) {
     if (bands != nullptr) {
-      bind_along(*bands, starts[i].poses, problem);
+      bind_along(*bands, start.poses, problem);
     } else if (settings.step_regions) {
-      bind_along(corridor, starts[i].poses, problem);
+      bind_along(corridor, start.poses, problem);
     } else {
       bind_to_current(corridor, problem);
     }
-    candidates.answers[i] = solver.solve(problem, starts[i].guess);
+    candidates.push_back(solver.solve(problem, start.guess));
   }
-  candidates.count = count;
-  if (count == 2 && is_better(candidates.answers[1], candidates.answers[0], problem)) {
-    std::swap(candidates.answers[0], candidates.answers[1]);
-  }
+  if (candidates.full() && is_better(candidates[1], candidates[0], problem))
+    std::swap(candidates[0], candidates[1]);
 }
 
 void sample_commands(const MpcSolution& solution,

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "fairway/base/fixed_vector.hpp"
 #include "fairway/mpc/solution.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 #include "fairway/tracking/step_regions.hpp"
@@ -11,11 +12,7 @@
 namespace fairway {
 
 /// The solutions of one cycle, the best one first.
-struct Candidates {
-  static constexpr std::size_t kMost = 2;
-  std::size_t count = 0;
-  std::array<MpcSolution, kMost> answers;
-};
+using Candidates = FixedVector<MpcSolution, 2>;
 
 /// Solves the problem of a cycle from two initial guesses: the last plan, shifted, and a pursuit of
 /// the targets. Each step is constrained to the rectangle that contains the guess at that step.

@@ -49,9 +49,9 @@ void bind_along(const CorridorFollower& corridor,
 PathBands bands_along(const ReferencePath& path, double radius, const BitGrid& obstacles) noexcept {
   PathBands result;
   for (std::size_t i = 1; i < static_cast<std::size_t>(path.count); ++i) {
-    if (result.count == PathBands::kMaxBands) break;
-    OrientedRectangle& band = result.bands[static_cast<std::size_t>(result.count++)];
-    band = segment_rectangle(path.points[i - 1], path.points[i]);
+    if (result.full()) break;
+    result.push_back(segment_rectangle(path.points[i - 1], path.points[i]));
+    OrientedRectangle& band = result.back();
     for (const double width : {0.5, 0.25, 0.1, 0.05}) {
       const OrientedRectangle wide = band.shrunk(-width);
       if (!is_free(obstacles, wide, radius)) continue;
@@ -65,8 +65,7 @@ PathBands bands_along(const ReferencePath& path, double radius, const BitGrid& o
 void bind_along(const PathBands& bands,
                 const std::array<Pose2, kMaxHorizon + 1>& poses,
                 ControlProblem& problem) noexcept {
-  bind_each([&](std::size_t i) { return bands.bands[i]; }, 0, static_cast<std::size_t>(bands.count),
-            poses, problem);
+  bind_each([&](std::size_t i) { return bands[i]; }, 0, bands.size(), poses, problem);
 }
 
 }  // namespace fairway

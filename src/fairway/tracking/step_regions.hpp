@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "fairway/base/fixed_vector.hpp"
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/solution.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
@@ -22,11 +23,8 @@ void bind_along(const CorridorFollower& corridor,
 
 /// Rectangles about the pieces of a reference path, for a robot that leaves its corridor. While the
 /// robot's centre is inside one, it touches no static obstacle. Consecutive rectangles overlap.
-struct PathBands {
-  static constexpr int kMaxBands = 4;
-  int count = 0;  ///< at least 1; further pieces have no rectangle
-  std::array<OrientedRectangle, kMaxBands> bands;
-};
+/// There is at least one; pieces beyond the last have none.
+using PathBands = FixedVector<OrientedRectangle, 4>;
 
 /// Returns the bands about the first pieces of `path`. Each extends 0.5, 0.25, 0.1 or 0.05 m to
 /// both sides, as far as is free for a robot of this radius [m]; it has no width if none of these

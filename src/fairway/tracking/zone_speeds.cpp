@@ -11,8 +11,7 @@ namespace fairway {
 
 double PathSpeedLimits::at(double s, double braking) const noexcept {
   double speed = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Span& span = spans[i];
+  for (const Span& span : spans) {
     if (s > span.to) continue;
     const double ahead = std::max(0.0, span.from - s);
     speed = std::min(speed, std::sqrt(span.speed * span.speed + 2.0 * braking * ahead));
@@ -27,7 +26,7 @@ void find_speed_limits(const ZoneMap& zones,
                        double reach,
                        PathSpeedLimits& limits) noexcept {
   constexpr double kStep = 0.01;  // [m], the least
-  limits.count = 0;
+  limits.spans.clear();
   const double end = std::min(reach, path.length());
   for (const ZoneMap::SpeedRegion& region : zones.speed_regions()) {
     const double radius = region.contour ? body_radius : 0.0;
@@ -36,16 +35,16 @@ void find_speed_limits(const ZoneMap& zones,
     for (double s = 0.0; s <= end;) {
       const double away = region.polygon.signed_distance(path.at(s)) - radius;
       if (away <= 0.0 && !inside) span.from = std::max(0.0, s - kStep);
-      if (away > 0.0 && inside && limits.count < PathSpeedLimits::kMostSpans) {
+      if (away > 0.0 && inside && !limits.spans.full()) {
         span.to = s;
-        limits.spans[limits.count++] = span;
+        limits.spans.push_back(span);
       }
       inside = away <= 0.0;
       s += std::max(kStep, std::abs(away));
     }
-    if (inside && limits.count < PathSpeedLimits::kMostSpans) {
+    if (inside && !limits.spans.full()) {
       span.to = std::numeric_limits<double>::infinity();
-      limits.spans[limits.count++] = span;
+      limits.spans.push_back(span);
     }
   }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
+#include "fairway/base/fixed_vector.hpp"
 #include "fairway/geometry/robot_settings.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
 #include "fairway/zones/zone_map.hpp"
@@ -16,9 +15,7 @@ struct PathSpeedLimits {
     double to = 0.0;     ///< and ends [m]
     double speed = 0.0;  ///< [m/s]
   };
-  static constexpr std::size_t kMostSpans = 24;
-  std::array<Span, kMostSpans> spans;
-  std::size_t count = 0;
+  FixedVector<Span, 24> spans;
 
   /// The greatest speed at arc length `s` [m] from which every limit ahead can be met.
   [[nodiscard]] double at(double s, double braking) const noexcept;

@@ -38,10 +38,10 @@ SharedMotion coming(const Vector2d& from, const Vector2d& to) {
 TEST(PassingPlace, ADoorIsNarrowAndARoomIsNot) {
   const BitGrid grid = two_rooms();
   const NarrowPlaces narrow(straight_path({2, 2}, {8, 2}), kRadius, grid);
-  ASSERT_GT(narrow.count, 0);
-  for (int i = 0; i < narrow.count; ++i)
-    EXPECT_NEAR(narrow.places[static_cast<std::size_t>(i)].position.x(), 5.05, 0.5);
-  EXPECT_EQ(NarrowPlaces(straight_path({1, 2}, {4, 2}), kRadius, grid).count, 0);
+  ASSERT_FALSE(narrow.places.empty());
+  for (const NarrowPlaces::Place& place : narrow.places)
+    EXPECT_NEAR(place.position.x(), 5.05, 0.5);
+  EXPECT_EQ(NarrowPlaces(straight_path({1, 2}, {4, 2}), kRadius, grid).places.size(), 0U);
 }
 
 TEST(PassingPlace, OnlyOncomingRobotsAreMet) {

@@ -52,8 +52,7 @@ TEST_F(RetreatPathTest, LeadsOutOfThePassageToAPassingPlace) {
   EXPECT_GT(way.length({8, 3}), 4.0);
   EXPECT_LT(way.length({8, 3}), 6.0);
   Vector2d from(8, 3);
-  for (int i = 0; i < way.count; ++i) {
-    const Vector2d& to = way.points[static_cast<std::size_t>(i)];
+  for (const Vector2d& to : way.points) {
     EXPECT_TRUE(is_free(grid_, from, to, kRobotRadius));
     from = to;
   }
@@ -91,10 +90,10 @@ TEST_F(RetreatPathTest, LeavesSpaceForFollowers) {
 
 TEST_F(RetreatPathTest, IsShortenedAsItIsDriven) {
   RetreatPath way = find_retreat_path({8, 3}, around());
-  const int before = way.count;
+  const std::size_t before = way.points.size();
   const Vector2d place = way.place();
   shorten(way, way.points[0], grid_, kRobotRadius);
-  EXPECT_LT(way.count, before);
+  EXPECT_LT(way.points.size(), before);
   EXPECT_EQ(way.place(), place);
 }
 
@@ -133,7 +132,7 @@ TEST_F(RetreatPathTest, IsTheSameWhetherSearchedInPartsOrAtOnce) {
     found = search.advance(around());
   const RetreatPath at_once = find_retreat_path({8, 3}, around());
   ASSERT_TRUE(found->exists());
-  ASSERT_EQ(found->count, at_once.count);
+  ASSERT_EQ(found->points.size(), at_once.points.size());
   EXPECT_EQ(found->place(), at_once.place());
 }
 

@@ -70,8 +70,8 @@ TEST(Settings, EveryStopThatIsAcceptedEndsAtStandstill) {
       const RobotSettings& robot = settings.robot;
       const StopSequence stop =
           brake_from({.linear = robot.linear_max, .angular = -robot.angular_max}, robot, period);
-      ASSERT_GT(stop.count, 0);
-      const Twist2& last = stop.commands[static_cast<std::size_t>(stop.count - 1)];
+      ASSERT_FALSE(stop.empty());
+      const Twist2& last = stop.back();
       EXPECT_EQ(last.linear, 0.0);
       EXPECT_EQ(last.angular, 0.0);
     }

@@ -62,8 +62,7 @@ TEST(FootprintSweep, AProvenStopStaysFreeAndARefusedOneComesClose) {
 
     UnicycleRobot plant{.pose = pose, .twist = current, .limits = {1.0, 4.0}};
     std::vector<Twist2> commands{command};
-    for (int i = 0; i < stop.count; ++i)
-      commands.push_back(stop.commands[static_cast<std::size_t>(i)]);
+    commands.insert(commands.end(), stop.begin(), stop.end());
     double least = footprint_clearance(obstacles, body, pose, 1.0);
     for (const Twist2& c : commands) {
       for (int i = 0; i < 25; ++i) {

@@ -170,9 +170,7 @@ TEST(SafeStop, NeverEvadesIntoAStaticObstacle) {
     alone.around.moving = {};
     StopSequence rest = stop.sequence();
     const Twist2 first = stop.next();
-    for (int i = 1; i < rest.count; ++i)
-      rest.commands[static_cast<std::size_t>(i) - 1] = rest.commands[static_cast<std::size_t>(i)];
-    --rest.count;
+    rest.pop_front(1);
     EXPECT_EQ(check_stop(pose, now.current, first, rest, kPeriod, alone.around), StopVerdict::Free)
         << trial;
   }

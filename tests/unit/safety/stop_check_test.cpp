@@ -30,8 +30,7 @@ TEST(Stopping, BrakingEndsAtStandstillWithinTheLimits) {
     const Twist2 from{.linear = random.uniform(-1, 1.5), .angular = random.uniform(-1.5, 1.5)};
     const StopSequence stop = brake_from(from, limits(), kCheckPeriod);
     Twist2 before = from;
-    for (int i = 0; i < stop.count; ++i) {
-      const Twist2& now = stop.commands[static_cast<std::size_t>(i)];
+    for (const Twist2& now : stop) {
       EXPECT_LE(std::abs(now.linear - before.linear), 0.1 + 1e-12);
       EXPECT_LE(std::abs(now.angular - before.angular), 0.2 + 1e-12);
       EXPECT_LE(std::abs(now.linear), std::abs(before.linear));
@@ -41,7 +40,7 @@ TEST(Stopping, BrakingEndsAtStandstillWithinTheLimits) {
     EXPECT_EQ(before.linear, 0.0);
     EXPECT_EQ(before.angular, 0.0);
   }
-  EXPECT_EQ(brake_from({}, limits(), kCheckPeriod).count, 0);
+  EXPECT_EQ(brake_from({}, limits(), kCheckPeriod).size(), 0U);
 }
 
 TEST(Stopping, AProvenStopReallyStaysFree) {
@@ -67,8 +66,7 @@ TEST(Stopping, AProvenStopReallyStaysFree) {
     // Drive with the simulator's robot model, at a step 50 times finer.
     UnicycleRobot plant{.pose = pose, .twist = current, .limits = {1.0, 2.0}};
     std::vector<Twist2> commands{command};
-    for (int i = 0; i < stop.count; ++i)
-      commands.push_back(stop.commands[static_cast<std::size_t>(i)]);
+    commands.insert(commands.end(), stop.begin(), stop.end());
     double least = distance_to_blocked(obstacles, pose.position, 1.0);
     for (const Twist2& c : commands) {
       for (int i = 0; i < 50; ++i) {

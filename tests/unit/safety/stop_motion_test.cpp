@@ -75,7 +75,8 @@ double compare(test::Random& random, bool late) {
   int pieces = 0;
   const auto sent_in = [&](int cycle) {
     if (cycle == 0) return command;
-    return cycle <= stop.count ? stop.commands[static_cast<std::size_t>(cycle - 1)] : Twist2{};
+    return cycle <= static_cast<int>(stop.size()) ? stop[static_cast<std::size_t>(cycle - 1)]
+                                                  : Twist2{};
   };
   while (family.next(piece)) {
     const Twist2 sent = sent_in(pieces / kRampPieces);
@@ -126,7 +127,7 @@ TEST(MotionFamily, IsTheLinearRampAloneWhereNothingIsKnownOfTheBase) {
     EXPECT_EQ(piece.apart + piece.aside + piece.ahead + piece.turned, 0.0);
     ++pieces;
   }
-  EXPECT_EQ(pieces, kRampPieces * (1 + stop.count));
+  EXPECT_EQ(pieces, kRampPieces * (1 + static_cast<int>(stop.size())));
 }
 
 }  // namespace

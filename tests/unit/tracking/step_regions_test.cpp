@@ -159,20 +159,20 @@ void for_random_bands(double radius, Check&& check) {
 
 TEST(BandsAlong, ARobotInsideABandTouchesNothing) {
   constexpr double kRadius = 0.12;
-  for_random_bands(kRadius,
-                   [](const ReferencePath& line, const PathBands& bands, const BitGrid& obstacles) {
-                     ASSERT_EQ(bands.count, std::min(line.count - 1, PathBands::kMaxBands));
-                     for (std::size_t i = 0; i < static_cast<std::size_t>(bands.count); ++i)
-                       EXPECT_TRUE(is_free(obstacles, bands.bands[i], kRadius));
-                   });
+  for_random_bands(kRadius, [](const ReferencePath& line, const PathBands& bands,
+                               const BitGrid& obstacles) {
+    ASSERT_EQ(bands.size(), std::min(static_cast<std::size_t>(line.count - 1), bands.capacity()));
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      EXPECT_TRUE(is_free(obstacles, bands[i], kRadius));
+  });
 }
 
 TEST(BandsAlong, EachContainsItsPieceOfThePathSoThatConsecutiveOnesOverlap) {
   for_random_bands(
       0.12, [](const ReferencePath& line, const PathBands& bands, const BitGrid& /*obstacles*/) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(bands.count); ++i) {
-          EXPECT_TRUE(bands.bands[i].contains(line.points[i], 1e-9));
-          EXPECT_TRUE(bands.bands[i].contains(line.points[i + 1], 1e-9));
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+          EXPECT_TRUE(bands[i].contains(line.points[i], 1e-9));
+          EXPECT_TRUE(bands[i].contains(line.points[i + 1], 1e-9));
         }
       });
 }
@@ -182,8 +182,8 @@ TEST(BandsAlong, NoWiderOneOfTheFourWidthsIsFree) {
   int narrow = 0;
   for_random_bands(
       kRadius, [&](const ReferencePath& line, const PathBands& bands, const BitGrid& obstacles) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(bands.count); ++i) {
-          const double width = bands.bands[i].max.y();
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+          const double width = bands[i].max.y();
           for (const double wider : {0.05, 0.1, 0.25, 0.5}) {
             if (wider < width + 1e-9) continue;
             ++narrow;
@@ -201,7 +201,7 @@ TEST(BandsAlong, AStepIsBoundToTheBandsThatTheGuessIsIn) {
   const BitGrid floor({.width = 200, .height = 200, .resolution = 0.05, .origin = {}}, false);
   const ReferencePath corner = reference({.waypoints = {{2, 2}, {5, 2}, {5, 5}}});
   const PathBands bands = bands_along(corner, 0.3, floor);
-  ASSERT_EQ(bands.count, 2);
+  ASSERT_EQ(bands.size(), 2U);
   ControlProblem problem;
   problem.horizon = 40;
   Poses poses;
@@ -210,8 +210,8 @@ TEST(BandsAlong, AStepIsBoundToTheBandsThatTheGuessIsIn) {
         k <= 20 ? Vector2d(2.0 + 0.15 * k, 2.0) : Vector2d(5.0, 2.0 + 0.15 * (k - 20));
   }
   bind_along(bands, poses, problem);
-  EXPECT_TRUE(is_same(problem.regions[1].rectangles[0], bands.bands[0]));
-  EXPECT_TRUE(is_same(problem.regions[40].rectangles[0], bands.bands[1]));
+  EXPECT_TRUE(is_same(problem.regions[1].rectangles[0], bands[0]));
+  EXPECT_TRUE(is_same(problem.regions[40].rectangles[0], bands[1]));
   int shared = 0;
   for (std::size_t k = 1; k <= 40; ++k)
     shared += problem.regions[k].count - 1;

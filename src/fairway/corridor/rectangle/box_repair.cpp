@@ -22,7 +22,7 @@ std::array<Vector2d, 4> turned_corners(const TurnedFrame& frame, CellIndex cell)
           frame.turned(low + Vector2d(0, 1))};
 }
 
-// The best to_core found so far to shrink a box by moving one side.
+// The best box found so far to shrink a box by moving one side.
 struct Pull {
   double area = -1.0;
   Box box;
@@ -101,16 +101,16 @@ PointsInside BoxRepair::points_inside(CellIndex cell, const Box& box) const noex
   }
   const bool has_corner = deepest.depth > kGap;
   PointsInside result;
-  result.add(has_corner ? frame.offset(deepest.point) : point_of_side(corners, box));
+  result.push_back(has_corner ? frame.offset(deepest.point) : point_of_side(corners, box));
   if (!has_corner || radius < kLargeRadius) return result;
-  // Points on the arc, half-to_core to where it would be deepest below each side.
+  // Points on the arc, halfway to where it would be deepest below each side.
   const Vector2d inwards = (deepest.point - deepest.center) / radius;
   for (int axis = 0; axis < 2; ++axis) {
     Vector2d between = inwards;
     between[axis] += std::copysign(1.0, inwards[axis]);
     const Vector2d point = deepest.center + radius * between.normalized();
     const double depth = std::min((point - box.min).minCoeff(), (box.max - point).minCoeff());
-    if (depth > kLeastDepth) result.add(frame.offset(point));
+    if (depth > kLeastDepth) result.push_back(frame.offset(point));
   }
   return result;
 }

@@ -5,21 +5,14 @@
 #include <cstddef>
 #include <span>
 
+#include "fairway/base/fixed_vector.hpp"
 #include "fairway/corridor/rectangle/obstacle_points.hpp"
 #include "fairway/corridor/rectangle/turned_frame.hpp"
 
 namespace fairway {
 
 /// Points of an obstacle, as offsets.
-struct PointsInside {
-  std::array<Eigen::Vector2d, 3> offsets{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
-                                         Eigen::Vector2d::Zero()};
-  std::size_t count = 0;
-
-  void add(const Eigen::Vector2d& offset) noexcept { offsets[count++] = offset; }
-  [[nodiscard]] const Eigen::Vector2d* begin() const noexcept { return offsets.data(); }
-  [[nodiscard]] const Eigen::Vector2d* end() const noexcept { return offsets.data() + count; }
-};
+using PointsInside = FixedVector<Eigen::Vector2d, 3>;
 
 /// Handles a box that meets obstacles: learns points from them, or shrinks the box.
 struct BoxRepair {
