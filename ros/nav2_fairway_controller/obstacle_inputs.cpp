@@ -101,8 +101,9 @@ void ObstacleInputs::subscribe_obstacles(const std::string& topic, const std::st
 
 void ObstacleInputs::set_settings(const Settings& settings) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  // The tracker uses no other settings. A change of a speed or of the body keeps its tracks.
+  if (!(settings.perception == settings_.perception)) tracker_.reset();
   settings_ = settings;
-  tracker_.reset();
 }
 
 bridge::ObstacleBoard ObstacleInputs::collect() {

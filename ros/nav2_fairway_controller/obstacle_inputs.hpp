@@ -33,7 +33,7 @@ class ObstacleInputs {
                  const std::string& obstacles_topic,
                  const std::string& obstacles_type);
 
-  /// Uses other settings; the tracker starts again.
+  /// Uses other settings. The tracker starts again if those of perception differ.
   void set_settings(const Settings& settings);
 
   /// The obstacles as known now. Uses the scans whose transforms have arrived.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Both plugins with a motion model: the costmap's footprint on a car and other bases.
 #include "nav2_fairway_controller/planner.hpp"
-#include "ros/nav2/plugin_rig.hpp"
+#include "ros/nav2/plugin/plugin_rig.hpp"
 
 namespace fairway::nav2 {
 namespace {

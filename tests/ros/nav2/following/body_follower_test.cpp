@@ -3,8 +3,10 @@
 // path in a frame of its own, speed limits, changing footprints, and reasons.
 #include "nav2_fairway_controller/body_follower.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -215,6 +217,44 @@ TEST(BodyFollower, FootprintsOfCostmapsAreBodies) {
   EXPECT_GE(body_of(circle)->high().y(), 0.299);
   EXPECT_FALSE(body_of(std::vector<Corner>{{0, 0}, {1, 0}, {2, 0}}));
   EXPECT_FALSE(body_of(std::vector<Corner>{{0, 0}, {1, 0}, {std::nan(""), 1}}));
+}
+
+// As FollowerThreads does for discs: parameter callbacks and speed limits come in other threads.
+TEST(BodyFollower, ChangesFromOtherThreadsTakeEffectBetweenCycles) {
+  const FollowerSettings settings = settings_of(MotionModel::Ackermann);
+  FollowerRun run(MotionModel::Ackermann, &settings);
+  const std::vector<Pose2> path{{{1.5, 3.0}, 0.0}, {{6.0, 3.0}, 0.0}, {{10.0, 3.0}, 0.0}};
+  run.set_path(path);
+  std::atomic<bool> driving = true;
+  std::atomic<int> limits = 0;
+  std::thread limiter([&] {
+    while (driving || limits < 2000) {
+      const int i = limits++;
+      run.follower_.set_speed_limit({.value = 0.001 * (i % 1200), .percentage = i % 3 == 0});
+      if (i % 50 == 49) std::this_thread::yield();
+    }
+  });
+  std::atomic<int> changes = 0;
+  std::thread changer([&] {
+    while (driving || changes < 100) {
+      const int i = changes++;
+      FollowerSettings other = settings;
+      other.robot.robot.linear_max = 0.3 + 0.001 * (i % 500);
+      run.follower_.set_settings(other);
+      if (i % 20 == 19) run.set_path(path);
+      if (i % 50 == 49) run.follower_.cancel();
+      std::this_thread::yield();
+    }
+  });
+  for (int i = 0; i < 60; ++i)
+    EXPECT_LE(std::abs(run.cycle().command.linear), 0.8 + 1e-9);
+  driving = false;
+  limiter.join();
+  changer.join();
+  run.follower_.set_settings(settings);
+  run.follower_.set_speed_limit({});
+  run.set_path(path);
+  EXPECT_EQ(run.drive_for(60.0).status, NavigationStatus::GoalReached);
 }
 
 }  // namespace

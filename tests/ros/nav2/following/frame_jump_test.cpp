@@ -3,7 +3,7 @@
 // corrected by the localisation.
 #include <gtest/gtest.h>
 
-#include "ros/nav2/follower_rig.hpp"
+#include "ros/nav2/following/follower_rig.hpp"
 
 namespace fairway::nav2 {
 namespace {

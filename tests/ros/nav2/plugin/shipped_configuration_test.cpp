@@ -9,7 +9,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "nav2_fairway_controller/planner.hpp"
-#include "ros/nav2/plugin_rig.hpp"
+#include "ros/nav2/plugin/plugin_rig.hpp"
 
 namespace fairway::nav2 {
 namespace {
@@ -142,7 +142,7 @@ TEST(ShippedConfiguration, OfTheDocumentsIsAcceptedAndDrives) {
       ++blocks;
     }
   }
-  EXPECT_EQ(blocks, 6);
+  EXPECT_EQ(blocks, 8);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <people_msgs/msg/people.hpp>
 
-#include "ros/nav2/plugin_rig.hpp"
+#include "ros/nav2/plugin/plugin_rig.hpp"
 
 namespace fairway::nav2 {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ros/nav2/follower_rig.hpp"
+#include "ros/nav2/following/follower_rig.hpp"
 
 namespace fairway::nav2 {
 namespace {

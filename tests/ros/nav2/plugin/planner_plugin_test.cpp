@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The planner plugin itself, with doubles of ROS 2 and Nav2's jazzy.
 #include "nav2_fairway_controller/planner.hpp"
-#include "ros/nav2/plugin_rig.hpp"
+#include "ros/nav2/plugin/plugin_rig.hpp"
 
 namespace fairway::nav2 {
 namespace {
