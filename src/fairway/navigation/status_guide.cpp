@@ -22,11 +22,16 @@ StatusGuide guide_of(NavigationStatus value) noexcept {
                   "raise `prediction.obstacle_margin`, or check that the limits in the settings are"
                   " those of the base."};
     case NavigationStatus::Stopping:
-      return {.meaning =
-                  "The robot executes the stop that was verified last, because no new command could"
-                  " be proven safe.",
-              .causes = "See the limiting factor: `stop not proven` or `outside the corridor`.",
-              .remedy = "See the limiting factor."};
+      return {
+          .meaning =
+              "The robot executes the stop that was verified last, because no new command could"
+              " be proven safe.",
+          .causes =
+              "An obstacle appeared closer than the braking distance; the robot was pushed out of "
+              "its corridor. The limiting factor says which.",
+          .remedy =
+              "Nothing, if it lasts a few cycles. If it is frequent, read the limiting factor: "
+              "the robot sees obstacles too late, or the place is too narrow."};
     case NavigationStatus::Blocked:
       return {.meaning =
                   "The robot is at standstill and no recovery is possible in this cycle, or the "
@@ -59,7 +64,9 @@ StatusGuide guide_of(NavigationStatus value) noexcept {
               "cycle."};
     case NavigationStatus::BadInput:
       return {.meaning = "An input is not finite or cannot be right: the robot stops.",
-              .causes = "See the limiting factor.",
+              .causes =
+                  "Headings in degrees; a division by zero in localisation; a tracker that has not "
+                  "converged; a pose that jumps. The limiting factor names the input.",
               .remedy = "Correct the program or sensor that gives the input."};
     case NavigationStatus::Infeasible:
       return {
@@ -94,8 +101,10 @@ StatusGuide guide_of(NavigationStatus value) noexcept {
       return {.meaning =
                   "The robot made no progress for `navigation.patience`; the goal was dropped and "
                   "the robot is stopped.",
-              .causes = "As for `blocked`.",
-              .remedy = "Set another goal, or the same one again."};
+              .causes =
+                  "An obstacle closes the path; another robot waits at the same place; the goal "
+                  "cannot be reached with what is known now.",
+              .remedy = "Remove the obstacle; then set another goal, or the same one again."};
     case NavigationStatus::Holding:
       return {.meaning = "The robot brakes along its corridor, or is stopped; the goal is kept.",
               .causes = "`hold` was called.",
@@ -162,15 +171,17 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
                   "There is no map, or the changing map is older than `safety.map_timeout`. With a "
                   "lidar this is the age of the last scan.",
               .causes = "The lidar or the map server stopped; no map was set.",
-              .remedy = "As above. A fixed map needs no `map_time`."};
+              .remedy =
+                  "Check the lidar or the map server; raise the timeout only if the surroundings "
+                  "change slowly. A fixed map needs no `map_time`."};
     case LimitingFactor::StaleTracks:
       return {.meaning =
                   "The moving obstacles, or a message of another robot, are older than "
                   "`safety.tracks_timeout`.",
               .causes = "The tracker or the radio stopped.",
               .remedy =
-                  "As above. Leave `obstacles_due` false if your tracker publishes only while it "
-                  "sees something."};
+                  "Check the tracker or the radio. Leave `obstacles_due` false if your tracker "
+                  "publishes only while it sees something."};
     case LimitingFactor::InvalidPose:
       return {.meaning = "The pose or the time is not finite, or the heading is beyond 64 rad.",
               .causes = "Headings in degrees; a division by zero in localisation.",
@@ -192,15 +203,22 @@ StatusGuide guide_of(LimitingFactor value) noexcept {
                   "Call `reset` after the robot was moved by other means. Raise `safety.pose_jump` "
                   "if your localisation corrects by larger steps."};
     case LimitingFactor::SolverFailed:
-      return {.meaning = "The solver has no usable answer.",
-              .causes = "As for `infeasible`.",
-              .remedy = "As for `infeasible`."};
+      return {
+          .meaning = "The solver has no usable answer.",
+          .causes = "The numbers of the control problem are not finite or contradict each other.",
+          .remedy =
+              "Report it with a recording (`--log`); this should not occur with valid settings."};
     case LimitingFactor::NoPath:
-      return {.meaning =
-                  "There is no plan: no goal, no path, no corridor, or the plan ends before the "
-                  "goal.",
-              .causes = "As for `no plan`.",
-              .remedy = "As for `no plan`."};
+      return {
+          .meaning =
+              "There is no plan: no goal, no path, no corridor, or the plan ends before the "
+              "goal.",
+          .causes =
+              "No goal was set; the goal lies inside an obstacle; every passage is too narrow.",
+          .remedy =
+              "Read the sentence beside the status, which names the narrowest gap of the best "
+              "route. Open that passage, or lower `path.margin` if the body is smaller than the "
+              "settings say."};
     case LimitingFactor::InvalidGoal:
       return {.meaning = "The goal is not finite, or its heading is beyond 2 pi.",
               .causes = "Headings in degrees.",
