@@ -257,7 +257,12 @@ FollowerStep PathFollower::judged(const NavigationStep& step, const FollowerInpu
 std::string PathFollower::reason_of(const NavigationStep& step) const {
   if (holds_) return limit_fault_;
   if (!blocked_.empty()) return blocked_;
-  return why_standing(step, navigator_.plan(), progress_, piece_);
+  std::string text = why_standing(step, navigator_.plan(), progress_, piece_);
+  const StepExplanation why = navigator_.explain(step, 0.0);
+  const bool says_more = why.kind == StepExplanation::Kind::MovingObstacle ||
+                         why.kind == StepExplanation::Kind::Stop ||
+                         why.kind == StepExplanation::Kind::Input;
+  return says_more ? text + "; " + why.text : text;
 }
 
 FollowerStep PathFollower::update(const FollowerInput& input) {

@@ -203,5 +203,36 @@ TEST(Simulate, ABodyWithoutAPathIsExplainedWithNumbers) {
   EXPECT_NEAR(obstruction.at("needed").get<double>(), 1.2, 1e-9);
 }
 
+TEST(Simulate, ARobotThatWaitsSaysForWhom) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write("run.yaml",
+               "map: room.yaml\ntime_limit: 15\nrobots: [{start: [2, 2, 0], goal: [6.5, 2]}]\n"
+               "obstacles: [{name: person, radius: 0.3, key_frames: [[0, 4, 2]]}]\n");
+  const ToolRun run = run_tool(folder, "simulate run.yaml --json out.json");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("waits for a moving obstacle at (4.00, 2.00)"), std::string::npos)
+      << run.err;
+  const auto result = nlohmann::json::parse(content_of(folder.path("out.json")));
+  const auto& why = result.at("robots").at(0).at("explanation");
+  EXPECT_EQ(why.at("kind"), "moving obstacle");
+  EXPECT_NEAR(why.at("position").at(0).get<double>(), 4.0, 1e-6);
+  EXPECT_GT(why.at("found").get<double>(), 0.0);
+}
+
+TEST(Simulate, ARobotWithALidarSaysWhichGapIsTooNarrow) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write("run.yaml",
+               "map: room.yaml\ntime_limit: 60\nsensing: lidar\n"
+               "robots: [{start: [2, 2, 0], goal: [6.5, 2]}]\n");
+  const ToolRun run = run_tool(folder, "simulate run.yaml --json out.json --set robot.radius=0.6");
+  EXPECT_EQ(run.code, 1);
+  const auto result = nlohmann::json::parse(content_of(folder.path("out.json")));
+  const auto& why = result.at("robots").at(0).at("explanation");
+  EXPECT_EQ(why.at("kind"), "path") << run.err;
+  EXPECT_NE(run.err.find(" m wide"), std::string::npos) << run.err;
+}
+
 }  // namespace
 }  // namespace fairway::test

@@ -132,12 +132,15 @@ std::string failure_reason(const Scenario& scenario,
     return model ? explain_body(map, model->body, position, robot.plan)
                  : explain(map, position, robot.plan, scenario.settings.robot.radius);
   }
-  if (!robot.plan.usable()) return robot.plan.reason();
+  if (!robot.plan.usable()) {
+    return robot.explanation.text.empty() ? robot.plan.reason() : robot.explanation.text;
+  }
   const double distance = (scenario.robots[index].goal.position - position).norm();
   std::string text = fmt::format(
       "did not reach its goal within {:.1f} s: {:.2f} m from it, at "
       "({:.2f}, {:.2f})",
       robot.time, distance, position.x(), position.y());
+  if (!robot.explanation.text.empty()) return text + "; " + robot.explanation.text;
   if (last == nullptr) return text;
   text += fmt::format("; last status: {}", to_text(last->status));
   if (last->limit != LimitingFactor::None) text += fmt::format(" ({})", to_text(last->limit));
@@ -156,6 +159,15 @@ std::optional<PathObstruction> obstruction_of(const Scenario& scenario,
   const auto& model = scenario.robots[index].model;
   if (model) return find_body_obstruction(map, model->body, pose.position, robot.plan);
   return find_obstruction(map, pose.position, robot.plan, scenario.settings.robot.radius);
+}
+
+Json explanation_json(const StepExplanation& why) {
+  Json json{{"kind", to_text(why.kind)}, {"text", why.text}};
+  const bool has_place = why.position != Eigen::Vector2d::Zero();
+  if (has_place) json["position"] = {why.position.x(), why.position.y()};
+  if (has_place || why.needed > 0.0) json["found"] = why.found;
+  if (why.needed > 0.0) json["needed"] = why.needed;
+  return json;
 }
 
 }  // namespace
@@ -187,6 +199,8 @@ Json episode_json(const Scenario& scenario, const EpisodeResult& result) {
     }
     if (robot.reached && !robot.collided && robot.zones.none()) continue;
     robots.back()["reason"] = failure_reason(scenario, result, i);
+    if (!robot.collided && !robot.reached && robot.explanation.kind != StepExplanation::Kind::None)
+      robots.back()["explanation"] = explanation_json(robot.explanation);
     if (const auto found = obstruction_of(scenario, result, i))
       robots.back()["obstruction"] = obstruction_json(*found);
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "fairway/map/bit_grid.hpp"
 #include "fairway/mpc/solution.hpp"
@@ -62,5 +63,44 @@ struct NavigationStep {
   double lateral = 0.0;   ///< of a command to an omnidirectional base, to the left [m/s]
   double steering = 0.0;  ///< angle of the steered wheel of a car or tricycle, also at rest [rad]
 };
+
+/// Why a robot does not drive, or not faster, with numbers.
+struct StepExplanation {
+  enum class Kind : std::uint8_t {
+    None,  ///< nothing is wrong: the robot drives as fast as its limits and corridor allow
+    MovingObstacle,  ///< it waits for a moving obstacle, or keeps its distance from it
+    Robot,           ///< the same, of another robot of the fleet
+    Stop,            ///< no new command leaves a stop that is free
+    Path,            ///< there is no path
+    Input,           ///< an input is too old
+    Other,           ///< the status or limiting factor says it all; see `fairway statuses`
+  };
+  Kind kind = Kind::None;
+  std::string text;  ///< one sentence without a full stop; empty for None
+  /// Of the moving obstacle or robot in the way, in the frame of the map [m].
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double found = 0.0;   ///< distance between the bodies or to the obstacle [m]; age of an input [s]
+  double needed = 0.0;  ///< length of a stop [m], or the greatest age [s]; 0: none
+};
+
+[[nodiscard]] constexpr const char* to_text(StepExplanation::Kind kind) noexcept {
+  switch (kind) {
+    case StepExplanation::Kind::None:
+      return "none";
+    case StepExplanation::Kind::MovingObstacle:
+      return "moving obstacle";
+    case StepExplanation::Kind::Robot:
+      return "robot";
+    case StepExplanation::Kind::Stop:
+      return "stop";
+    case StepExplanation::Kind::Path:
+      return "path";
+    case StepExplanation::Kind::Input:
+      return "input";
+    case StepExplanation::Kind::Other:
+      return "other";
+  }
+  return "unknown";
+}
 
 }  // namespace fairway

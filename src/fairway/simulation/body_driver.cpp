@@ -45,6 +45,11 @@ class BodyDriver final : public RobotDriver {
     if (senses_) senses_->measure(world);
   }
   [[nodiscard]] const Plan& plan() const override { return navigator_.plan(); }
+  [[nodiscard]] StepExplanation explain(const NavigationStep& /*step*/,
+                                        double /*speed*/) const override {
+    if (navigator_.explanation().empty()) return {};
+    return {.kind = StepExplanation::Kind::Path, .text = navigator_.explanation()};
+  }
   [[nodiscard]] LimitMark mark(const NavigationStep& /*step*/) const override { return {}; }
   void tell_standing(const World& world) override {
     look_around(world.time());

@@ -34,6 +34,7 @@ struct RobotResult {
   std::vector<double> sense_seconds{};  ///< computing time of each scan's processing, with a clock
                                         ///< [s]
   Plan plan{};                          ///< the last plan that the robot followed
+  StepExplanation explanation{};        ///< why it did not drive, or not faster, when time ended
 };
 
 /// The result of a whole run.

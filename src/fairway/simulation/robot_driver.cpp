@@ -48,6 +48,9 @@ class MapDriver final : public RobotDriver {
   [[nodiscard]] LimitMark mark(const NavigationStep& step) const override {
     return limit_mark(navigator_.navigator(), step);
   }
+  [[nodiscard]] StepExplanation explain(const NavigationStep& step, double speed) const override {
+    return navigator_.explain(step, speed);
+  }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
     const Measurements measured = measure_on_map(world, robot_, context_.radio, seen_);
@@ -141,6 +144,11 @@ class LidarDriver final : public RobotDriver {
   [[nodiscard]] const Plan& plan() const override { return navigator_.navigator().plan(); }
   [[nodiscard]] LimitMark mark(const NavigationStep& step) const override {
     return limit_mark(navigator_.navigator(), step);
+  }
+  [[nodiscard]] StepExplanation explain(const NavigationStep& step, double speed) const override {
+    const std::string no_path = navigator_.explanation();
+    if (!no_path.empty()) return {.kind = StepExplanation::Kind::Path, .text = no_path};
+    return navigator_.explain(step, speed);
   }
   bool head_for(const Goal& goal, const World& /*world*/) override {
     navigator_.set_goal(goal);

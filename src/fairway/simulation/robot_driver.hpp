@@ -66,6 +66,10 @@ class RobotDriver {
 
   /// Where the constraint that limits a step lies.
   [[nodiscard]] virtual LimitMark mark(const NavigationStep& step) const = 0;
+
+  /// Why the robot does not drive, or not faster. Call it right after `drive`, which returned
+  /// `step`; it may take milliseconds. @param speed  At which the robot moves [m/s].
+  [[nodiscard]] virtual StepExplanation explain(const NavigationStep& step, double speed) const = 0;
 };
 
 /// What a robot that knows the map measures: its pose, the moving obstacles, and other robots by

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fairway/navigation/facade/map_navigator_state.hpp"
+#include "fairway/navigation/step_explanation.hpp"
 
 namespace fairway {
 
@@ -132,5 +133,13 @@ double MapNavigator::planning_seconds() const noexcept {
 
 const Navigator& MapNavigator::navigator() const noexcept { return *state_->navigator; }
 const NavigationInput& MapNavigator::input() const noexcept { return state_->input; }
+
+StepExplanation MapNavigator::explain(const NavigationStep& step, double speed) const {
+  if (step.limit == LimitingFactor::NoPath && state_->plan_is_current && !plan().usable()) {
+    return {.kind = StepExplanation::Kind::Path,
+            .text = explanation().empty() ? plan().reason() : explanation()};
+  }
+  return explain_step(*state_->navigator, step, state_->input, speed);
+}
 
 }  // namespace fairway

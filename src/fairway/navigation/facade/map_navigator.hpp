@@ -145,6 +145,12 @@ class MapNavigator {
   /// appear.
   [[nodiscard]] const std::string& explanation() const noexcept;
 
+  /// Explains the step of the last cycle, with numbers and the place of what the robot waits for.
+  /// Call it before the next cycle, while the measurements given to `update` are valid, and outside
+  /// of a control loop: it allocates.
+  /// @param speed  At which the robot moves [m/s].
+  [[nodiscard]] StepExplanation explain(const NavigationStep& step, double speed) const;
+
   /// Returns whether the last cycle started to follow another plan.
   [[nodiscard]] bool follows_new_plan() const noexcept;
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fairway/navigation/facade/mapless_navigator_state.hpp"
+#include "fairway/navigation/step_explanation.hpp"
 
 namespace fairway {
 
@@ -84,5 +85,21 @@ void MaplessNavigator::wait_for_plan() const noexcept { state_->planning->wait()
 const Navigator& MaplessNavigator::navigator() const noexcept { return state_->navigator; }
 const Perception& MaplessNavigator::perception() const noexcept { return state_->perception; }
 const NavigationInput& MaplessNavigator::input() const noexcept { return state_->input; }
+
+std::string MaplessNavigator::explanation() const {
+  if (!state_->task.can_be_done()) return {};
+  const PreparedMap map(state_->perception.grid().occupied());
+  const Eigen::Vector2d& here = state_->input.pose.position;
+  const Plan plan =
+      Planner().plan(map, here, state_->task.task()->goal, planner_settings(state_->settings));
+  if (plan.usable() || plan.path_status == PathStatus::GoalOutsideMap) return {};
+  return fairway::explain(map, here, plan, state_->settings.robot.radius);
+}
+
+StepExplanation MaplessNavigator::explain(const NavigationStep& step, double speed) const {
+  if (step.limit == LimitingFactor::NoPath && state_->plan_is_current && !plan().usable())
+    return {.kind = StepExplanation::Kind::Path, .text = plan().reason()};
+  return explain_step(state_->navigator, step, state_->input, speed);
+}
 
 }  // namespace fairway

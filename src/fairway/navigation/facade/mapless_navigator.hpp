@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "fairway/mpc/solution.hpp"
 #include "fairway/navigation/navigation_step.hpp"
@@ -88,6 +89,17 @@ class MaplessNavigator {
   [[nodiscard]] const Settings& settings() const noexcept;
   [[nodiscard]] const Plan& plan() const noexcept;
   [[nodiscard]] bool plan_is_current() const noexcept;
+
+  /// Returns why there is no path to the goal on what the robot has seen so far, in one sentence
+  /// with numbers; empty if there is one, or without a goal. It makes a plan on a copy of the local
+  /// map, which takes milliseconds: call it outside of a control loop.
+  [[nodiscard]] std::string explanation() const;
+
+  /// Explains the step of the last cycle, with numbers and the place of what the robot waits for.
+  /// Call it before the next cycle, while the measurements given to `update` are valid, and outside
+  /// of a control loop: it allocates.
+  /// @param speed  At which the robot moves [m/s].
+  [[nodiscard]] StepExplanation explain(const NavigationStep& step, double speed) const;
 
   /// Returns whether the last cycle made a plan, used or not.
   [[nodiscard]] bool planned() const noexcept;

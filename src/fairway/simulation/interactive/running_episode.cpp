@@ -139,6 +139,10 @@ void Episode::control(std::size_t i) {
   command(i, step);
   if (cycle.new_plan) show_plan(i);
   record(i, cycle);
+  const bool is_last =
+      world_.time() + 1.5 * settings_.navigation.control_period > scenario_.time_limit;
+  if (is_last && !hooks_.play)
+    result.explanation = drivers_[i]->explain(step, world_.robots()[i].twist.linear);
   if (step.status == NavigationStatus::GoalReached) {
     result.reached = true;
     result.time = world_.time();

@@ -86,6 +86,7 @@ TEST(PathFollower, BrakesWhenTheCostmapIsOldAndThenReportsIt) {
   EXPECT_EQ(step.fault, FollowerFault::NoControl);
   EXPECT_EQ(step.status, NavigationStatus::Stale);
   EXPECT_NE(step.reason.find("stale map"), std::string::npos) << step.reason;
+  EXPECT_NE(step.reason.find("s old, and safety.map_timeout is"), std::string::npos) << step.reason;
 }
 
 TEST(PathFollower, BrakesToStandstillWhenCancelled) {
