@@ -88,7 +88,7 @@ TEST(StepExplanation, NamesThePersonWhoStandsInThePassage) {
       << why.text;
 }
 
-// The solver slows down for the person ahead, not for the one who follows more closely.
+// The solver slows down for the person ahead, not for the nearer one that follows.
 TEST(StepExplanation, NamesThePersonAheadAndNotTheNearerOneBehind) {
   Passage passage;
   const Vector2d ahead(6.0, 2.0);
