@@ -8,6 +8,7 @@ import { execFileSync } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { openPage } from './support/browser.mjs';
+import { confirm } from './support/live.mjs';
 import { picture, shared, useRun, withPage } from './support/replay_page.mjs';
 import { program, simulatedRun } from './support/runs.mjs';
 import { serve } from './support/server.mjs';
@@ -139,8 +140,10 @@ test('the live page switches the robots between the map and their lidar', async 
   try {
     await page.waitForFunction(() => window.fairway?.drawn > 0);
     await page.selectOption('#map-choice', { label: 'Empty hall' });
+    await confirm(page);
     await page.waitForFunction(() => window.fairway.run.begin.name === 'Empty hall');
     await page.selectOption('#senses', { label: 'Noisy lidar + odometry' });
+    await confirm(page);
     await page.waitForFunction(() => window.fairway.run.lidar && window.fairway.run.frames.at(-1)?.robots[0].scan?.points.length > 600);
     // Another page shows the same choice.
     await beside.waitForFunction(() => window.fairway?.run?.lidar
@@ -172,6 +175,7 @@ test('the live page switches the robots between the map and their lidar', async 
     await writeFile(recording, Buffer.from(await (await fetch(new URL('/recording.mcap', server.url))).arrayBuffer()));
     assert.match(execFileSync(program('fairway'), ['replay', recording], { encoding: 'utf8' }), /every command the same to the bit/);
     await page.selectOption('#senses', { label: 'Known map' });
+    await confirm(page);
     await page.waitForFunction(() => !window.fairway.run.lidar && window.fairway.run.frames.length > 3);
     assert.ok(await page.isHidden('label:has([data-layer="scan"])'));
     assert.deepEqual(errors, []);

@@ -9,7 +9,7 @@ import test, { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { launch, openPage } from './support/browser.mjs';
 import { program } from './support/runs.mjs';
-import { cellAt, cellBecomes, click, drag, last, title, until, withLive as liveWith } from './support/live.mjs';
+import { cellAt, cellBecomes, click, confirm, drag, last, title, until, withLive as liveWith } from './support/live.mjs';
 import { serve } from './support/server.mjs';
 
 let browser;
@@ -221,6 +221,7 @@ test('settings show their units, take effect at once, and are refused if invalid
 test('each map can be selected', () => withLive(async (page) => {
   for (const name of await page.locator('#map-choice option').allTextContents()) {
     await page.selectOption('#map-choice', { label: name });
+    await confirm(page);
     await title(page, name);
     await until(page, () => window.fairway.run.frames.length > 3);
     await until(page, () => window.fairway.run.frames.at(-1).robots[0].plan?.usable);

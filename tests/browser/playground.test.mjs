@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import test, { after, before } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { launch, openPage } from './support/browser.mjs';
-import { click, title, until } from './support/live.mjs';
+import { click, confirm, title, until } from './support/live.mjs';
 import { program } from './support/runs.mjs';
 
 const scenarios = fileURLToPath(new URL('../../scenarios', import.meta.url));
@@ -97,6 +97,7 @@ test('it is one file of at most 3 MB that refers to nothing outside', async () =
 
 test('from a file: a robot drives to a goal that is clicked', () => withPage(async (page) => {
   await page.selectOption('#map-choice', { label: 'Empty hall' }, { force: true });
+  await confirm(page);
   await title(page, 'Empty hall');
   await page.selectOption('#speed', '8');
   await page.click('#tool-goal');
@@ -109,6 +110,7 @@ test('from a file: a robot drives to a goal that is clicked', () => withPage(asy
 
 test('a link holds the scenario', () => withPage(async (page) => {
   await page.selectOption('#map-choice', { label: 'Empty hall' }, { force: true });
+  await confirm(page);
   await title(page, 'Empty hall');
   await page.click('#tool-person');
   await click(page, 4, 8);

@@ -15,14 +15,14 @@ const skip = (why) => {
 
 if (Number(process.versions.node.split('.')[0]) < 18) skip(`needs Node 18 or later, found ${process.version}`);
 if (!existsSync(here('node_modules/playwright-core'))) skip('needs `npm ci` in tests/browser (./test does it)');
-if (file === 'page.test.mjs' && !existsSync(here('../../viewer/node_modules/esbuild'))) {
+if (file.startsWith('page') && !existsSync(here('../../viewer/node_modules/esbuild'))) {
   skip('needs `npm ci` in viewer (./test does it)');
 }
 const chromium = process.env.FAIRWAY_CHROMIUM ?? '/usr/bin/chromium';
-const browser = ['replay.test.mjs', 'replay_view.test.mjs', 'lidar.test.mjs', 'live.test.mjs', 'live_review.test.mjs', 'screens.test.mjs',
-  'playground.test.mjs'];
+const browser = ['replay.test.mjs', 'replay_view.test.mjs', 'lidar.test.mjs', 'live.test.mjs', 'live_review.test.mjs', 'live_safeguards.test.mjs',
+  'live_zones.test.mjs', 'walkthrough.test.mjs', 'screens.test.mjs', 'playground.test.mjs'];
 if (browser.includes(file) && !existsSync(chromium)) skip(`needs Chromium at ${chromium}`);
-const server = ['live.test.mjs', 'live_review.test.mjs', 'screens.test.mjs', 'clients.test.mjs', 'foxglove.test.mjs'];
+const server = ['live.test.mjs', 'live_review.test.mjs', 'live_safeguards.test.mjs', 'live_zones.test.mjs', 'walkthrough.test.mjs', 'screens.test.mjs', 'clients.test.mjs', 'foxglove.test.mjs'];
 if (server.includes(file) && spawnSync(`${programs}/fairway`, ['serve', '--help']).status !== 0) {
   skip('needs `fairway serve`, which needs libboost-dev');
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { LiveMessage, LiveState } from './data/live_messages';
+import { type LiveMessage, type LiveState, stateWords } from './data/live_messages';
+import { PaceMeter, paceText } from './data/pace';
 import type { Run } from './data/run';
 import { StreamReader } from './data/stream';
+import { Connection } from './input/connection';
 import { EditButtons } from './input/edit_buttons';
 import { Files } from './input/files';
 import { connectButtons, listenToKeys } from './input/keys';
@@ -10,6 +12,8 @@ import { robotActions } from './input/robot_actions';
 import { openLink } from './input/share';
 import { Toolbar } from './input/toolbar';
 import { element } from './page/dom';
+import { notify } from './page/notice';
+import { isPast, markPast } from './page/present';
 import { Tabs } from './page/tabs';
 import { BodyEditor } from './panels/body_editor';
 import { EventList } from './panels/event_list';
@@ -19,6 +23,7 @@ import { Viewer } from './view/viewer';
 
 const WINDOW = 60; // displayed past [s]
 const KEPT = 600; // past in memory [s]
+const SHORT = 5; // a run up to this length may be lost without a question [s]
 
 /** The live page: events arrive over a WebSocket, and the user's actions are sent back. */
 class Live implements Transport {
@@ -33,16 +38,16 @@ class Live implements Transport {
   private readonly edits: EditButtons;
   private readonly events: EventList;
   private state: LiveState | null = null;
-  private socket: WebSocket | null = null;
+  private readonly connection: Connection;
   private run: Run | null = null;
   private following = true;
   private fresh = false; // a run has begun and is not displayed yet
   private linked = false; // the address has been followed
   private asked: number | null = null; // the time in the address, until the run has reached it
-  private retry = 250; // until the next attempt to connect [ms]
+  private replayed = 1; // speed of the replayed past
+  private readonly meter = new PaceMeter();
   private frozen: [number, number] = [0, 1];
   private last = 0;
-  private noticeTimer = 0;
 
   constructor() {
     const { viewer } = this;
@@ -50,7 +55,7 @@ class Live implements Transport {
     this.toolbar = new Toolbar(viewer, send);
     this.edits = new EditButtons(send);
     viewer.panel.actions = robotActions(viewer, send);
-    this.files = new Files(send, (notice) => this.tell(notice));
+    this.files = new Files(send, notify, () => this.loss());
     new Tabs(element('tabs'), [['Robots', 'robots'], ['Events', 'events'], ['Settings', 'settings']]);
     const change = (assignments: string[]): void => send({ do: 'set', assignments });
     this.body = new BodyEditor((values) => this.settings.send(values));
@@ -62,8 +67,14 @@ class Live implements Transport {
     connectButtons(viewer);
     listenToKeys(viewer, this, this.toolbar);
     for (const id of ['go-live', 'past-live']) element(id).addEventListener('click', () => this.end());
-    this.open();
+    this.connection = new Connection({
+      opened: () => { this.reader.restart(); this.pill('live', 'good'); },
+      message: (message) => this.told(message),
+      records: (bytes) => this.received(bytes),
+      closed: () => this.pill('Disconnected, reconnecting', 'bad'),
+    });
     requestAnimationFrame((now) => this.tick(now));
+    viewer.mayBegin = (what) => this.files.mayBegin(what);
     Object.assign(window, { fairway: viewer });
   }
 
@@ -105,17 +116,21 @@ class Live implements Transport {
   }
 
   speed(factor: number): void {
-    this.send({ do: 'speed', factor });
+    if (!this.following) this.replayed = factor;
+    else this.send({ do: 'speed', factor });
   }
 
   // Follows the present, or shows clearly that this is the past, in which nothing can be changed.
   private follow(following: boolean): void {
     this.following = following;
-    document.body.classList.toggle('past', !following);
+    markPast(!following);
     element('go-live').toggleAttribute('disabled', following);
     element('past').hidden = following;
     this.toolbar.enable(following);
-    if (following && this.state) this.playing = !this.state.paused;
+    if (following && this.state) {
+      this.playing = !this.state.paused;
+      element<HTMLSelectElement>('speed').value = `${this.state.speed}`;
+    } else this.replayed = Number(element<HTMLSelectElement>('speed').value);
     showPlaying(this.playing);
     this.showState();
   }
@@ -128,32 +143,16 @@ class Live implements Transport {
     return [from, Math.max(end, from + 10)];
   }
 
-  private open(): void {
-    const url = new URL('/live', location.href);
-    url.hash = '';
-    url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
-    const socket = new WebSocket(url);
-    socket.binaryType = 'arraybuffer';
-    socket.addEventListener('open', () => {
-      this.retry = 250;
-      this.reader.restart();
-      this.pill('live', 'good');
-    });
-    socket.addEventListener('message', ({ data }) => {
-      if (typeof data === 'string') this.told(JSON.parse(data) as LiveMessage);
-      else this.received(new Uint8Array(data as ArrayBuffer));
-    });
-    socket.addEventListener('close', () => {
-      this.pill('Disconnected, reconnecting', 'bad');
-      setTimeout(() => this.open(), this.retry);
-      this.retry = Math.min(this.retry * 2, 5000);
-    });
-    this.socket = socket;
+  private send(command: Record<string, unknown>): void {
+    // Only the emergency stop acts also while the page shows the past.
+    if (isPast() && command.do !== 'halt') this.viewer.say('This is the past. Go live to change the world.');
+    else if (!this.connection.send(command)) this.viewer.say('Disconnected: the change was not sent.');
   }
 
-  private send(command: Record<string, unknown>): void {
-    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
-    else this.viewer.say('Disconnected: the change was not sent.');
+  // What a new run would lose; nothing worth a question in the first seconds.
+  private loss(): string {
+    const seconds = this.run?.duration ?? 0;
+    return seconds > SHORT ? `The run of ${seconds.toFixed(1)} s will be lost; Export saves it.` : '';
   }
 
   private pill(text: string, tone: string): void {
@@ -163,25 +162,18 @@ class Live implements Transport {
     pill.hidden = false;
   }
 
-  private tell(notice: string): void {
-    const root = element('notice');
-    root.textContent = notice;
-    root.hidden = false;
-    clearTimeout(this.noticeTimer);
-    this.noticeTimer = window.setTimeout(() => { root.hidden = true; }, 8000);
-  }
-
   private told({ state, notice, refused }: LiveMessage): void {
-    if (notice) this.tell(notice);
+    if (notice) notify(notice);
     if (refused) this.refuse(refused);
     if (!state) return;
+    if (state.speed !== this.state?.speed || state.paused) this.meter.reset();
     this.state = state;
     if (this.following) {
       this.playing = !state.paused;
       showPlaying(this.playing);
     }
     const speed = element<HTMLSelectElement>('speed');
-    if (document.activeElement !== speed) speed.value = `${state.speed}`;
+    if (document.activeElement !== speed && this.following) speed.value = `${state.speed}`;
     this.files.show(state.maps, state.map, state.edited);
     this.files.showSenses(state.sensing, state.noise);
     this.showState();
@@ -192,18 +184,16 @@ class Live implements Transport {
       this.settings.refuse(settings, text);
       if (settings.includes('robot.length')) this.body.refused(text);
     } else if (at) this.viewer.tellAt(at, text);
-    else this.tell(text);
+    else notify(text);
   }
 
   private showState(): void {
     const { state } = this;
     if (!state) return;
     this.edits.show(state.undo, state.redo, state.halted, this.following);
-    if (this.socket?.readyState !== WebSocket.OPEN) return;
-    if (!this.following) this.pill(`viewing ${this.viewer.time.toFixed(1)} s`, 'slow');
-    else if (state.waiting) this.pill('starting', 'idle');
-    else if (state.halted) this.pill('emergency stop', 'bad');
-    else this.pill(state.paused ? 'paused' : 'live', state.paused ? 'slow' : 'good');
+    if (!this.connection.isOpen) return;
+    const [text, tone] = stateWords(state, this.following ? null : this.viewer.time, this.meter.pace);
+    this.pill(text, tone);
   }
 
   private begin(run: Run): void {
@@ -215,6 +205,7 @@ class Live implements Transport {
     this.reader.push(bytes);
     const { run, viewer } = this;
     if (!run || run.frames.length === 0) return;
+    this.measure(run);
     if (this.fresh) {
       this.fresh = false;
       this.follow(true);
@@ -241,6 +232,15 @@ class Live implements Transport {
       run.forget(run.duration - KEPT);
     }
     viewer.invalidate();
+  }
+
+  // A paused world has no pace, and one that is late says so.
+  private measure(run: Run): void {
+    const { meter, state } = this;
+    if (!state || state.paused || state.waiting) return meter.reset();
+    const before = paceText(meter.pace, state.speed);
+    meter.add(run.duration, performance.now() / 1e3);
+    if (this.following && paceText(meter.pace, state.speed) !== before) this.showState();
   }
 
   private tick(now: number): void {
@@ -274,7 +274,7 @@ class Live implements Transport {
     const { viewer } = this;
     const [from, to] = this.frozen;
     if (this.playing && seconds > 0) {
-      viewer.time = Math.min(viewer.time + (this.state?.speed ?? 1) * seconds, run.duration);
+      viewer.time = Math.min(viewer.time + this.replayed * seconds, run.duration);
       if (viewer.time > to) this.frozen = [from, viewer.time];
       viewer.invalidate();
       if (viewer.time >= run.duration) return this.follow(true);

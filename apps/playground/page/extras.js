@@ -4,13 +4,18 @@
   const picker = document.getElementById('map-files');
   const bytes = async (file) => new Uint8Array(await file.arrayBuffer());
 
+  const begin = async (named) => {
+    // The page asks before its run is lost.
+    if (await window.fairway.mayBegin('The new scenario')) playground.begin(named);
+  };
+
   const drop = async (files) => {
     const zip = files.find((file) => /\.zip$/i.test(file.name));
-    if (zip) return playground.begin(Object.entries(await playground.unzip(await bytes(zip))));
+    if (zip) return begin(Object.entries(await playground.unzip(await bytes(zip))));
     const texts = await Promise.all(files.filter((file) => /\.ya?ml$/i.test(file.name)).map((file) => file.text()));
     if (texts.some((text) => /^robots:/m.test(text))) {
       const named = await Promise.all(files.map(async (file) => [file.name, await bytes(file)]));
-      return playground.begin(named);
+      return begin(named);
     }
     const list = new DataTransfer();
     for (const file of files) list.items.add(file);

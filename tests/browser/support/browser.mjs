@@ -15,7 +15,7 @@ export const launch = () => chromium.launch({
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1560, height: 900 }, ...options });
   // The limit is large, so that other programs do not decide a test.
-  context.setDefaultTimeout(180_000);
+  context.setDefaultTimeout(Number(process.env.FAIRWAY_BROWSER_TIMEOUT ?? 180_000));
   const page = await context.newPage();
   const errors = [];
   page.on('pageerror', (error) => errors.push(String(error)));

@@ -16,8 +16,7 @@ export async function withLive(browser, work, { map = 'Empty hall', pages = 1, e
     const { page } = opened[0];
     await page.waitForFunction(() => window.fairway?.drawn > 0);
     if (map) {
-      await page.selectOption('#map-choice', { label: map }, { force: true });
-      await title(page, map);
+      await chooseMap(page, map);
     }
     await work(...opened.map((one) => one.page), server);
     for (const { errors } of opened) assert.deepEqual(errors, expected);
@@ -26,6 +25,18 @@ export async function withLive(browser, work, { map = 'Empty hall', pages = 1, e
     assert.equal(await server.stop(), 0);
   }
 }
+
+/** Selects a map, and answers the question of a page whose run would be lost. */
+export const chooseMap = async (page, map) => {
+  await page.selectOption('#map-choice', { label: map }, { force: true });
+  await confirm(page);
+  await title(page, map);
+};
+
+/** Agrees to lose the run, if the page asks. */
+export const confirm = async (page) => {
+  if (await page.locator('#confirm').isVisible()) await page.click('#confirm-ok');
+};
 
 export const title = (page, name) => page.waitForFunction((text) => document.getElementById('title').textContent === text, name);
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+import { paceText } from './pace';
+import type { Tone } from './words';
+
 /** What the server says besides the run. */
 export interface LiveState {
   paused: boolean;
@@ -19,4 +22,18 @@ export interface LiveMessage {
   state?: LiveState;
   notice?: string;
   refused?: { text: string; at?: { x: number; y: number }; settings?: string[] };
+}
+
+/**
+ * The state of the world in few words.
+ * @param past the time that is shown; null for the present.
+ * @param pace simulated seconds per second; null while it is unknown.
+ */
+export function stateWords(state: LiveState, past: number | null, pace: number | null): [string, Tone] {
+  if (past !== null) return [`viewing ${past.toFixed(1)} s`, 'slow'];
+  if (state.waiting) return ['starting', 'idle'];
+  if (state.halted) return ['emergency stop', 'bad'];
+  if (state.paused) return ['paused', 'slow'];
+  const late = paceText(pace, state.speed);
+  return late ? [`live, ${late}`, 'slow'] : ['live', 'good'];
 }

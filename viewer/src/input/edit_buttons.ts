@@ -20,7 +20,7 @@ export class EditButtons {
       const key = event.key.toLowerCase();
       if (key !== 'z' && key !== 'y') return;
       event.preventDefault();
-      send({ do: key === 'y' || event.shiftKey ? 'redo' : 'undo' });
+      (key === 'y' || event.shiftKey ? this.redo : this.undo).click(); // nothing while it is disabled
     });
   }
 

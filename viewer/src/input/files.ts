@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { element, make } from '../page/dom';
+import { confirmed } from '../page/confirm';
 import { popover } from '../page/popovers';
+import { isPast, presentOnly } from '../page/present';
 import type { Send } from './tools';
 
 type Tell = (notice: string) => void;
@@ -26,6 +28,9 @@ export function uploadRefusal(text: string): string {
   return `${file}${/\.\w+$/.test(file!) ? '' : '.yaml'} line ${row}: ${key} must be ${expected!.replace(/^an? /, 'a ')} (got ${got}).`;
 }
 
+// A choice that is not decided yet stays visible behind its question.
+const confirming = (): boolean => document.getElementById('confirm') !== null;
+
 const isYaml = (file: File): boolean => /\.ya?ml$/i.test(file.name);
 
 /** Choosing and uploading maps, restarting, and saving. */
@@ -38,8 +43,11 @@ export class Files {
     ...senses.map(({ title }) => make('option', {}, title)));
   private readonly revert = make('button', { type: 'button', id: 'revert', title: 'Begin again with the map and the robots as they were before your changes' }, 'Discard edits');
   private names: string[] = [];
+  private map = 0; // as the world has it
+  private sense = 0;
 
-  constructor(send: Send, private readonly tell: Tell) {
+  /** @param loss what would be lost if a run began now; empty for nothing. */
+  constructor(send: Send, private readonly tell: Tell, private readonly loss: () => string) {
     const button = (id: string, title: string, text: string, action: () => void): HTMLElement => {
       const made = make('button', { type: 'button', id, title }, text);
       made.addEventListener('click', action);
@@ -47,19 +55,26 @@ export class Files {
     };
     const row = (href: string, text: string, what: string): HTMLElement =>
       make('tr', {}, make('td', {}, make('a', { class: 'button', href, download: '' }, text)), make('td', {}, what));
-    this.maps.addEventListener('change', () => send({ do: 'map', index: this.maps.selectedIndex }));
-    this.senses.addEventListener('change', () => {
+    this.maps.addEventListener('change', async () => {
+      const index = this.maps.selectedIndex;
+      if (await this.mayBegin('Another map')) send({ do: 'map', index });
+      else this.maps.selectedIndex = this.map;
+    });
+    this.senses.addEventListener('change', async () => {
       const { sensing, noise } = senses[this.senses.selectedIndex]!;
-      send({ do: 'sense', sensing, noise });
+      if (await this.mayBegin('Other sensing')) send({ do: 'sense', sensing, noise });
+      else this.senses.selectedIndex = this.sense;
     });
     this.picker.addEventListener('change', () => void this.upload([...this.picker.files ?? []]));
-    this.revert.addEventListener('click', () => send({ do: 'revert' }));
+    this.revert.addEventListener('click', async () => {
+      if (await this.mayBegin('Without your edits it')) send({ do: 'revert' });
+    });
     this.askResolution();
     const root = element('files');
-    root.append(this.maps, make('label', { class: 'senses', title: 'What the robots know; another choice begins a new run' }, 'Sensing: ', this.senses),
+    root.append(presentOnly(this.maps, make('label', { class: 'senses', title: 'What the robots know; another choice begins a new run' }, 'Sensing: ', this.senses),
       button('upload', 'A map of your own: PGM or PNG, with or without its YAML file', 'Upload map', () => this.picker.click()),
       button('restart', 'Begin a new run with the present map, robots and people', 'Reset run', () => send({ do: 'restart' })),
-      this.revert,
+      this.revert),
       make('button', { type: 'button', id: 'save', 'aria-expanded': 'false', 'aria-controls': 'saves' }, 'Export'),
       this.picker, this.dialog);
     root.hidden = false;
@@ -77,12 +92,24 @@ export class Files {
       this.names = maps;
       this.maps.replaceChildren(...maps.map((name) => make('option', {}, name)));
     }
-    this.maps.selectedIndex = index;
+    this.map = index;
+    if (!confirming()) this.maps.selectedIndex = index;
+  }
+
+  /** Whether a new run may begin: asks where the present one would be lost. */
+  async mayBegin(what: string): Promise<boolean> {
+    if (isPast()) {
+      this.tell('This is the past. Go live to begin a new run.');
+      return false;
+    }
+    const loss = this.loss();
+    return !loss || confirmed(`${what} begins at 0 s. ${loss}`, 'Begin a new run');
   }
 
   showSenses(sensing: string, noise: string): void {
     const index = senses.findIndex((s) => s.sensing === sensing && (sensing === 'map' || s.noise === noise));
-    if (document.activeElement !== this.senses || index !== this.senses.selectedIndex) this.senses.selectedIndex = index;
+    this.sense = index;
+    if (!confirming() && (document.activeElement !== this.senses || index !== this.senses.selectedIndex)) this.senses.selectedIndex = index;
   }
 
   private askResolution(): void {
@@ -98,6 +125,7 @@ export class Files {
     const yaml = files.find(isYaml);
     const image = files.find((file) => !isYaml(file));
     if (!image) return this.tell('Also select the map image (PGM or PNG).');
+    if (!(await this.mayBegin('The new map'))) return;
     if (!yaml && !(await this.resolutionGiven())) return;
     const body = {
       name: image.name.replace(/\.\w+$/, ''),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { make } from '../page/dom';
+import { presentOnly } from '../page/present';
 import type { RobotActions } from '../panels/robot_panel';
 import type { Viewer } from '../view/viewer';
 import type { Send } from './tools';
@@ -22,9 +23,9 @@ export function robotActions(viewer: Viewer, send: Send): RobotActions {
       made.addEventListener('click', () => send({ do: action, robot }));
       return made;
     };
-    return make('div', { class: 'actions' }, form, make('div', { class: 'group' },
+    return make('div', { class: 'actions' }, presentOnly(form, make('div', { class: 'group' },
       button('Cancel goal', 'Drop the goal: the robot brakes to a standstill', 'cancel'),
       button('Reset robot', 'Put the robot back to its start', 'reset_robot', 'primary'),
-      button('Remove', 'Remove selected robot', 'remove_robot')));
+      button('Remove', 'Remove selected robot', 'remove_robot'))));
   };
 }

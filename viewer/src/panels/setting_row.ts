@@ -45,12 +45,12 @@ export function settingRow(setting: Setting, change: ((value: Value) => void) | 
   const parts = setting.name.split('_').flatMap((part, i) => (i === 0 ? [part] : ['_', make('wbr'), part]));
   const id = `setting-${key}`;
   const name = make('label', { class: 'name', for: id }, readableName(setting.name));
-  const reset = make('button', { type: 'button', class: 'plain reset', 'aria-label': `Reset ${key}`, title: `Default: ${setting.default}` }, '↺');
+  const reset = make('button', { type: 'button', class: 'plain reset', 'aria-label': `Reset ${readableName(setting.name)}`, title: `Default: ${setting.default}` }, '↺');
   const head = make('div', { class: 'row' }, name);
   if (change) head.append(reset);
   const error = make('div', { class: 'refusal', role: 'alert', id: `${id}-error` });
   error.hidden = true;
-  const meaning = make('div', { class: 'meaning' }, make('code', {}, ...parts), ` ${setting.meaning}`);
+  const meaning = make('div', { class: 'meaning', id: `${id}-meaning` }, make('code', {}, ...parts), ` ${setting.meaning}`);
   const root = make('div', { class: 'setting', 'data-setting': key }, head);
   const text = `${key} ${readableName(setting.name)} ${setting.meaning}`.toLowerCase();
   let control: HTMLElement | null = null;
@@ -74,6 +74,7 @@ export function settingRow(setting: Setting, change: ((value: Value) => void) | 
     accept() {
       error.hidden = true;
       control?.removeAttribute('aria-invalid');
+      control?.setAttribute('aria-describedby', meaning.id);
     },
     matches: (words) => words.every((word) => text.includes(word)),
   };
@@ -83,22 +84,22 @@ export function settingRow(setting: Setting, change: ((value: Value) => void) | 
     head.append(make('span', {}, shownValue, ' ', unit));
     put = (value) => { shownValue.textContent = `${value}`; };
   } else if (setting.kind === 'switch') {
-    const box = make('input', { type: 'checkbox', id, 'aria-label': key });
+    const box = make('input', { type: 'checkbox', id });
     box.addEventListener('change', () => change(box.checked));
     head.append(box);
     control = box;
     put = (value) => { box.checked = value === true; };
   } else if (setting.kind === 'choice') {
-    const box = make('select', { id, 'aria-label': key },
+    const box = make('select', { id },
       ...(setting.choices ?? []).map((choice) => make('option', { value: choice }, choice)));
     box.addEventListener('change', () => change(box.value));
     head.append(box);
     control = box;
     put = (value) => { box.value = `${value}`; };
   } else if (setting.kind === 'number' || setting.kind === 'integer') {
-    const box = make('input', { type: 'text', inputmode: 'decimal', id, 'aria-label': `${key} [${setting.unit}]`, autocomplete: 'off' });
+    const box = make('input', { type: 'text', inputmode: 'decimal', id, autocomplete: 'off' });
     const { min, max, step } = sliderRange(setting);
-    const slider = make('input', { type: 'range', min: `${min}`, max: `${max}`, step: `${step}`, 'aria-label': key });
+    const slider = make('input', { type: 'range', min: `${min}`, max: `${max}`, step: `${step}`, 'aria-label': `${readableName(setting.name)}, slider` });
     const slide = throttled(change, PERIOD);
     slider.addEventListener('input', () => { box.value = slider.value; slide(slider.valueAsNumber); });
     box.addEventListener('change', () => change(box.value.trim()));
@@ -110,12 +111,13 @@ export function settingRow(setting: Setting, change: ((value: Value) => void) | 
       if (force || document.activeElement !== slider) slider.value = `${value}`;
     };
   } else {
-    const box = make('input', { type: 'text', class: 'wide', id, 'aria-label': key, spellcheck: 'false', placeholder: setting.kind === 'discs' ? '[[x, y, radius], ...]' : '' });
+    const box = make('input', { type: 'text', class: 'wide', id, spellcheck: 'false', placeholder: setting.kind === 'discs' ? '[[x, y, radius], ...]' : '' });
     box.addEventListener('change', () => change(box.value));
     root.append(box);
     control = box;
     put = (value, force) => { if (force || document.activeElement !== box) box.value = `${value}`; };
   }
+  control?.setAttribute('aria-describedby', meaning.id);
   root.append(error, meaning);
   return row;
 }

@@ -3,6 +3,7 @@ import type { Setting } from '../data/run';
 import { friendlyRefusal } from '../data/refusal';
 import { capitalised } from '../data/words';
 import { make } from '../page/dom';
+import { presentOnly } from '../page/present';
 import { type SettingRow, settingRow } from './setting_row';
 
 /** Receives settings that change together, as "group.name=value". */
@@ -30,8 +31,9 @@ export class SettingsPanel {
     this.only.addEventListener('change', () => this.filter());
     this.reset.addEventListener('click', () => this.resetAll());
     this.reset.hidden = !change;
-    root.append(...(before ? [before] : []),
-      make('div', { class: 'setting-tools' }, this.search, make('label', {}, this.only, ' Changed only'), this.reset), this.body);
+    root.append(...(before ? [presentOnly(before)] : []),
+      make('div', { class: 'setting-tools' }, this.search, make('label', {}, this.only, ' Changed only'), presentOnly(this.reset)),
+      presentOnly(this.body));
   }
 
   /** The present settings. All earlier refusals are history. @return whether they are new. */

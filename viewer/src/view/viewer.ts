@@ -56,6 +56,8 @@ export class Viewer {
   onDrawn: () => void = () => {};
   /** The layers or the theme have changed. */
   onLook: () => void = () => {};
+  /** Whether a new run may begin, which ends the present one; asks where something would be lost. */
+  mayBegin: (what: string) => Promise<boolean> = () => Promise.resolve(true);
   /** Number of pictures drawn, for measurements. */
   drawn = 0;
   firstDrawn = 0; // time of the first picture since the page was requested [ms]
@@ -63,6 +65,7 @@ export class Viewer {
   private readonly scene = new Scene();
   private dirty = true;
   private described = 0; // when [ms]
+  private sayTimer = 0;
   private later = 0; // timer of the next description
   private shownTo = 0; // end of the slider
   private flash: { at: Point; text: string; until: number } | null = null;
@@ -131,6 +134,11 @@ export class Viewer {
   /** Shows a message below the map; screen readers read it. */
   say(text: string): void {
     element('hint').textContent = text;
+    // A low screen has no line below the map: there the message floats over it for a while.
+    const strip = element('strip');
+    strip.classList.toggle('fresh', text !== '');
+    clearTimeout(this.sayTimer);
+    this.sayTimer = window.setTimeout(() => strip.classList.remove('fresh'), FLASH);
   }
 
   invalidate(): void {
