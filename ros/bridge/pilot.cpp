@@ -174,7 +174,9 @@ PilotStep Pilot::cycle(double time) {
   if (state_ == PilotState::Idle) {
     // Other programs may drive the robot now, so a drive starts with its actual twist, which the
     // fleet also receives.
-    if (navigator_ && !odometry().empty()) reset_navigator(senses_.twist());
+    if (guard_) guard_->reset();
+    if (!odometry().empty()) sent_ = senses_.twist();
+    if (navigator_ && !odometry().empty()) reset_navigator(sent_);
     return answer;
   }
 

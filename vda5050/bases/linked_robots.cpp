@@ -40,6 +40,7 @@ SensedRobot LinkedRobot::measure() {
   // Other programs may drive a robot without a route; a drive starts with its actual twist.
   if (zeros_left_ == 0) {
     sent_ = sensed.twist;
+    if (guard_) guard_->reset();
     driver_->set_twist(sent_);
   }
   return sensed;
