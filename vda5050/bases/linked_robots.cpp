@@ -53,7 +53,7 @@ Twist2 LinkedRobot::checked(const Twist2& twist) {
   const Pose2 pose = odometry.at(time_).value_or(odometry.pose());
   const MonitorVerdict verdict = guard_->check(time_, pose, sent_, twist);
   if (verdict.reason == MonitorReason::None) return twist;
-  driver_->set_twist(verdict.command);
+  driver_->replace_last(verdict.command);
   return verdict.command;
 }
 

@@ -30,6 +30,8 @@ struct PerceptionSettings {
   double uncertainty_share = 1.0;   ///< standard deviations added to a radius []
   bool match_scans = true;          ///< whether poses by odometry are corrected by matching scans
   int max_beams = 4096;             ///< number of beams used of a scan, the first ones, 1 to 100000
+
+  friend bool operator==(const PerceptionSettings&, const PerceptionSettings&) = default;
 };
 
 template <typename Settings, typename Visitor>
