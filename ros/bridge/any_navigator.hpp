@@ -44,6 +44,15 @@ class AnyNavigator {
   void follow(const Path& path, const std::optional<double>& goal_heading) {
     visit([&](auto& navigator) { navigator.follow(path, goal_heading); });
   }
+  /// A path of poses, which only a BodyNavigator follows.
+  void follow(const PosePath& path) {
+    if (auto* const body = std::get_if<BodyNavigator>(&navigator_)) body->follow(path);
+  }
+  /// Where a BodyNavigator is on its path; none of the others.
+  [[nodiscard]] std::optional<PathPlace> place_on_path() const {
+    const auto* const body = std::get_if<BodyNavigator>(&navigator_);
+    return body != nullptr ? body->place_on_path() : std::nullopt;
+  }
   void set_zones(const Zones& zones) {
     visit([&](auto& navigator) {
       if constexpr (requires { navigator.set_zones(zones); }) navigator.set_zones(zones);
@@ -63,12 +72,19 @@ class AnyNavigator {
       if constexpr (requires { navigator.reset(twist); }) navigator.reset(twist);
     });
   }
-  /// Ignored by a BodyNavigator, which is made again instead.
-  void set_settings(const Settings& settings) {
+  /// The command that was really sent in the last cycle; see MapNavigator::replace_last.
+  void replace_last(const PlanarTwist& sent, double steering) {
+    if (auto* const body = std::get_if<BodyNavigator>(&navigator_)) {
+      body->replace_last(sent, steering);
+      return;
+    }
+    const Twist2 twist{.linear = sent.linear, .angular = sent.angular};
     visit([&](auto& navigator) {
-      if constexpr (requires { navigator.set_settings(settings); })
-        navigator.set_settings(settings);
+      if constexpr (requires { navigator.replace_last(twist); }) navigator.replace_last(twist);
     });
+  }
+  void set_settings(const Settings& settings) {
+    visit([&](auto& navigator) { navigator.set_settings(settings); });
   }
   [[nodiscard]] NavigationStep update(const Measurements& measurements) {
     return visit([&](auto& navigator) { return navigator.update(measurements); });

@@ -46,53 +46,57 @@ std::vector<Polygon> polygons_of(const BodyShape& body) {
   return polygons;
 }
 
-// What of a robot the monitor needs to know.
-struct Limits {
-  double linear_min;
-  double linear_max;
-  double linear_acceleration;
-  double angular_acceleration;
-};
-
-MonitorSettings monitor_settings(const Settings& settings,
-                                 const Limits& robot,
-                                 std::vector<Polygon> footprint) {
-  constexpr double kLate = 1.5;  // periods from one command to the next, at most
+// What does not depend on the kind of the base.
+MonitorSettings monitor_settings(const Settings& settings, std::vector<Polygon> footprint) {
   const double period = settings.navigation.control_period;
-  return {
-      .footprint = std::move(footprint),
-      .linear_acceleration = std::clamp(robot.linear_acceleration, 0.2, 20.0),
-      .angular_acceleration = std::clamp(robot.angular_acceleration, 0.2, 100.0),
-      .delay = std::clamp(settings.safety.actuation_lag * period, 0.0, 1.0),
-      .hold = std::clamp(kLate * period, 0.01, 1.0),
-      // Less than what the navigator keeps, so that it does not limit what was proven.
-      .margin = 0.5 * settings.safety.stop_margin,
-      // The navigator brakes along its own ramp where scans stop; the monitor acts if it does not.
-      .max_age =
-          std::clamp(settings.safety.map_timeout + period +
-                         std::max(robot.linear_max, -robot.linear_min) / robot.linear_acceleration,
-                     0.01, 10.0)};
+  MonitorSettings monitor;
+  monitor.footprint = std::move(footprint);
+  monitor.ramp = period;
+  monitor.hold = settings.safety.longest_hold * period;
+  // Less than what the navigator keeps, so that it does not limit what was proven.
+  monitor.margin = 0.5 * settings.safety.stop_margin;
+  return monitor;
+}
+
+// Half a period is the mean delay of a base that ramps from command to command; that is `ramp`.
+double further_delay(const Settings& settings) noexcept {
+  constexpr double kRamp = 0.5;  // periods
+  return std::max(0.0, settings.safety.actuation_lag - kRamp) * settings.navigation.control_period;
+}
+
+// The navigator brakes along its own ramp where scans stop; the monitor acts if it does not.
+double oldest_scan(const Settings& settings, const MonitorSettings& monitor, double speed) {
+  const double braking =
+      monitor.linear_braking > 0.0 ? monitor.linear_braking : monitor.linear_acceleration;
+  return settings.safety.map_timeout + monitor.hold + monitor.delay + monitor.linear_lag +
+         speed / braking;
 }
 
 }  // namespace
 
 MonitorSettings monitor_settings(const Settings& settings) {
   const RobotSettings& robot = settings.robot;
-  return monitor_settings(settings,
-                          {.linear_min = robot.linear_min,
-                           .linear_max = robot.linear_max,
-                           .linear_acceleration = robot.linear_acceleration_max,
-                           .angular_acceleration = robot.angular_acceleration_max},
-                          polygons_of(footprint_of(robot)));
+  MonitorSettings monitor = monitor_settings(settings, polygons_of(footprint_of(robot)));
+  monitor.linear_acceleration = robot.linear_acceleration_max;
+  monitor.angular_acceleration = robot.angular_acceleration_max;
+  monitor.linear_braking = robot.linear_braking_max;
+  monitor.angular_braking = robot.angular_braking_max;
+  monitor.delay = robot.linear_delay + further_delay(settings);
+  monitor.angular_delay = robot.angular_delay + further_delay(settings);
+  monitor.linear_lag = robot.linear_lag;
+  monitor.angular_lag = robot.angular_lag;
+  monitor.max_age = oldest_scan(settings, monitor, std::max(robot.linear_max, -robot.linear_min));
+  return monitor;
 }
 
 MonitorSettings monitor_settings(const Settings& settings, const RobotModel& robot) {
-  return monitor_settings(settings,
-                          {.linear_min = robot.base.linear_min,
-                           .linear_max = robot.base.linear_max,
-                           .linear_acceleration = robot.base.linear_acceleration,
-                           .angular_acceleration = robot.base.angular_acceleration},
-                          polygons_of(robot.body));
+  MonitorSettings monitor = monitor_settings(settings, polygons_of(robot.body));
+  const BaseModel& base = robot.base;
+  monitor.linear_acceleration = base.linear_acceleration;
+  monitor.angular_acceleration = base.angular_acceleration;
+  monitor.delay = base.response_time;
+  monitor.max_age = oldest_scan(settings, monitor, std::max(base.linear_max, -base.linear_min));
+  return monitor;
 }
 
 const char* to_text(MonitorReason reason) noexcept {

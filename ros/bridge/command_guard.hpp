@@ -10,7 +10,8 @@
 
 namespace fairway::bridge {
 
-/// The settings of a monitor for this robot: its body, its limits, and the time between commands.
+/// The settings of a monitor for this robot: its body, acceleration, braking, delays and lags, and
+/// the longest time between two commands.
 [[nodiscard]] MonitorSettings monitor_settings(const Settings& settings);
 
 /// The same for a robot with its true outline. @pre its base turns freely, like a unicycle.
@@ -29,14 +30,18 @@ class CommandGuard {
   /// Takes in a scan whose poses are in the odometry frame. An implausible scan is ignored.
   void observe(const LidarScan& scan);
 
+  /// Call it for every command; see SafetyMonitor::check.
   /// @param pose     Of the robot in the odometry frame.
-  /// @param current  The last command.
+  /// @param current  The last command that was sent.
   [[nodiscard]] MonitorVerdict check(double time,
                                      const Pose2& pose,
                                      const Twist2& current,
                                      const Twist2& command) noexcept {
     return monitor_.check(time, pose, current, command);
   }
+
+  /// Other programs drive the robot: the next `current` is the twist of the base.
+  void reset() noexcept { monitor_.reset(); }
 
  private:
   SafetyMonitor monitor_;

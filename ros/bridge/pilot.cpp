@@ -84,13 +84,7 @@ void Pilot::set_settings(const Settings& settings) {
   settings_ = settings;
   make_guard();
   if (!navigator_) return;
-  if (options_.body) {
-    make_navigator();
-    if (goal_ && state_ == PilotState::Driving) navigator_->set_goal(*goal_);
-  } else {
-    navigator_->set_settings(with_options(settings));
-  }
-  reset_navigator(sent_);
+  navigator_->set_settings(with_options(settings));
 }
 
 // A steered wheel is where the motion of the base shows it, and at standstill where it was sent.
@@ -123,23 +117,44 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
 void Pilot::set_goal(const Goal& goal) {
   goal_ = goal;
   path_ = {};
+  poses_ = {};
   set_strips({});
   fresh_goal_ = true;
 }
 
 void Pilot::follow(Path path, const std::optional<double>& goal_heading, double bound) {
   FAIRWAY_EXPECTS(!path.waypoints.empty());
+  if (options_.body) {
+    PosePath poses;
+    for (const Eigen::Vector2d& waypoint : path.waypoints)
+      poses.poses.push_back({.position = waypoint, .heading = {}});
+    poses.poses.back().heading = goal_heading;
+    if (bound > 0.0 && !has_own_strips()) poses.max_deviation = bound;
+    follow(std::move(poses));
+    return;
+  }
   goal_ = Goal{.position = path.waypoints.back(), .heading = goal_heading};
   path_ = std::move(path);
   set_strips(bound > 0.0 ? strips_along(path_, bound) : Zones{});
   fresh_goal_ = true;
 }
 
+void Pilot::follow(PosePath path) {
+  FAIRWAY_EXPECTS(options_.body && !path.poses.empty());
+  goal_ = Goal{.position = path.poses.back().position, .heading = path.poses.back().heading};
+  path_ = {};
+  poses_ = std::move(path);
+  fresh_goal_ = true;
+}
+
+bool Pilot::has_own_strips() const noexcept {
+  return std::any_of(options_.zones.begin(), options_.zones.end(),
+                     [](const Zone& zone) { return zone.kind == ZoneKind::Strip; });
+}
+
 // Several strips count as their union, so that those of the path would weaken those of the options.
 void Pilot::set_strips(Zones strips) {
-  const bool has_own = std::any_of(options_.zones.begin(), options_.zones.end(),
-                                   [](const Zone& zone) { return zone.kind == ZoneKind::Strip; });
-  if (has_own || (strips.empty() && strips_.empty())) return;
+  if (has_own_strips() || (strips.empty() && strips_.empty())) return;
   strips_ = std::move(strips);
   Zones zones = options_.zones;
   zones.insert(zones.end(), strips_.begin(), strips_.end());
@@ -149,6 +164,7 @@ void Pilot::set_strips(Zones strips) {
 void Pilot::cancel() {
   goal_.reset();
   path_ = {};
+  poses_ = {};
   set_strips({});
   fresh_goal_ = false;
   if (state_ == PilotState::Idle) return;
@@ -163,18 +179,30 @@ std::optional<SharedMotion> Pilot::share(double time) const {
   return navigator_->share(options_.robot, time, *now);
 }
 
+void Pilot::begin_goal() {
+  if (!navigator_) return;
+  if (!poses_.poses.empty()) {
+    navigator_->follow(poses_);
+  } else if (!path_.waypoints.empty()) {
+    navigator_->follow(path_, goal_->heading);
+  } else {
+    navigator_->set_goal(*goal_);
+  }
+}
+
 PilotStep Pilot::cycle(double time) {
   PilotStep answer;
   if (fresh_goal_) {
     state_ = PilotState::Driving;
     fresh_goal_ = false;
-    if (navigator_ && path_.waypoints.empty()) navigator_->set_goal(*goal_);
-    if (navigator_ && !path_.waypoints.empty()) navigator_->follow(path_, goal_->heading);
+    begin_goal();
   }
   if (state_ == PilotState::Idle) {
     // Other programs may drive the robot now, so a drive starts with its actual twist, which the
     // fleet also receives.
-    if (navigator_ && !odometry().empty()) reset_navigator(senses_.twist());
+    if (guard_) guard_->reset();
+    if (!odometry().empty()) sent_ = senses_.twist();
+    if (navigator_ && !odometry().empty()) reset_navigator(sent_);
     return answer;
   }
 
@@ -216,7 +244,8 @@ void Pilot::guard(double time, PilotStep& answer) {
   if (verdict.reason == MonitorReason::None) return;
   answer.command = verdict.command;
   if (navigator_)
-    reset_navigator({.linear = verdict.command.linear, .angular = verdict.command.angular});
+    navigator_->replace_last({.linear = verdict.command.linear, .angular = verdict.command.angular},
+                             steering_);
 }
 
 // Decides whether the drive has ended, and how.

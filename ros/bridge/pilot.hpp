@@ -66,8 +66,10 @@ class Pilot : public SensorReceiver {
   /// @pre settings and options are valid.
   Pilot(const Settings& settings, const PilotOptions& options);
 
-  /// Continues with other settings towards the same goal. Without a map, all cells seen before are
-  /// forgotten. @pre validate(settings) holds.
+  /// Continues with other settings towards the same goal, or along the same path. A base with a
+  /// delay still executes what was sent before, and nothing waits for a plan that is being made.
+  /// Without a map, a robot without a body forgets all cells seen before. @pre validate(settings)
+  /// holds.
   void set_settings(const Settings& settings);
 
   void set_map(const OccupancyGrid& map);
@@ -93,6 +95,10 @@ class Pilot : public SensorReceiver {
   /// @param bound  Greatest distance of the robot's centre from the path [m]; 0: none. Options with
   /// strips of their own have precedence. @pre the waypoints are finite, and there is at least one.
   void follow(Path path, const std::optional<double>& goal_heading, double bound = 0.0);
+
+  /// Follows a path of poses with a body, as BodyNavigator::follow does: forwards and backwards as
+  /// the headings ask, and within `max_deviation`. @pre options().body, and there is a pose.
+  void follow(PosePath path);
 
   /// Removes the goal and brakes.
   void cancel();
@@ -120,6 +126,8 @@ class Pilot : public SensorReceiver {
  private:
   void make_navigator();
   void set_strips(Zones strips);
+  [[nodiscard]] bool has_own_strips() const noexcept;
+  void begin_goal();
   void make_guard();
   void reset_navigator(const PlanarTwist& actual);
   void guard(double time, PilotStep& answer);
@@ -133,8 +141,9 @@ class Pilot : public SensorReceiver {
   RobotSenses senses_;
   std::optional<AnyNavigator> navigator_;  // without a map, only once the first pose is known
   std::optional<Goal> goal_;
-  Path path_;     // to the goal, if it was given; else empty
-  Zones strips_;  // around the path
+  Path path_;       // to the goal, if it was given; else empty
+  PosePath poses_;  // the same for a body
+  Zones strips_;    // around the path
   PilotState state_ = PilotState::Idle;
   int zeros_left_ = 0;  // remaining commands while stopping, after standstill
   bool has_planned_ = false;

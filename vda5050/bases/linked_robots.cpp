@@ -40,6 +40,7 @@ SensedRobot LinkedRobot::measure() {
   // Other programs may drive a robot without a route; a drive starts with its actual twist.
   if (zeros_left_ == 0) {
     sent_ = sensed.twist;
+    if (guard_) guard_->reset();
     driver_->set_twist(sent_);
   }
   return sensed;
@@ -52,7 +53,7 @@ Twist2 LinkedRobot::checked(const Twist2& twist) {
   const Pose2 pose = odometry.at(time_).value_or(odometry.pose());
   const MonitorVerdict verdict = guard_->check(time_, pose, sent_, twist);
   if (verdict.reason == MonitorReason::None) return twist;
-  driver_->set_twist(verdict.command);
+  driver_->replace_last(verdict.command);
   return verdict.command;
 }
 

@@ -43,6 +43,9 @@ class RouteDriver {
   /// Notes that the base moves otherwise than by the last command.
   void set_twist(const Twist2& actual) noexcept { navigator_.reset(actual); }
 
+  /// Notes what was really sent in the last cycle, where a later check has changed it.
+  void replace_last(const Twist2& sent) noexcept { navigator_.replace_last(sent); }
+
   /// Brakes: one control cycle without a route.
   [[nodiscard]] Twist2 brake(const Measurements& measurements);
 

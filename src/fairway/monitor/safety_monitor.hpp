@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fairway/base/error.hpp"
 #include "fairway/geometry/pose2.hpp"
+#include "fairway/monitor/monitored_axis.hpp"
 
 namespace fairway {
 
@@ -18,12 +21,19 @@ struct MonitorSettings {
   Polygon stop_zone{};                ///< a point in here stops the robot; empty: none
   Polygon slow_zone{};                ///< a point in here slows it down; empty: none
   double slow_speed = 0.3;            ///< greatest linear speed then [m/s], 0.01 to 10
-  double linear_acceleration = 1.0;   ///< with which the base changes its speed [m/s^2], 0.2 to 20
-  double angular_acceleration = 2.0;  ///< [rad/s^2], 0.2 to 100
-  double delay = 0.0;                 ///< until the base follows a command [s], 0 to 1
-  double hold = 0.15;                 ///< longest time between two commands [s], 0.01 to 1
-  double margin = 0.01;               ///< least distance to a point [m], 0 to 1
-  double max_age = 0.5;               ///< oldest points to drive on [s], 0.01 to 10
+  double linear_acceleration = 1.0;   ///< greatest gain of speed [m/s^2], 0.01 to 1000
+  double angular_acceleration = 2.0;  ///< [rad/s^2], 0.01 to 1000
+  double linear_braking = 0.0;        ///< greatest loss of speed [m/s^2], 0 to 1000; 0: as the gain
+  double angular_braking = 0.0;       ///< [rad/s^2], 0 to 1000; 0: as the gain
+  double delay = 0.0;                 ///< until the base begins to follow a command [s], 0 to 6
+  std::optional<double> angular_delay{};  ///< of turns, where it differs [s], 0 to 6
+  double linear_lag = 0.0;                ///< time constant with which it then follows [s], 0 to 1
+  double angular_lag = 0.0;               ///< [s], 0 to 1
+  double ramp = 0.0;     ///< in which it may ramp to a command, where that is longer than its
+                         ///< limits need [s], 0 to 1
+  double hold = 0.15;    ///< longest time between two commands [s], 0.001 to 20
+  double margin = 0.01;  ///< least distance to a point [m], 0 to 1
+  double max_age = 0.5;  ///< oldest points to drive on [s], 0.01 to 1000
 };
 
 /// Whether all numbers are in their ranges, and all polygons can be one.
@@ -40,9 +50,11 @@ struct MonitorVerdict {
 
 /// The last check before the base: it shares no code with the navigator, its maps or its proofs.
 ///
-/// It simulates the delay, the command while it is in force, and braking of both axes. A command
-/// passes if no point comes nearer than the margin, else the largest of 32 fractions that passes.
-/// A point that is nearer already must not come nearer. `check` and `see` do not allocate.
+/// It simulates the commands that the delay still holds back, the new command while it is in force,
+/// and braking of both axes. Four bases are simulated: each axis changes its speed as hard as it
+/// can, or ramps. A command passes if no point comes nearer than the margin to any of them, else
+/// the largest of 32 fractions that passes. A point that is nearer already must not come nearer.
+/// `check` and `see` do not allocate.
 class SafetyMonitor {
  public:
   static constexpr std::size_t kMostPoints = 8192;
@@ -53,11 +65,16 @@ class SafetyMonitor {
   /// that is not finite, are refused, and the older ones stay.
   bool see(double time, std::span<const Eigen::Vector2d> points) noexcept;
 
-  /// @param current  The twist of the base at `time`, as far as it is known: the last command.
+  /// Call it for every command, because the monitor remembers what the base has still to execute.
+  /// @param current  The command that was sent in the cycle before. At first and after a pause of
+  ///                 10 s: the twist of the base.
   [[nodiscard]] MonitorVerdict check(double time,
                                      const Pose2& pose,
                                      const Twist2& current,
                                      const Twist2& command) noexcept;
+
+  /// Forgets the commands on their way; the base moves with the `current` of the next check.
+  void reset() noexcept { time_of_check_ = -std::numeric_limits<double>::infinity(); }
 
  private:
   struct NearPoint {
@@ -66,11 +83,20 @@ class SafetyMonitor {
   };
 
   [[nodiscard]] double distance(const Eigen::Vector2d& point) const noexcept;
-  [[nodiscard]] bool stops_in_time(Twist2 twist, const Twist2& command) const noexcept;
+  void follow(double time, const Twist2& sent) noexcept;
+  [[nodiscard]] double reach(const Twist2& command) const noexcept;
+  [[nodiscard]] bool stops_in_time(const Twist2& command) noexcept;
+  [[nodiscard]] double clearance(const Pose2& base) const noexcept;
 
   MonitorSettings settings_;
   double radius_ = 0.0;  // of the body about its origin [m]
-  double time_;
+  double time_;          // of the points [s]
+  double time_of_check_ = -std::numeric_limits<double>::infinity();  // [s]
+  double now_ = 0.0;  // as time_of_check_, without its jumps [s]
+  MonitoredAxis linear_;
+  MonitoredAxis angular_;
+  std::vector<SentCommand> sent_;   // commands that may still be on their way, the oldest first
+  std::vector<SentCommand> queue_;  // the same, with the new one and the stop after it
   std::vector<Eigen::Vector2d> points_;
   std::vector<NearPoint> near_;
 };

@@ -26,6 +26,18 @@ class DeadReckoning {
   }
   void sent(double time, const Twist2& command, const Twist2& ramp) noexcept;
 
+  /// Another command was sent in place of the newest one.
+  void replace_last(const Twist2& command, const Twist2& ramp) noexcept {
+    history_.replace_last(command, ramp);
+  }
+
+  /// Continues with the commands and poses of an older one, whose robot may have had other delays.
+  void continue_from(const DeadReckoning& older) noexcept {
+    history_ = older.history_;
+    last_ = older.last_;
+    other_ = older.other_;
+  }
+
   /// The clock was set by `shift` [s]: what was known is as old as before.
   void shift_times(double shift) noexcept;
 

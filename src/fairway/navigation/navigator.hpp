@@ -49,6 +49,13 @@ class Navigator {
   /// pause, after a jump of the pose, or if the robot already moves in the first cycle.
   void reset(const Twist2& actual = {}) noexcept;
 
+  /// Sets the command that was really sent in the last cycle, where a later check has changed it.
+  /// The commands before it are kept: a base with a delay has still to execute them.
+  void replace_last(const Twist2& sent) noexcept;
+
+  /// Continues the motion of a navigator with other settings: what was sent, and the cycles.
+  void continue_from(const Navigator& older) noexcept;
+
   /// Runs one control cycle. Never fails: when no command can be shown to be safe, it brakes along
   /// the stop that was verified last, and the status and limit say why.
   [[nodiscard]] NavigationStep update(const NavigationInput& input) noexcept;
@@ -69,6 +76,7 @@ class Navigator {
 
   void begin_cycle(double time) noexcept;
   void end_cycle(double time, const Twist2& command) noexcept;
+  [[nodiscard]] Twist2 ramps_to(const Twist2& command) const noexcept;
   [[nodiscard]] NavigationStep cycle(const NavigationInput& input) noexcept;
   [[nodiscard]] LimitingFactor check_timing() const noexcept;
   [[nodiscard]] NavigationStep without_plan(const NavigationInput& input) noexcept;
@@ -120,6 +128,7 @@ class Navigator {
   std::array<Twist2, kMaxHorizon> commands_;  // of a candidate, per control period
   Twist2 sent_;                               // in the last cycle
   Twist2 sent_before_;                        // in the one before
+  bool remembers_sent_ = false;               // the history has it
   CycleTimer timer_;
   CycleTiming timing_;     // of this cycle
   double step_;            // in which the base is to reach the command of this cycle [s]

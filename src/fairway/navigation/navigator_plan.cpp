@@ -57,8 +57,29 @@ void Navigator::reset(const Twist2& actual) noexcept {
   encounters_.reset();
   stop_.reset(sent_);
   reckoning_.reset(sent_);
+  remembers_sent_ = false;
   response_ = {.slow = sent_, .quick = sent_};
   recovery_.reset();
+}
+
+void Navigator::replace_last(const Twist2& sent) noexcept {
+  if (!is_finite(sent)) return;
+  if (remembers_sent_) reckoning_.replace_last(sent, ramps_to(sent));
+  sent_ = sent;
+  solution_.horizon = 0;
+  encounters_.reset();
+  stop_.reset(sent_);
+}
+
+void Navigator::continue_from(const Navigator& older) noexcept {
+  sent_ = older.sent_;
+  sent_before_ = older.sent_before_;
+  remembers_sent_ = older.remembers_sent_;
+  timer_ = older.timer_;
+  current_ = older.current_;
+  response_ = older.response_;
+  reckoning_.continue_from(older.reckoning_);
+  stop_.reset(sent_);
 }
 
 // How much time has passed, and what the base has done in it.
@@ -77,15 +98,20 @@ void Navigator::begin_cycle(double time) noexcept {
   stop_.begin_cycle(timing_.elapsed, step_);
 }
 
-void Navigator::end_cycle(double time, const Twist2& command) noexcept {
-  // A change that is greater than usual takes the base longer.
+// The times in which the base ramps to a command of this cycle [s]. A change that is greater than
+// usual takes longer.
+Twist2 Navigator::ramps_to(const Twist2& command) const noexcept {
   const auto ramp = [this](double from, double to, const AxisActuation& axis) {
     const double change = change_time(from, to, axis);
     return change > step_ * (1.0 + 1e-9) ? change : step_;
   };
-  reckoning_.sent(time, command,
-                  {.linear = ramp(current_.linear, command.linear, base_.linear),
-                   .angular = ramp(current_.angular, command.angular, base_.angular)});
+  return {.linear = ramp(current_.linear, command.linear, base_.linear),
+          .angular = ramp(current_.angular, command.angular, base_.angular)};
+}
+
+void Navigator::end_cycle(double time, const Twist2& command) noexcept {
+  reckoning_.sent(time, command, ramps_to(command));
+  remembers_sent_ = std::isfinite(time);
   sent_before_ = sent_;
   sent_ = command;
 }

@@ -29,6 +29,14 @@ void CommandHistory::send(double time, const Twist2& command, const Twist2& ramp
   latest_ = command;
 }
 
+void CommandHistory::replace_last(const Twist2& command, const Twist2& ramp) noexcept {
+  latest_ = command;
+  if (count_ == 0) return;
+  Command& last = commands_[(count_ - 1) % kRemembered];
+  last.after = command;
+  last.ramp = ramp;
+}
+
 // Of the commands in the ring the newest that was sent by then, or the oldest; null for none.
 const CommandHistory::Command* CommandHistory::command_at(double time) const noexcept {
   const std::size_t kept = std::min(count_, kRemembered);

@@ -18,6 +18,9 @@ class CommandHistory {
   /// and `ramp.angular` [s].
   void send(double time, const Twist2& command, const Twist2& ramp) noexcept;
 
+  /// Replaces the newest command, where another one was sent in its place.
+  void replace_last(const Twist2& command, const Twist2& ramp) noexcept;
+
   /// Returns the twist of a base without delay that ramps linearly to each command, at `time` [s].
   [[nodiscard]] Twist2 ramped(double time) const noexcept;
 

@@ -38,6 +38,34 @@ TEST(CommandGuard, KnowsTheBodyOfTheRobot) {
   EXPECT_TRUE(validate(monitor_settings(settings)));
 }
 
+TEST(CommandGuard, KnowsWhatTheBaseCanDo) {
+  Settings settings;
+  settings.robot.linear_acceleration_max = 3.0;
+  settings.robot.linear_braking_max = 0.5;
+  settings.robot.angular_braking_max = 0.7;
+  settings.robot.linear_delay = 0.5;
+  settings.robot.angular_delay = 0.2;
+  settings.robot.linear_lag = 0.3;
+  settings.robot.angular_lag = 0.1;
+  settings.safety.longest_hold = 5.0;
+  const MonitorSettings monitor = monitor_settings(settings);
+  EXPECT_EQ(monitor.linear_acceleration, 3.0);
+  EXPECT_EQ(monitor.linear_braking, 0.5);
+  EXPECT_EQ(monitor.angular_braking, 0.7);
+  EXPECT_EQ(monitor.delay, 0.5);
+  EXPECT_EQ(monitor.angular_delay, 0.2);
+  EXPECT_EQ(monitor.linear_lag, 0.3);
+  EXPECT_EQ(monitor.angular_lag, 0.1);
+  EXPECT_EQ(monitor.hold, 0.5);
+  EXPECT_EQ(monitor.ramp, 0.1);
+  RobotModel body;
+  body.base.response_time = 0.4;
+  body.base.linear_acceleration = 0.3;
+  EXPECT_EQ(monitor_settings(settings, body).delay, 0.4);
+  EXPECT_EQ(monitor_settings(settings, body).linear_acceleration, 0.3);
+  EXPECT_EQ(monitor_settings(settings, body).hold, 0.5);
+}
+
 TEST(CommandGuard, IsValidForSettingsAtTheEndsOfTheirRanges) {
   Settings settings;
   settings.robot.linear_acceleration_max = 1000.0;
@@ -45,6 +73,22 @@ TEST(CommandGuard, IsValidForSettingsAtTheEndsOfTheirRanges) {
   settings.safety.map_timeout = 100.0;
   settings.safety.stop_margin = 1.0;
   settings.safety.actuation_lag = 5.0;
+  EXPECT_TRUE(validate(monitor_settings(settings)));
+  settings.robot.linear_acceleration_max = 0.01;
+  settings.robot.linear_braking_max = 0.005;
+  settings.robot.linear_delay = 0.6;
+  settings.robot.linear_lag = 1.0;
+  settings.robot.linear_max = 2.0;
+  settings.navigation.control_period = 1.0;
+  settings.safety.longest_hold = 20.0;
+  EXPECT_EQ(monitor_settings(settings).linear_braking, 0.005);
+  EXPECT_TRUE(validate(monitor_settings(settings)));
+  EXPECT_EQ(monitor_settings(settings).hold, 20.0);
+  EXPECT_EQ(monitor_settings(settings).delay, 0.6 + 4.5);
+  settings.robot.linear_braking_max = 0.0;
+  EXPECT_TRUE(validate(monitor_settings(settings)));
+  settings.navigation.control_period = 0.005;
+  settings.safety.longest_hold = 1.0;
   EXPECT_TRUE(validate(monitor_settings(settings)));
 }
 

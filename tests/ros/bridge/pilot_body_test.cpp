@@ -60,5 +60,29 @@ TEST(Pilot, ABodyObeysTheZones) {
   EXPECT_GT(nearest, 0.2);
 }
 
+// A path with a bound stays one, with its strips: the end of it lies just behind the start.
+TEST(Pilot, ABodyKeepsItsPathWhenTheSettingsChange) {
+  PilotOptions options{.plan_in_background = false};
+  options.body = fairway::test::robot_presets().front().model;
+  Scenario truth = room();
+  truth.robots[0].model = options.body;
+  Rig rig(options, truth);
+  rig.step();
+  rig.pilot.follow({{{1.5, 1.5}, {3.8, 1.5}, {3.8, 4.5}, {1.5, 4.5}}}, {}, 0.8);
+  rig.drive(3.0);
+  Settings changed = rig.pilot.settings();
+  changed.navigation.patience = 30.0;
+  rig.pilot.set_settings(changed);
+  double furthest = 0.0;
+  PilotStep last;
+  for (double until = rig.world.time() + 60.0;
+       rig.world.time() < until && last.end == GoalEnd::None;) {
+    last = rig.step();
+    furthest = std::max(furthest, rig.world.robots()[0].pose.position.x());
+  }
+  EXPECT_EQ(last.end, GoalEnd::Reached) << to_text(last.status) << ' ' << to_text(last.limit);
+  EXPECT_GT(furthest, 2.8);
+}
+
 }  // namespace
 }  // namespace fairway::bridge

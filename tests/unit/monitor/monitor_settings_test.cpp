@@ -16,7 +16,13 @@ TEST(MonitorSettings, HaveTheseDefaults) {
   EXPECT_EQ(settings.slow_speed, 0.3);
   EXPECT_EQ(settings.linear_acceleration, 1.0);
   EXPECT_EQ(settings.angular_acceleration, 2.0);
+  EXPECT_EQ(settings.linear_braking, 0.0);
+  EXPECT_EQ(settings.angular_braking, 0.0);
   EXPECT_EQ(settings.delay, 0.0);
+  EXPECT_FALSE(settings.angular_delay.has_value());
+  EXPECT_EQ(settings.linear_lag, 0.0);
+  EXPECT_EQ(settings.angular_lag, 0.0);
+  EXPECT_EQ(settings.ramp, 0.0);
   EXPECT_EQ(settings.hold, 0.15);
   EXPECT_EQ(settings.margin, 0.01);
   EXPECT_EQ(settings.max_age, 0.5);
@@ -30,10 +36,14 @@ TEST(MonitorSettings, HaveTheirNumbersInRange) {
   };
   for (const Range& range :
        {Range{&MonitorSettings::slow_speed, 0.01, 10.0},
-        Range{&MonitorSettings::linear_acceleration, 0.2, 20.0},
-        Range{&MonitorSettings::angular_acceleration, 0.2, 100.0},
-        Range{&MonitorSettings::delay, 0.0, 1.0}, Range{&MonitorSettings::hold, 0.01, 1.0},
-        Range{&MonitorSettings::margin, 0.0, 1.0}, Range{&MonitorSettings::max_age, 0.01, 10.0}}) {
+        Range{&MonitorSettings::linear_acceleration, 0.01, 1000.0},
+        Range{&MonitorSettings::angular_acceleration, 0.01, 1000.0},
+        Range{&MonitorSettings::linear_braking, 0.0, 1000.0},
+        Range{&MonitorSettings::angular_braking, 0.0, 1000.0},
+        Range{&MonitorSettings::delay, 0.0, 6.0}, Range{&MonitorSettings::linear_lag, 0.0, 1.0},
+        Range{&MonitorSettings::angular_lag, 0.0, 1.0}, Range{&MonitorSettings::ramp, 0.0, 1.0},
+        Range{&MonitorSettings::hold, 0.001, 20.0}, Range{&MonitorSettings::margin, 0.0, 1.0},
+        Range{&MonitorSettings::max_age, 0.01, 1000.0}}) {
     MonitorSettings settings = plain();
     const auto is_valid_at = [&](double value) {
       settings.*range.number = value;
@@ -43,6 +53,15 @@ TEST(MonitorSettings, HaveTheirNumbersInRange) {
     EXPECT_FALSE(is_valid_at(range.least - 1e-6)) << range.most;
     EXPECT_FALSE(is_valid_at(range.most + 1e-6)) << range.most;
     EXPECT_FALSE(is_valid_at(kNan)) << range.most;
+  }
+  MonitorSettings settings = plain();
+  for (const double delay : {0.0, 6.0}) {
+    settings.angular_delay = delay;
+    EXPECT_TRUE(validate(settings).has_value());
+  }
+  for (const double delay : {-1e-6, 6.0 + 1e-6, kNan}) {
+    settings.angular_delay = delay;
+    EXPECT_FALSE(validate(settings).has_value());
   }
 }
 

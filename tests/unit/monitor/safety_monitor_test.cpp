@@ -43,18 +43,18 @@ TEST(SafetyMonitor, NeedsHoldBrakingDistanceAndMargin) {
   EXPECT_EQ(ahead(plain(), 0.655).reason, MonitorReason::Obstacle);
 }
 
-// The hold is rounded up to whole steps of 0.01 m: 0.16 m here, so 0.67 m with braking and margin.
-TEST(SafetyMonitor, SimulatesInStepsOfACentimetre) {
+// 0.155 m while the command is in force, 0.5 m of braking and 0.01 m of margin: 0.665 m exactly.
+TEST(SafetyMonitor, SimulatesTheHoldExactly) {
   MonitorSettings settings = plain();
   settings.hold = 0.155;
-  EXPECT_EQ(ahead(settings, 0.671).fraction, 1.0);
-  EXPECT_EQ(ahead(settings, 0.6675).fraction, 31.0 / 32.0);
+  EXPECT_EQ(ahead(settings, 0.6655).fraction, 1.0);
+  EXPECT_EQ(ahead(settings, 0.6645).fraction, 31.0 / 32.0);
 }
 
 TEST(SafetyMonitor, EverySettingOfTheMotionCounts) {
   const auto needs = [](const MonitorSettings& settings, double distance) {
-    EXPECT_EQ(ahead(settings, distance + 0.015).fraction, 1.0) << distance;
-    EXPECT_LT(ahead(settings, distance - 0.005).fraction, 1.0) << distance;
+    EXPECT_EQ(ahead(settings, distance + 0.001).fraction, 1.0) << distance;
+    EXPECT_LT(ahead(settings, distance - 0.001).fraction, 1.0) << distance;
   };
   MonitorSettings settings = plain();
   settings.linear_acceleration = 2.0;
@@ -68,6 +68,84 @@ TEST(SafetyMonitor, EverySettingOfTheMotionCounts) {
   settings = plain();
   settings.margin = 0.2;
   needs(settings, 0.15 + 0.5 + 0.2);
+  settings = plain();
+  settings.linear_braking = 0.5;
+  needs(settings, 0.15 + 1.0 + 0.01);
+  settings = plain();
+  settings.linear_lag = 0.3;  // the speed follows a ramp so much later
+  needs(settings, 0.15 + 0.3 + 0.5 + 0.01);
+  settings = plain();
+  settings.ramp = 2.0 / 2.0;  // no longer than braking at the limit takes
+  needs(settings, 0.15 + 0.5 + 0.01);
+  settings.linear_acceleration = 4.0;
+  needs(settings, 0.15 + 0.5 + 0.01);  // a second, although braking takes a quarter of it
+}
+
+// From standstill the base gains speed at once, and loses it slowly.
+TEST(SafetyMonitor, CountsAccelerationAndBrakingEachInItsDirection) {
+  MonitorSettings settings = plain();
+  settings.linear_acceleration = 4.0;
+  settings.linear_braking = 0.5;
+  settings.hold = 0.2;
+  const auto from_rest = [&](double distance) { return ahead(settings, distance, 0.0).fraction; };
+  const double needed = 0.5 * 0.8 * 0.2 + 0.8 * 0.8 / 2.0 / 0.5 + 0.01;  // 0.8 m/s are reached
+  EXPECT_EQ(from_rest(needed + 0.002), 1.0);
+  EXPECT_LT(from_rest(needed - 0.002), 1.0);
+}
+
+// Commands that the delay still holds back are executed first, also where they are reduced later.
+TEST(SafetyMonitor, RemembersTheCommandsThatAreOnTheirWay) {
+  MonitorSettings settings = plain();
+  settings.delay = 0.6;
+  settings.linear_acceleration = 10.0;
+  SafetyMonitor monitor(settings);
+  const Twist2 fast{.linear = 1.0};
+  const std::vector<Vector2d> wall{{0.3 + 0.4, 0.0}};
+  EXPECT_TRUE(monitor.see(0.0, {}));
+  EXPECT_EQ(monitor.check(0.0, {}, {}, fast).fraction, 1.0);  // from standstill
+  // It was sent, and the next cycle takes it back: the base will still drive 0.1 s of it.
+  EXPECT_TRUE(monitor.see(0.1, wall));
+  EXPECT_EQ(monitor.check(0.1, {}, fast, {}).fraction, 1.0);
+  EXPECT_EQ(monitor.check(0.2, {}, {}, {.linear = 0.5}).fraction, 1.0);
+  // Within the delay the base stands still, though its command was fast until now.
+  const std::vector<Vector2d> near{{0.3 + 0.1, 0.0}};
+  EXPECT_TRUE(monitor.see(0.3, near));
+  EXPECT_LT(monitor.check(0.3, {}, {.linear = 0.5}, {.linear = 0.1}).fraction, 1.0);
+}
+
+// 0.3 s after a robot at full speed was sent a standstill, a base with 0.6 s of delay has not
+// begun to brake. Its queue, not the last command, says what it does next.
+TEST(SafetyMonitor, KnowsThatALateBaseDoesNotBrakeYet) {
+  MonitorSettings settings = plain();
+  settings.delay = 0.6;
+  settings.hold = 0.1;
+  SafetyMonitor monitor(settings);
+  const Twist2 fast{.linear = 1.0};
+  EXPECT_TRUE(monitor.see(0.0, {}));
+  EXPECT_EQ(monitor.check(0.0, {}, fast, {}).fraction, 1.0);
+  for (const double time : {0.1, 0.2})
+    EXPECT_EQ(monitor.check(time, {}, {}, {}).fraction, 1.0);
+  // Another 0.3 m, 0.5 m of braking, and 0.01 m.
+  const Twist2 turn{.angular = 0.01};
+  EXPECT_TRUE(monitor.see(0.3, std::vector<Vector2d>{{0.3 + 0.82, 0.0}}));
+  EXPECT_EQ(monitor.check(0.3, {}, {}, turn).fraction, 1.0);
+  monitor.reset();
+  EXPECT_EQ(monitor.check(0.3, {}, fast, {}).fraction, 0.0);
+}
+
+TEST(SafetyMonitor, AfterAPauseTheBaseMovesAsItWasSent) {
+  MonitorSettings settings = plain();
+  settings.delay = 0.6;
+  settings.max_age = 100.0;
+  for (const double pause : {9.9, 10.1}) {
+    SafetyMonitor monitor(settings);
+    EXPECT_TRUE(monitor.see(0.0, std::vector<Vector2d>{{0.3 + 0.5, 0.0}}));
+    (void)monitor.check(0.0, {}, {}, {});
+    (void)monitor.check(pause - 0.1, {}, {}, {});
+    // Other programs have driven it since.
+    const double fraction = monitor.check(2.0 * pause - 0.1, {}, {.linear = 1.0}, {}).fraction;
+    EXPECT_EQ(fraction, 0.0) << pause;
+  }
 }
 
 TEST(SafetyMonitor, KnowsHowFastATurnEnds) {

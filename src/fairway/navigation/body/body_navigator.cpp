@@ -19,6 +19,12 @@ const RobotModel& checked_robot(const RobotModel& robot) {
   return robot;
 }
 
+BaseInput input_for(const BaseModel& base, const PlanarTwist& twist, double steering) noexcept {
+  return {.linear = twist.linear,
+          .lateral = twist.lateral,
+          .turn = is_steered(base) ? steering : twist.angular};
+}
+
 }  // namespace
 
 BodyNavigator::BodyNavigator(const Settings& settings, const RobotModel& robot)
@@ -77,9 +83,15 @@ const std::string& BodyNavigator::explanation() const noexcept { return state_->
 void BodyNavigator::cancel() noexcept { state_->cancel(); }
 
 void BodyNavigator::reset(const PlanarTwist& actual, double steering) noexcept {
-  state_->reset({.linear = actual.linear,
-                 .lateral = actual.lateral,
-                 .turn = is_steered(state_->robot.base) ? steering : actual.angular});
+  state_->reset(input_for(state_->robot.base, actual, steering));
+}
+
+void BodyNavigator::replace_last(const PlanarTwist& sent, double steering) noexcept {
+  state_->follower.replace_last(input_for(state_->robot.base, sent, steering));
+}
+
+void BodyNavigator::set_settings(const Settings& settings) {
+  state_->set_settings(checked(settings));
 }
 
 NavigationStep BodyNavigator::update(const Measurements& measurements) {
@@ -126,6 +138,13 @@ void BodyNavigator::lend_clock(std::function<double()> clock) {
 
 double BodyNavigator::planning_seconds() const noexcept {
   return state_->planned ? state_->planning.seconds() : 0.0;
+}
+
+void BodyNavigator::State::set_settings(const Settings& given) {
+  settings = given;
+  around.set_settings(given);
+  follower.set_settings(given.navigation.control_period, given.safety);
+  planning.set_background(given.planning.background);
 }
 
 // A stop is proven for every time until the next command up to the longest hold. At rest nothing

@@ -101,6 +101,15 @@ class BodyNavigator {
   /// of a car or tricycle is at `steering` [rad].
   void reset(const PlanarTwist& actual = {}, double steering = 0.0) noexcept;
 
+  /// Sets the motion that was really sent in the last cycle, where a later check has changed it, as
+  /// MapNavigator::replace_last. The drive is kept.
+  void replace_last(const PlanarTwist& sent, double steering = 0.0) noexcept;
+
+  /// Changes the settings from the next cycle on. Goal or path, the drive, zones and a plan that is
+  /// being made are kept; nothing waits. Scans are forgotten if settings of perception change.
+  /// @throws std::invalid_argument unless validate(settings) holds; then nothing changes.
+  void set_settings(const Settings& settings);
+
   /// Runs one control cycle. Never fails: the command is finite and within the limits of the base,
   /// and `lateral` and `steering` of the step complete it.
   [[nodiscard]] NavigationStep update(const Measurements& measurements);

@@ -22,6 +22,7 @@ struct BodyNavigator::State {
   void set_goal(const Goal& goal);
   void follow(const PosePath& path);
   void set_zones(const Zones& zones);
+  void set_settings(const Settings& settings);
   void cancel() noexcept;
   void reset(const BaseInput& actual) noexcept;
   [[nodiscard]] NavigationStep update(const Measurements& m);

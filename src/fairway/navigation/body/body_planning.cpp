@@ -222,8 +222,8 @@ void BodyPlanning::make(const PreparedMap& map) {
 }
 
 std::optional<BodyPlan> BodyPlanning::take() {
-  if (background_) {
-    if (worker_.idle() || !worker_.finished()) return std::nullopt;
+  if (!worker_.idle()) {
+    if (!worker_.finished()) return std::nullopt;
     worker_.collect();
   }
   return std::exchange(made_, std::nullopt);

@@ -105,6 +105,9 @@ class BodyPlanning {
  public:
   BodyPlanning(const RobotModel& robot, double row_period, bool background);
 
+  /// Whether the next plans are made in a thread.
+  void set_background(bool background) noexcept { background_ = background; }
+
   [[nodiscard]] bool busy() const noexcept { return !worker_.idle(); }
 
   /// Makes a plan, or starts the thread that makes it; a thread works on a copy of the map. @pre

@@ -35,6 +35,21 @@ BodySurroundings::BodySurroundings(const Settings& settings,
   if (shared_ != nullptr) refresh();
 }
 
+void BodySurroundings::set_settings(const Settings& settings) {
+  unknown_ = unknown_cells(settings.map);
+  const PerceptionSettings given = without_matching(settings.perception);
+  if (given == settings_) return;
+  settings_ = given;
+  if (!perception_) return;
+  perception_.reset();
+  merged_.reset();
+  seen_free_.reset();
+  planned_.reset();
+  proven_.reset();
+  stale_ = changed_ = false;
+  if (map() != nullptr) refresh();
+}
+
 void BodySurroundings::set_map(const OccupancyGrid& given) { set_map(BitGrid(given, unknown_)); }
 
 void BodySurroundings::set_map(const BitGrid& map) {

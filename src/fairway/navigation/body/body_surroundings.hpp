@@ -27,6 +27,10 @@ class BodySurroundings {
   BodySurroundings(const BodySurroundings&) = delete;
   BodySurroundings& operator=(const BodySurroundings&) = delete;
 
+  /// Changes the settings. What scans have shown is kept unless those of perception change; how
+  /// unknown cells of a map count holds from the next map on.
+  void set_settings(const Settings& settings);
+
   /// Replaces the own map.
   void set_map(const OccupancyGrid& map);
 

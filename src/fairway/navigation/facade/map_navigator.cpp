@@ -87,6 +87,10 @@ bool MapNavigator::on_hold() const noexcept { return state_->hold; }
 
 void MapNavigator::reset(const Twist2& actual) noexcept { state_->navigator->reset(actual); }
 
+void MapNavigator::replace_last(const Twist2& sent) noexcept {
+  state_->navigator->replace_last(sent);
+}
+
 void MapNavigator::set_settings(const Settings& settings) { state_->set_settings(settings); }
 
 NavigationStep MapNavigator::update(const Measurements& measurements) {

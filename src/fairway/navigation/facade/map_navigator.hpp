@@ -112,7 +112,13 @@ class MapNavigator {
   /// after the robot was held or moved by other means.
   void reset(const Twist2& actual = {}) noexcept;
 
-  /// Changes the settings and keeps the goal; the next cycle makes a plan.
+  /// Sets the command that was really sent in the last cycle, where a later check has changed it:
+  /// a SafetyMonitor, for example. A base with a delay still executes the commands before it, which
+  /// `reset` would forget.
+  void replace_last(const Twist2& sent) noexcept;
+
+  /// Changes the settings and keeps the goal; the next cycle makes a plan. What was sent to the
+  /// base is kept too.
   /// @throws std::invalid_argument unless validate(settings) holds; then nothing changes.
   void set_settings(const Settings& settings);
 

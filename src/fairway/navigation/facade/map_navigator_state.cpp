@@ -61,8 +61,9 @@ void MapNavigator::State::make_navigator() {
 void MapNavigator::State::set_settings(const Settings& given) {
   settings = checked(given);
   if (zones) use_zones(Zones(zones->zones()));
+  const std::unique_ptr<Navigator> older = std::move(navigator);
   make_navigator();
-  navigator->reset(sent_);
+  navigator->continue_from(*older);
   planning->set_settings(settings);  // a plan that is being made ends first, and is not used
   const Eigen::Vector2d& here = input.pose.position;
   if (perception) {
@@ -271,7 +272,6 @@ NavigationStep MapNavigator::State::update(const Measurements& m) {
   set_input(m);
   const NavigationStep step = judged(navigator->update(input));
   asked_ = asked_ || step.wants_plan;
-  sent_ = step.command;
   return step;
 }
 

@@ -70,7 +70,6 @@ struct MapNavigator::State {
   CellWindow scanned_ = kNoCells;  // cells of the map under the window of the scans
   std::vector<MovingObstacle> moving_;
   bool scan_refused_ = false;  // the last one
-  Twist2 sent_;
   double plan_time_ = -std::numeric_limits<double>::infinity();
   int task_number_ = 0;
   int asked_number_ = 0;         // task for which the last plan was requested

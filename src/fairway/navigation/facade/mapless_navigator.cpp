@@ -46,6 +46,11 @@ bool MaplessNavigator::on_hold() const noexcept { return state_->hold; }
 
 void MaplessNavigator::reset(const Twist2& actual) noexcept { state_->navigator.reset(actual); }
 
+void MaplessNavigator::replace_last(const Twist2& sent) noexcept {
+  state_->navigator.replace_last(sent);
+  state_->sent = sent;
+}
+
 void MaplessNavigator::set_settings(const Settings& settings) {
   auto next = std::make_unique<State>(settings, state_->solver, state_->input.pose.position);
   next->continue_from(*state_);

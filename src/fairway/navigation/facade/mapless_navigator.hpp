@@ -69,6 +69,9 @@ class MaplessNavigator {
   /// Sets the actual twist, as MapNavigator::reset does.
   void reset(const Twist2& actual = {}) noexcept;
 
+  /// Sets the command that was really sent, as MapNavigator::replace_last does.
+  void replace_last(const Twist2& sent) noexcept;
+
   /// Changes the settings and drops the local map.
   /// @throws std::invalid_argument unless validate(settings) holds; then nothing changes.
   void set_settings(const Settings& settings);

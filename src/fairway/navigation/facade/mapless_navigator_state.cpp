@@ -90,7 +90,8 @@ void MaplessNavigator::State::set_zones(const Zones& given) {
 
 // The thread of a plan that is being made ends on its own: nothing waits for it here.
 void MaplessNavigator::State::continue_from(State& older) {
-  navigator.reset(older.sent);
+  navigator.continue_from(older.navigator);
+  sent = older.sent;
   hold = older.hold;
   if (!older.zones.empty()) set_zones(older.zones);
   perception.keep_correction(older.perception);

@@ -81,6 +81,13 @@ class DriveFollower {
   /// Sets the actual input of the base, for one that was moved by other means. Drops the drive.
   void reset(const BaseInput& actual) noexcept;
 
+  /// Sets the input that was really sent in this cycle, where a later check has changed it. The
+  /// drive is kept; until a stop is proven again the robot brakes.
+  void replace_last(const BaseInput& sent) noexcept;
+
+  /// Changes the time between commands and the safety settings; drive and motion are kept.
+  void set_settings(double period, const SafetySettings& safety) noexcept;
+
   /// One cycle along the drive.
   [[nodiscard]] FollowerStep update(const FollowerView& view) noexcept;
 

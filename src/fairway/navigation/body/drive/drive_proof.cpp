@@ -29,6 +29,18 @@ void DriveFollower::send(const BaseInput& input) noexcept {
   ramp_ = std::max(step_, change_time(base_, current_, input));
 }
 
+void DriveFollower::replace_last(const BaseInput& sent) noexcept {
+  send(sent);
+  proven_ = {};
+}
+
+// The proven stop has an input for each of the old periods.
+void DriveFollower::set_settings(double period, const SafetySettings& safety) noexcept {
+  if (period != period_) proven_ = {};
+  period_ = period;
+  safety_ = safety;
+}
+
 BodyManoeuvre DriveFollower::manoeuvre(const BaseInput& input) const noexcept {
   return {.current = current_,
           .quick = quick_,
