@@ -44,6 +44,24 @@ struct Likelihood {
   double offset = 0.0;
 };
 
+// Whether a beam ends behind the side of an object that the sensor sees: at a wall beside it.
+bool is_behind(const MovingTrack& track, const Beam& beam) noexcept {
+  constexpr double kOff = 0.05;  // [m]
+  const Vector2d away = track.position() - beam.from;
+  return (beam.to - track.position()).dot(away) >
+         (kOff + kGateSigmas * track.position_sigma()) * away.norm();
+}
+
+// Whether a point lies on the outline of a track, in the place where the object stood: the cells
+// there are static because of it.
+bool is_in_place_of(const MovingTrack& track, const Vector2d& point) noexcept {
+  constexpr double kBeside = 0.1;    // [m]; evidence of a hit counts in the cells beside it
+  constexpr double kOutline = 0.06;  // [m]; what is further away may be a wall behind it
+  const double off = (point - track.position()).norm() - track.radius;
+  return track.stood && std::abs(off) < kOutline &&
+         (point - track.born_at).norm() < track.born_radius + kBeside;
+}
+
 }  // namespace
 
 void assign_beams(std::span<const Beam> beams,
@@ -70,8 +88,14 @@ void assign_beams(std::span<const Beam> beams,
     if (owner[b] < 0) continue;
     // What may be a post takes points of obstacles that are not proven to be static yet.
     const CellIndex cell = grid.frame().cell_at(beams[b].to);
-    const bool may_be_post = tracks[static_cast<std::size_t>(owner[b])].may_be_post;
-    if (may_be_post ? grid.is_proven_static(cell) : grid.is_static_near(cell)) owner[b] = -1;
+    const MovingTrack& track = tracks[static_cast<std::size_t>(owner[b])];
+    if (is_behind(track, beams[b])) {
+      owner[b] = -1;
+      continue;
+    }
+    if (is_in_place_of(track, beams[b].to)) continue;
+    if (track.may_be_post || track.stood ? grid.is_proven_static(cell) : grid.is_static_near(cell))
+      owner[b] = -1;
   }
 }
 

@@ -18,7 +18,8 @@ inline constexpr double kPointSigma = 0.03;
 /// A hit goes to the track that most likely explains it: the nearer outline, or that of the more
 /// certain track. Two objects that pass through each other thus keep their own points. A hit at a
 /// known static obstacle goes to no track, so that a wall beside the path of an object stays a
-/// wall.
+/// wall; only in the place where an object stood, its own outline is no wall. Hits behind the
+/// middle of an object go to no track.
 /// @param tracks  At most kMaxTracks, predicted to the time of the scan.
 /// @param owner   Filled with the index of the track of each beam; -1 for none. @pre as many as
 ///        beams.

@@ -20,7 +20,8 @@ constexpr double kSeenThroughFor = 0.25;  // [s]; after this the object is gone
 }  // namespace
 
 MovingObjectTracker::MovingObjectTracker(const PerceptionSettings& settings, std::size_t max_beams)
-    : settings_(settings) {
+    : settings_(settings),
+      resting_(settings) {
   tracks_.reserve(kMaxTracks);
   obstacles_.reserve(kMaxTracks);
   owner_.reserve(max_beams);
@@ -44,6 +45,7 @@ void MovingObjectTracker::update(double time,
     judge_motion(i, dt, beams, grid);
   }
   begin_tracks(time, beams, grid);
+  resting_.begin_scan(time, dt);
   begin_round_tracks(time, beams, grid);
   mark_moving(beams);
   drop_lost(time);

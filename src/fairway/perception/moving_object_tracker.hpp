@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fairway/perception/moving_track.hpp"
+#include "fairway/perception/resting_objects.hpp"
 #include "fairway/perception/rolling_grid.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"
 
@@ -21,6 +22,9 @@ namespace fairway {
 /// A round object that was there when it came into view starts a track too. It may be a post: it
 /// counts as moving only after it has left its first place, into cells that were free before. Two
 /// such objects that overlap are split at their waist.
+///
+/// Round objects that stood for so long that their cells are static are measured on the side: one
+/// that leaves its place becomes a track, whose motion is counted from that place.
 ///
 /// A velocity that jumps, as of a person who turns back, is noticed by the first improbable
 /// position. What is not known of the velocity makes the obstacle larger.
@@ -44,6 +48,9 @@ class MovingObjectTracker {
   /// The moving obstacles at the time of the last scan; each radius includes the uncertainty of the
   /// position and of the velocity.
   [[nodiscard]] MovingObstacles obstacles() const noexcept { return obstacles_; }
+
+  /// Round objects at rest, for tests and diagnostics.
+  [[nodiscard]] std::span<const MovingTrack> resting() const noexcept { return resting_.objects(); }
 
  private:
   void correct(std::size_t track, double time, std::span<const Beam> beams) noexcept;
@@ -74,6 +81,7 @@ class MovingObjectTracker {
   void begin_round_track(double time,
                          const Eigen::Vector2d& sensor,
                          const RollingGrid& grid) noexcept;
+  void begin_departed_tracks() noexcept;
   void mark_moving(std::span<Beam> beams) const noexcept;
   void emit() noexcept;
   [[nodiscard]] bool is_new(const Beam& beam, const RollingGrid& grid) const noexcept;
@@ -94,6 +102,7 @@ class MovingObjectTracker {
 
   PerceptionSettings settings_;
   std::vector<MovingTrack> tracks_;
+  RestingObjects resting_;
   std::vector<int> owner_;                // track of each beam; -1 for none
   std::vector<BeamRange> hits_;           // beams among which those of each track are
   std::vector<Eigen::Vector2d> cluster_;  // points of the cluster being processed

@@ -25,6 +25,7 @@ struct MovingTrack {
   double first_pace = 0.0;     ///< mean speed until then [m/s]
   /// Whether it was there when it came into view, as a post is, and has not moved since.
   bool may_be_post = false;
+  bool stood = false;          ///< whether it stood at `born_at` until `born_time`
   int sightings = 0;           ///< number of scans in which it was seen
   double last_seen = 0.0;      ///< time of the last sighting [s]
   double changed_share = 0.0;  ///< part of its hits at which the grid changes, a running mean []

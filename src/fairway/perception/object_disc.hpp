@@ -11,6 +11,7 @@ namespace fairway {
 
 inline constexpr double kSmallestRadius = 0.1;   ///< of an object [m]
 inline constexpr std::size_t kFewestPoints = 3;  ///< that determine a disc
+inline constexpr std::size_t kFewestRound = 6;   ///< of which its shape is known
 
 /// The disc that represents an object of which one side was seen.
 struct ObjectDisc {

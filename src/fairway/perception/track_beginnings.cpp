@@ -13,9 +13,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFirstSigma = 0.06;     // of the centre of a new track [m]
-constexpr std::size_t kFewestRound = 6;  // points of an object that may be a post
-constexpr int kMostMissing = 4;          // invalid beams between two beams of one object
+constexpr double kFirstSigma = 0.06;  // of the centre of a new track [m]
+constexpr int kMostMissing = 4;       // invalid beams between two beams of one object
 
 // What is beside an object, seen from the sensor.
 enum class Border { None, Front, Behind };
@@ -77,6 +76,7 @@ void MovingObjectTracker::begin_track(double time, const Vector2d& sensor) noexc
   const std::optional<ObjectDisc> disc = disc_of(cluster_, sensor, settings_.object_size);
   if (!disc) return;
   tracks_.push_back(new_track(next_id_++, time, disc->center, kFirstSigma, disc->radius));
+  tracks_.back().radius_weight = disc->round ? 1.0 : 0.0;
 }
 
 // Starts tracks of round objects that were there when they came into view. They may be posts: they
@@ -113,6 +113,21 @@ void MovingObjectTracker::begin_round_tracks(double time,
     last = &beam;
   }
   if (!cluster_.empty()) end_cluster(Border::None);
+  begin_departed_tracks();
+}
+
+// Starts tracks of objects that stood and leave their place. They count as moving once they have
+// gone far enough from it.
+void MovingObjectTracker::begin_departed_tracks() noexcept {
+  while (tracks_.size() < kMaxTracks) {
+    const MovingTrack* const departed = resting_.take_departed();
+    if (departed == nullptr) return;
+    tracks_.push_back(*departed);
+    MovingTrack& track = tracks_.back();
+    track.id = next_id_++;
+    track.may_be_post = true;
+    track.stood = true;
+  }
 }
 
 void MovingObjectTracker::begin_round_track(double time,
@@ -121,7 +136,11 @@ void MovingObjectTracker::begin_round_track(double time,
   const auto is_static = [&](const Vector2d& point) {
     return grid.is_proven_static(grid.frame().cell_at(point));
   };
-  if (is_static(cluster_[cluster_.size() / 2])) return;
+  if (resting_.observe(cluster_, sensor)) return;
+  if (is_static(cluster_[cluster_.size() / 2])) {
+    resting_.begin(cluster_, sensor);
+    return;
+  }
   const std::size_t all = cluster_.size();
   const std::optional<std::size_t> waist = find_waist(cluster_, sensor, settings_.object_size);
   const std::span<const Vector2d> points(cluster_);
@@ -132,6 +151,7 @@ void MovingObjectTracker::begin_round_track(double time,
     if (!disc || !disc->round) continue;
     tracks_.push_back(new_track(next_id_++, time, disc->center, kFirstSigma, disc->radius));
     tracks_.back().may_be_post = true;
+    tracks_.back().radius_weight = 1.0;
   }
 }
 

@@ -162,8 +162,9 @@ void MovingObjectTracker::judge_motion(std::size_t index,
   // The first fits are inaccurate.
   if (track.sightings < kFewestSightings) count_from_here(track);
   const double moved = (track.position() - track.born_at).norm();
-  const double far_enough =
-      track.may_be_post ? std::max(kClearly, settings_.moving_distance) : settings_.moving_distance;
+  const double far_enough = track.may_be_post && !track.stood
+                                ? std::max(kClearly, settings_.moving_distance)
+                                : settings_.moving_distance;
   // A slow object changes little from scan to scan, but it leaves its place. One that moves away
   // does not leave it soon, but changes.
   const bool changes = track.changed_share >= kLeastChange;

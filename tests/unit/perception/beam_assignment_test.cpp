@@ -39,6 +39,27 @@ TEST(BeamAssignment, AnUncertainTrackTakesNoPointsFromACertainOne) {
   EXPECT_EQ(owners({hit({2.3, 0.0})}, tracks), std::vector<int>{0});
 }
 
+// The sensor sees the near side of an object only.
+TEST(BeamAssignment, AHitBehindTheMiddleOfAnObjectIsNotIts) {
+  const std::vector<MovingTrack> tracks = {new_track(0, 0.0, {3.0, 0.0}, 0.02, 0.5)};
+  EXPECT_EQ(owners({hit({2.98, 0.5}), hit({3.2, 0.46})}, tracks), (std::vector<int>{0, -1}));
+}
+
+// The cells where an object stood are static because of it: what it covers there is still its own,
+// but not a wall beside its outline.
+TEST(BeamAssignment, AnObjectThatStoodKeepsItsPointsInItsPlace) {
+  RollingGrid grid({}, {0, 0});
+  const std::vector<Beam> beams = {hit({2.52, 0.01}), hit({2.63, 0.5})};
+  for (int n = 0; n < 25; ++n)
+    grid.insert(beams, {0, 0}, 0.2);
+  std::vector<MovingTrack> tracks = {new_track(0, 0.0, {3.0, 0.05}, 0.02, 0.5)};
+  EXPECT_EQ(owners(beams, tracks, grid), (std::vector<int>{-1, -1}));
+  tracks[0].stood = true;
+  tracks[0].born_at = {3.0, 0.0};
+  tracks[0].born_radius = 0.5;
+  EXPECT_EQ(owners(beams, tracks, grid), (std::vector<int>{0, -1}));
+}
+
 TEST(BeamAssignment, AKnownObstacleBelongsToNoTrack) {
   RollingGrid grid({}, {0, 0});
   const std::vector<MovingTrack> tracks = {new_track(0, 0.0, {3.0, 0.0}, 0.05, 0.5)};
