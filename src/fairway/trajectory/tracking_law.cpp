@@ -53,12 +53,12 @@ BaseInput limited_input(const BaseModel& base,
   input.turn = std::clamp(input.turn, -most_turn, most_turn);
   if (base.kind == BaseKind::Omni)
     input.lateral = std::clamp(input.lateral, -base.lateral_max, base.lateral_max);
+  BaseInput target = input;
   input.linear = step(sent.linear, input.linear, base.linear_acceleration);
   input.lateral = step(sent.lateral, input.lateral, base.lateral_acceleration);
   input.turn =
       step(sent.turn, input.turn, steered ? base.steering_rate_max : base.angular_acceleration);
-  // What remains, wheels and the angular limits of a steered base: closer to what was sent before,
-  // which kept them.
+  // What remains: wheels, and the angular limits of a steered base.
   const auto keeps = [&](const BaseInput& candidate) {
     constexpr double kRounding = 1.0 + 1e-9;
     const PlanarTwist twist = twist_of(base, candidate);
@@ -66,11 +66,31 @@ BaseInput limited_input(const BaseModel& base,
     return speed_load(base, twist) <= kRounding &&
            change <= kRounding * base.angular_acceleration * period;
   };
-  constexpr int kHalvings = 12;
-  double share = 1.0;
-  for (int i = 0; i < kHalvings && !keeps(input); ++i) {
-    share *= 0.7;
-    input = sent + share * (input + -1.0 * sent);
+  if (keeps(input)) return input;
+  // One speed falls more slowly than the other one rises. All in proportion, the wheels keep their
+  // limit: what is wanted keeps it, and so does everything between that and what was sent.
+  const double load = speed_load(base, twist_of(base, target));
+  if (load > 1.0) {
+    target.linear /= load;
+    target.lateral /= load;
+    if (!steered) target.turn /= load;
+  }
+  const BaseInput change = target + -1.0 * sent;
+  const auto share_of = [&](double difference, double limit) {
+    return std::abs(difference) > limit * period ? limit * period / std::abs(difference) : 1.0;
+  };
+  const double share = std::min(
+      {share_of(change.linear, base.linear_acceleration),
+       share_of(change.lateral, base.lateral_acceleration),
+       share_of(change.turn, steered ? base.steering_rate_max : base.angular_acceleration)});
+  input = sent + share * change;
+  // A steered base turns by a function of both inputs: closer to what was sent, which kept it.
+  constexpr int kTries = 12;
+  constexpr double kCloser = 0.7;
+  double part = share;
+  for (int i = 0; i < kTries && !keeps(input); ++i) {
+    part *= kCloser;
+    input = sent + part * change;
   }
   return keeps(input) ? input : sent;
 }
