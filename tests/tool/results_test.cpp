@@ -47,6 +47,20 @@ TEST(Provenance, NamesTheInputsOfAResult) {
   EXPECT_EQ(from.at("map").at("width"), 80);
 }
 
+// The files that the given ones name, each once.
+TEST(Provenance, NamesTheMapAndThePictureOfAScenario) {
+  const TemporaryFolder folder;
+  write_room(folder);
+  folder.write("run.yaml", "map: room.yaml\nrobots: [{start: [1, 1, 0], goal: [3, 1]}]\n");
+  const ToolRun run = run_tool(folder, "simulate run.yaml --json result.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json result = json::parse(content_of(folder.path("result.json")));
+  std::vector<std::string> names;
+  for (const json& input : result.at("provenance").at("inputs"))
+    names.push_back(std::filesystem::path(input.at("file").get<std::string>()).filename().string());
+  EXPECT_EQ(names, (std::vector<std::string>{"run.yaml", "room.yaml", "room.pgm"}));
+}
+
 TEST(Provenance, DistinguishesMapsByTheirCells) {
   const TemporaryFolder folder;
   write_room(folder);

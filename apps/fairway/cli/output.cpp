@@ -60,6 +60,8 @@ void note(const io::FileNotes& notes) {
 
 void note_input(const std::string& file) { add_new({file}, noted().files); }
 
+const std::vector<std::string>& noted_inputs() noexcept { return noted().files; }
+
 void note_input_folder(const std::string& folder,
                        const std::function<bool(std::string_view)>& is_input) {
   std::error_code error;

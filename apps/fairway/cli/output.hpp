@@ -27,6 +27,9 @@ void note(const io::FileNotes& notes);
 /// Notes a file that the command reads, for `check_apart`.
 void note_input(const std::string& file);
 
+/// The files that the command has read so far, in that order.
+[[nodiscard]] const std::vector<std::string>& noted_inputs() noexcept;
+
 /// Notes those files of an input folder whose name `is_input` accepts.
 void note_input_folder(const std::string& folder,
                        const std::function<bool(std::string_view)>& is_input);

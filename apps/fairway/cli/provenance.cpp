@@ -62,6 +62,26 @@ Json input_json(const std::string& name) {
   return input;
 }
 
+// The given files and folders, and what was read besides: the files that they name, such as maps
+// and their pictures.
+std::vector<std::string> all_inputs(const std::vector<std::string>& given) {
+  std::vector<std::string> inputs;
+  for (const std::string& name : given) {
+    if (!name.empty()) inputs.push_back(name);
+  }
+  std::error_code failed;
+  const auto is_in = [&](const std::string& input, const std::string& file) {
+    const auto part = std::filesystem::relative(file, input, failed).generic_string();
+    return part == "." || (std::filesystem::is_directory(input, failed) && !part.starts_with(".."));
+  };
+  for (const std::string& file : noted_inputs()) {
+    if (std::none_of(inputs.begin(), inputs.end(),
+                     [&](const std::string& input) { return is_in(input, file); }))
+      inputs.push_back(file);
+  }
+  return inputs;
+}
+
 Json map_json(const OccupancyGrid& map) {
   const GridFrame& frame = map.frame();
   std::uint32_t crc = 0;
@@ -92,9 +112,8 @@ void add_provenance(Json& result, const Provenance& provenance) {
   result["schema"] = std::string("fairway/") + provenance.schema;
   Json from{{"version", tool_version()}, {"command", given_command_line()}};
   from["inputs"] = Json::array();
-  for (const std::string& file : provenance.files) {
-    if (!file.empty()) from["inputs"].push_back(input_json(file));
-  }
+  for (const std::string& file : all_inputs(provenance.files))
+    from["inputs"].push_back(input_json(file));
   if (provenance.map != nullptr) from["map"] = map_json(*provenance.map);
   if (provenance.seed) from["seed"] = *provenance.seed;
   if (provenance.settings != nullptr) {

@@ -14,8 +14,10 @@ namespace fairway::app {
 
 /// The inputs of a result.
 struct Provenance {
-  const char* schema;              ///< "plan.v1": docs/schemas/plan.v1.schema.json describes it
-  std::vector<std::string> files;  ///< files and folders that were read; empty names are left out
+  const char* schema;  ///< "plan.v1": docs/schemas/plan.v1.schema.json describes it
+  /// Files and folders of the command line; empty names are left out. Files that these name, such
+  /// as maps, are added.
+  std::vector<std::string> files;
   const OccupancyGrid* map = nullptr;   ///< if there is one map, as it was understood
   std::optional<std::uint64_t> seed{};  ///< of everything random, if anything is
   const Settings* settings = nullptr;   ///< if the result depends on them
