@@ -195,13 +195,13 @@ void RouteDriver::follow(const Vehicle& vehicle, Window window, const std::vecto
     constexpr double kShare = 0.6;  // of the deviation that the robot uses
     constexpr double kLeast = 0.03;
     const NodeDeviation used = used_deviation(end.deviation);
-    const double tolerance = stops ? std::clamp(kShare * std::min(used.a, used.b), kLeast,
-                                                settings_.navigation.goal_tolerance)
+    const double tolerance = stops ? std::min(settings_.navigation.goal_tolerance,
+                                              std::max(kLeast, kShare * std::min(used.a, used.b)))
                                    : settings_.navigation.goal_tolerance;
-    const double turn =
-        to_end && end.theta && end.theta_deviation > 0.0
-            ? std::clamp(kShare * end.theta_deviation, 0.02, settings_.navigation.heading_tolerance)
-            : settings_.navigation.heading_tolerance;
+    const double turn = to_end && end.theta && end.theta_deviation > 0.0
+                            ? std::min(settings_.navigation.heading_tolerance,
+                                       std::max(0.02, kShare * end.theta_deviation))
+                            : settings_.navigation.heading_tolerance;
     if (now.navigation.goal_tolerance != tolerance || now.navigation.heading_tolerance != turn) {
       now.navigation.goal_tolerance = tolerance;
       now.navigation.heading_tolerance = turn;

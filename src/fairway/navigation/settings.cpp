@@ -39,7 +39,7 @@ Settings paper_settings() {
   s.tracking.target_mode = TargetMode::DualWaypoints;
   s.tracking.step_regions = false;
   s.tracking.space_time_horizon = 0.0;  // the plan in space and time is not of the paper
-  s.navigation.goal_tolerance = 0.2;  // d_max is not given
+  s.navigation.goal_tolerance = 0.2;    // d_max is not given
   s.navigation.heading_tolerance = 3.15;
   s.safety.actuation_lag = 0.0;
   s.prediction.obstacle_growth = 0.0;

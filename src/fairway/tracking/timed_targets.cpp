@@ -24,7 +24,7 @@ double heading_of(const Vector2d& v) noexcept { return std::atan2(v.y(), v.x());
 double corner_speed(double angle, double deviation, const RobotSettings& robot) noexcept {
   const double c = std::cos(0.5 * std::min(std::abs(angle), std::numbers::pi - 1e-3));
   const double radius = deviation * c / std::max(1e-9, 1.0 - c);
-  return std::clamp(radius * robot.angular_max, kSlowest, robot.linear_max);
+  return std::min(robot.linear_max, std::max(kSlowest, radius * robot.angular_max));
 }
 
 // The greatest speed at each point of the path, given by its corners and the goal.

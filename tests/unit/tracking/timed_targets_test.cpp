@@ -84,6 +84,25 @@ TEST(TimedTargets, SlowDownForASharpCornerOnly) {
   EXPECT_LT(slowest(make_path({{0, 0}, {2, 0}, {0.1, 0.5}}, false)), 0.4);
 }
 
+// Also a robot that is slower than the least speed at corners.
+TEST(TimedTargets, AreNeverFasterThanTheRobot) {
+  for (const double fastest : {0.01, 0.05, 0.09, 0.3}) {
+    Settings settings;
+    settings.robot.linear_max = fastest;
+    ControlProblem problem;
+    problem.horizon = 50;
+    const TargetStart start{.speed = fastest};
+    set_targets(make_path({{0, 0}, {0.05, 0}, {0.05, 0.05}, {0, 0.05}, {0, 1}}, true), start,
+                settings, problem);
+    Vector2d before = Vector2d::Zero();
+    for (std::size_t k = 1; k <= last(problem); ++k) {
+      const Vector2d now = problem.targets[k].position;
+      EXPECT_LE((now - before).norm(), fastest * settings.mpc.step_length + 1e-9) << fastest;
+      before = now;
+    }
+  }
+}
+
 TEST(TimedTargets, WaitWhileTheRobotFacesAway) {
   Settings settings;
   ControlProblem problem;
