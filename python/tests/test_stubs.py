@@ -3,6 +3,7 @@
 
 import ast
 import importlib.util
+import os
 import pathlib
 import re
 import subprocess
@@ -132,6 +133,8 @@ def test_the_stub_of_the_settings_is_up_to_date():
 
 def test_a_type_checker_accepts_stubs_and_examples():
     if importlib.util.find_spec("mypy") is None:
+        if os.environ.get("FAIRWAY_CI"):
+            pytest.fail("mypy is not installed; CI checks the types")
         pytest.skip("mypy is not installed")
     done = subprocess.run([sys.executable, "-m", "mypy", "--cache-dir=/dev/null"], cwd=ROOT, text=True,
                           capture_output=True, check=False)

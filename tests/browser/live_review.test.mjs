@@ -309,7 +309,7 @@ test('events are listed, and lead to their time', () => withLive(async (page) =>
   assert.ok(await page.isVisible('#past'));
 }));
 
-test('many robots are a table, and 20 robots keep the page quick', () => withLive(async (page, server) => {
+test('20 robots are a table, each with a colour of its own', () => withLive(async (page, server) => {
   await pause(page);
   await page.click('#tool-robot');
   for (let i = 0; i < 19; ++i) await click(page, 4 + (i % 7) * 2, 5 + Math.floor(i / 7) * 3);

@@ -11,6 +11,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { launch, openPage } from './support/browser.mjs';
 import { click, confirm, title, until } from './support/live.mjs';
 import { program } from './support/runs.mjs';
+import { walk } from './support/walkthrough.mjs';
 
 const scenarios = fileURLToPath(new URL('../../scenarios', import.meta.url));
 const build = join(program('fairway'), '../..');
@@ -172,8 +173,16 @@ test('saved files are the tool\'s: scenario, recording, report', () => withPage(
   await context.close();
 }));
 
-test('it works on a phone, and in the dark', () => withPage(async (page) => {
-  await until(page, () => window.fairway.run.duration > 1);
-  const sheet = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
-  assert.ok(sheet, 'expected no horizontal scrolling');
-}, { options: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: 'dark' } }));
+// The same steps as on the live page: a goal is set and reached, settings are changed, and so on.
+const phone = { hasTouch: true, isMobile: true };
+for (const [name, options] of Object.entries({
+  laptop_dark: { viewport: { width: 1280, height: 720 }, colorScheme: 'dark' },
+  phone_light: { viewport: { width: 390, height: 844 }, colorScheme: 'light', ...phone },
+  phone_dark: { viewport: { width: 390, height: 844 }, colorScheme: 'dark', ...phone },
+})) {
+  test(`a walkthrough without a dead end: ${name}`, () => withPage(async (page) => {
+    await walk(page, { touch: options.hasTouch, name: `playground_${name}` });
+    const sheet = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
+    assert.ok(sheet, 'expected no horizontal scrolling');
+  }, { options }));
+}
