@@ -68,7 +68,14 @@ void bind_map_navigator(py::module_& module) {
           "Updates the map inside a window of cells, both corners (row, column) included.")
       .def_property_readonly("obstacles", &blocked_cells,
                              "Cells of the map that are blocked, those of scans included; "
-                             "bool[row, column], or None without a map.");
+                             "bool[row, column], or None without a map.")
+      .def_property_readonly(
+          "explanation",
+          [](SharedMapNavigator& self) {
+            return self.run([](MapNavigator& n) { return n.explanation(); });
+          },
+          "Why there is no path, in one sentence with numbers; empty while there is one, and "
+          "without `planning.background`. Planner.explain has it at any time.");
 }
 
 }  // namespace fairway::python
