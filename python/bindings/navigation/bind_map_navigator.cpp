@@ -37,10 +37,10 @@ void bind_map_navigator(py::module_& module) {
   py::class_<SharedMotion>(module, "SharedMotion",
                            "What a robot publishes to the others of its fleet in every cycle.")
       .def_readonly("robot", &SharedMotion::robot, "Number of the robot.")
-      .def_readonly("time", &SharedMotion::time, "[s]")
-      .def_readonly("position", &SharedMotion::position, "[m]")
-      .def_readonly("speed", &SharedMotion::speed, "[m/s]")
-      .def_readonly("radius", &SharedMotion::radius, "[m]");
+      .def_readonly("time", &SharedMotion::time, "Time of the message [s].")
+      .def_readonly("position", &SharedMotion::position, "Position of the robot [m].")
+      .def_readonly("speed", &SharedMotion::speed, "Speed of the robot [m/s].")
+      .def_readonly("radius", &SharedMotion::radius, "Radius of the disc around the robot [m].");
 
   py::class_<SharedMapNavigator> type(
       module, "MapNavigator",

@@ -50,7 +50,9 @@ void bind_path_status(py::module_& module) {
       .value("GoalBlocked", GoalBlocked)
       .value("NoConnection", NoConnection)
       .value("InvalidInput", InvalidInput)
-      .def_property_readonly("text", [](PathStatus status) { return to_text(status); });
+      .def_property_readonly(
+          "text", [](PathStatus status) { return to_text(status); },
+          "As files of the tool write it.");
 }
 
 }  // namespace
@@ -61,16 +63,17 @@ void bind_plan(py::module_& module) {
       .def_property_readonly("usable", &Plan::usable, "Whether there is a path and a corridor.")
       .def_property_readonly("reason", &Plan::reason,
                              "Explains to the user why the plan is not usable.")
-      .def_readonly("path_status", &Plan::path_status)
-      .def_readonly("corridor_status", &Plan::corridor_status)
+      .def_readonly("path_status", &Plan::path_status, "What became of the search of a path.")
+      .def_readonly("corridor_status", &Plan::corridor_status,
+                    "What became of the corridor along it.")
       .def_readonly("path", &Plan::path, "Waypoints from start to goal, n x 2 [m].")
       .def_property_readonly(
           "length", [](const Plan& plan) { return plan.path.length(); }, "Of the path [m].")
-      .def_readonly("corridor", &Plan::corridor)
+      .def_readonly("corridor", &Plan::corridor, "The rectangles along the path.")
       .def_property_readonly(
           "rectangles", [](const Plan& plan) { return plan.corridor.rectangles; },
           "Those of the corridor, in travel order.")
-      .def_readonly("goal", &Plan::goal)
+      .def_readonly("goal", &Plan::goal, "Where the plan ends: (x, y) or (x, y, heading).")
       .def_readonly("whole", &Plan::whole, "Whether the corridor covers the whole path.")
       .def_readonly("margin", &Plan::margin, "Clearance of the path beyond the robot's radius [m].")
       .def_readonly("stuck_at", &Plan::stuck_at,
