@@ -33,6 +33,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} 
 if(TARGET fairway_tool)
   install(TARGETS fairway_tool COMPONENT tool)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/fairway COMPONENT tool)
+  # `fairway --help` and its manual name these documents.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fairway COMPONENT tool)
   # The tool itself writes its manual and its completion, when it is installed.
   find_program(FAIRWAY_GZIP gzip)
   mark_as_advanced(FAIRWAY_GZIP)

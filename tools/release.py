@@ -90,6 +90,9 @@ def source_archive(out: pathlib.Path) -> pathlib.Path:
 def build(out: pathlib.Path, folder: pathlib.Path | None) -> None:
     if git("status", "--porcelain", "--untracked-files=no"):
         fail("expected a work tree without changes; commit them first")
+    playground = folder / "playground.html" if folder else None
+    if playground and not playground.exists():
+        fail(f"{playground}: expected the playground, which docs/playground.md promises; build the target `playground`")
     out.mkdir(parents=True, exist_ok=True)
     if any(out.iterdir()):
         fail(f"{out}: expected an empty folder")
@@ -97,9 +100,7 @@ def build(out: pathlib.Path, folder: pathlib.Path | None) -> None:
     if folder:
         subprocess.run(["cpack", "-G", "DEB", "-B", str(out)], cwd=folder, check=True)
         subprocess.run(["cmake", "-E", "rm", "-rf", str(out / "_CPack_Packages")], check=True)
-        playground = folder / "playground.html"
-        if playground.exists():
-            (out / f"fairway-playground-{version()}.html").write_bytes(playground.read_bytes())
+        (out / f"fairway-playground-{version()}.html").write_bytes(playground.read_bytes())
         if (folder / "python" / "fairway").exists():
             sys.path.insert(0, str(ROOT / "python" / "packaging"))
             import wheel_backend

@@ -200,7 +200,7 @@ std::string index_html(const std::vector<PageChapter>& chapters, const std::stri
   std::string html =
       fmt::format(fmt::runtime(kHead), "The paper, reproduced: Fairway") +
       contents(chapters, "index.html") +
-      "<h1>The paper\u2019s tables and figures, beside ours</h1>\n" +
+      "<h1>The paper\u2019s tables and figures, beside Fairway\u2019s</h1>\n" +
       fmt::format("<p class=\"verdict\">{} of {} claims confirmed.</p>\n", confirmed, claims) +
       "<div class=\"columns\">\n";
   for (const PageChapter& page : chapters)

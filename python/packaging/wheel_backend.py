@@ -4,6 +4,7 @@
 It needs nothing but the standard library, so that pip downloads nothing for the build.
 
     pip install .
+    pip install -e .                                         # uses the package in build/wheel
     pip wheel . --config-settings build-dir=build/release    # uses a build that exists
 """
 
@@ -54,14 +55,19 @@ def configure(build: pathlib.Path) -> None:
         f"-DPython3_EXECUTABLE={sys.executable}", *off)
 
 
-def installed(settings: dict, prefix: pathlib.Path) -> pathlib.Path:
-    """Builds the package, unless settings name a finished build, and returns a copy of it."""
+def built(settings: dict) -> pathlib.Path:
+    """Builds the package, unless settings name a finished build, and returns the build's folder."""
     given = settings.get("build-dir")
     build = pathlib.Path(given).resolve() if given else ROOT / "build" / "wheel"
     if not given:
         configure(build)
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
         run("cmake", "--build", str(build), "--target", "fairway_python_package", "-j", jobs)
+    return build
+
+
+def installed(build: pathlib.Path, prefix: pathlib.Path) -> pathlib.Path:
+    """Returns a copy of the package of a build."""
     run("cmake", "--install", str(build), "--component", "python", "--prefix", str(prefix), "--strip")
     for folder in prefix.rglob("fairway"):
         if list(folder.glob("_fairway*.so")):
@@ -93,6 +99,10 @@ def get_requires_for_build_wheel(config_settings=None):
     return []
 
 
+def get_requires_for_build_editable(config_settings=None):
+    return []
+
+
 def get_requires_for_build_sdist(config_settings=None):
     return []
 
@@ -102,26 +112,54 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     info = f"fairway-{version()}.dist-info"
     wheel = Wheel(pathlib.Path(wheel_directory) / name)
     with tempfile.TemporaryDirectory() as prefix:
-        package = installed(config_settings or {}, pathlib.Path(prefix))
+        package = installed(built(config_settings or {}), pathlib.Path(prefix))
         for file in sorted(package.iterdir()):
             if file.is_file():
                 wheel.add(f"fairway/{file.name}", file.read_bytes())
+    describe(wheel, info)
+    return name
+
+
+def describe(wheel: Wheel, info: str) -> None:
+    """Adds what pip reads of a wheel, and closes it."""
     wheel.add(f"{info}/METADATA", metadata().encode())
     wheel.add(f"{info}/WHEEL", ("Wheel-Version: 1.0\nGenerator: fairway\nRoot-Is-Purelib: false\n"
                                 f"Tag: {tag()}\n").encode())
     wheel.add(f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
     wheel.close(info)
+
+
+def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
+    """A wheel that refers to the package in the build's folder: a build there updates it (PEP 660)."""
+    name = f"fairway-{version()}-{tag()}.whl"
+    package = built(config_settings or {}) / "python"
+    if not list((package / "fairway").glob("_fairway*.so")):
+        raise SystemExit(f"{package}: expected the Python package, found none; is pybind11-dev installed?")
+    wheel = Wheel(pathlib.Path(wheel_directory) / name)
+    wheel.add("fairway.pth", f"{package}\n".encode())
+    describe(wheel, f"fairway-{version()}.dist-info")
     return name
+
+
+def sources() -> list:
+    """The files of the repository; those of an unpacked source archive, which has no git."""
+    if (ROOT / ".git").exists():
+        listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True)
+        return sorted(name for name in listed.stdout.decode().split("\0") if name and (ROOT / name).is_file())
+    made = {"build", "dist", "out", "node_modules", "__pycache__"}
+    found = []
+    for folder, folders, files in os.walk(ROOT):
+        folders[:] = [name for name in folders if name not in made]
+        found += [str((pathlib.Path(folder) / name).relative_to(ROOT)) for name in files]
+    return sorted(name for name in found if name != "PKG-INFO")
 
 
 def build_sdist(sdist_directory, config_settings=None):
     base = f"fairway-{version()}"
-    files = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True)
     path = pathlib.Path(sdist_directory) / f"{base}.tar.gz"
     with tarfile.open(path, "w:gz", format=tarfile.PAX_FORMAT) as archive:
-        for name in files.stdout.decode().split("\0"):
-            if name and (ROOT / name).is_file():
-                archive.add(ROOT / name, f"{base}/{name}")
+        for name in sources():
+            archive.add(ROOT / name, f"{base}/{name}")
         with tempfile.NamedTemporaryFile() as file:
             file.write(metadata().encode())
             file.flush()

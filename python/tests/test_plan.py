@@ -106,3 +106,35 @@ def test_a_rectangle_is_turned_about_its_seed():
 def test_plans_on_a_map_from_a_file():
     grid = fairway.Map.read(ROOT / "scenarios/maps/workshop.yaml")
     assert fairway.plan(grid, (2, 4.4), (22.2, 14.6)).usable
+
+
+def test_why_there_is_no_path_has_a_place_and_widths():
+    cells = np.zeros((100, 200), np.int8)
+    cells[:, 100] = 100
+    cells[40:48, 100] = 0  # a gap of 0.4 m, around y = 2.2 m
+    planner = fairway.Planner(fairway.Map.from_array(cells, resolution=0.05))
+    start = (1, 2.2)
+    plan = planner.plan(start, (9, 2.2))
+    assert not plan.usable
+    found = planner.find_obstruction(start, plan)
+    assert found.kind == "narrow gap"
+    assert np.hypot(*(np.array(found.position) - (5.025, 2.2))) < 0.1
+    assert 0.3 < found.found <= 0.4 < found.needed
+    assert f"{found.needed:.2f}" in planner.explain(start, plan)
+    free = planner.plan(start, (2, 2.2))
+    assert planner.find_obstruction(start, free) is None
+    assert planner.explain(start, free) == ""
+
+
+def test_a_navigator_explains_why_it_has_no_path():
+    cells = np.zeros((100, 200), np.int8)
+    cells[:, 100] = 100
+    settings = fairway.Settings()
+    settings.planning.background = True
+    navigator = fairway.MapNavigator(settings, fairway.Map.from_array(cells, resolution=0.05))
+    navigator.set_goal(9, 2.2)
+    for cycle in range(4):
+        step = navigator.update(0.1 * cycle, (1, 2.2, 0))
+        navigator.wait_for_plan()
+    assert step.status.label == "No path"
+    assert "5.0" in navigator.explanation

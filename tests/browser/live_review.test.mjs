@@ -242,18 +242,20 @@ test('why there is no path: the gap with its width and the needed width, in word
 }));
 
 test('a robot that waits names whom it waits for', () => withLive(async (page) => {
-  await page.selectOption('#speed', '4');
+  await pause(page);
   await page.click('#tool-wall');
-  // A corridor 0.8 m wide, and a person in it.
-  await drag(page, [6, 6.6], [14, 6.6]);
-  await drag(page, [6, 8.0], [14, 8.0]);
+  // A dead end 0.8 m wide with a person in it: no path leads around.
+  await drag(page, [6, 6.6], [14, 6.6], [14, 8.0], [6, 8.0]);
+  await cellBecomes(page, 6.2, 8.0, 1);
   await page.click('#tool-pose');
   await drag(page, [5, 7.3], [6.5, 7.3]);
   await page.click('#tool-person');
   await click(page, 10, 7.3);
+  await until(page, () => window.fairway.run.frames.at(-1).bodies.length === 1);
   await page.click('#tool-goal');
   await click(page, 12.5, 7.3);
-  await until(page, () => /(Waiting for|Limited by): person 1/.test(document.querySelector('.card .why').textContent) || window.fairway.run.begin.limits[window.fairway.moment.frame.robots[0].cycle?.limit] === 'no path');
+  await page.click('#play');
+  await until(page, () => /(Waiting for|Limited by): person 1/.test(document.querySelector('.card .why').textContent));
 }));
 
 test('cancel and emergency stop', () => withLive(async (page) => {
@@ -307,7 +309,7 @@ test('events are listed, and lead to their time', () => withLive(async (page) =>
   assert.ok(await page.isVisible('#past'));
 }));
 
-test('many robots are a table, and 20 robots keep the page quick', () => withLive(async (page, server) => {
+test('20 robots are a table, each with a colour of its own', () => withLive(async (page, server) => {
   await pause(page);
   await page.click('#tool-robot');
   for (let i = 0; i < 19; ++i) await click(page, 4 + (i % 7) * 2, 5 + Math.floor(i / 7) * 3);

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
 import { launch } from './support/browser.mjs';
-import { chooseMap, last, until, withLive as liveWith } from './support/live.mjs';
+import { chooseMap, confirm, last, until, withLive as liveWith } from './support/live.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -100,3 +100,52 @@ for (const [name, options] of Object.entries({ laptop: { viewport: { width: 1280
     }
   }, options));
 }
+
+test('status and plots are also tables', () => withLive(async (page) => {
+  await until(page, () => window.fairway.run.duration > 2);
+  await page.click('#tab-values');
+  await until(page, () => document.querySelectorAll('.values').length === 2);
+  const [status, values] = await page.evaluate(() => [...document.querySelectorAll('.values')].map((table) => ({
+    caption: table.caption.textContent, head: [...table.tHead.rows[0].cells].map((cell) => cell.textContent),
+    rows: [...table.tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent)),
+  })));
+  assert.deepEqual(status.head, ['From', 'To', 'Status']);
+  assert.ok(status.rows.some(([, , label]) => label === 'Driving'), JSON.stringify(status.rows));
+  assert.deepEqual(values.head, ['Time', 'Status', 'Speed, command', 'Speed, actual', 'Clearance, to obstacles', 'Clearance, to people and robots']);
+  const wanted = await page.evaluate(() => {
+    const { run } = window.fairway;
+    return `${run.frames[run.frameIndex(1)].robots[0].cycle.linear.toFixed(2)} m/s`;
+  });
+  assert.equal(values.rows.find(([time]) => time === '1.0 s')[3], wanted);
+  assert.equal(await page.getAttribute('#plots', 'aria-details'), 'tab-values');
+}));
+
+test('the body editor has discs, and a preset sets body and limits together', () => withLive(async (page) => {
+  await page.click('#tab-settings');
+  await page.click('#body-editor summary');
+  await page.selectOption('#body-shape', 'discs');
+  await page.fill('#body-discs', '0.3 0 0.2\n-0.2 0');
+  assert.ok(await page.isDisabled('#body-apply'), 'half a disc cannot be applied');
+  await page.fill('#body-discs', '0.3 0 0.2\n-0.2 0 0.3');
+  await page.click('#body-apply');
+  await until(page, () => window.fairway.run.body.discs.length === 2);
+  assert.equal(await page.evaluate(() => window.fairway.run.setting('robot', 'radius')), 0.5);
+  for (const [label, length, speed] of [['MiR600, 1.35 × 0.91 m', 1.35, 1.5], ['Jackal, 0.458 × 0.416 m', 0.458, 2], ['Large platform, 1.8 × 1.2 m', 1.8, 1.2]]) {
+    await page.selectOption('#body-preset', { label });
+    await page.click('#body-apply');
+    await until(page, ([l, v]) => window.fairway.run.setting('robot', 'length') === l && window.fairway.run.setting('robot', 'linear_max') === v, [length, speed]);
+  }
+  await page.selectOption('#body-preset', { label: 'L-shaped cart, three discs' });
+  await page.click('#body-apply');
+  await until(page, () => window.fairway.run.body.discs.length === 3);
+}));
+
+test('the legend of a robot with a lidar explains walls over the corridor; the status band has every status', () => withLive(async (page) => {
+  await page.selectOption('#senses', { label: 'Lidar' }, { force: true });
+  await confirm(page);
+  await until(page, () => window.fairway.run.lidar && window.fairway.run.frames.length > 1);
+  await page.click('#show-layers');
+  const text = await page.textContent('#layers');
+  assert.match(text, /True wall, drawn over the corridor/);
+  for (const guide of await page.evaluate(() => window.fairway.run.begin.status_guides.map(({ label }) => label))) assert.ok(text.includes(guide), guide);
+}));

@@ -11,6 +11,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { launch, openPage } from './support/browser.mjs';
 import { click, confirm, title, until } from './support/live.mjs';
 import { program } from './support/runs.mjs';
+import { walk } from './support/walkthrough.mjs';
 
 const scenarios = fileURLToPath(new URL('../../scenarios', import.meta.url));
 const build = join(program('fairway'), '../..');
@@ -29,11 +30,16 @@ after(async () => {
   await rm(folder, { recursive: true });
 });
 
-/** The trace of a scenario of the repository, as the module computes it. */
-async function traceOf(name) {
-  const create = createRequire(import.meta.url)(join(build, 'playground/playground.js'));
+/** The files of a scenario of the repository with their paths in the module. */
+async function filesOf(name) {
+  const files = [[`${name}.yaml`, `/s/${name}.yaml`]];
+  for (const map of await readdir(join(scenarios, 'maps'))) files.push([`maps/${map}`, `/s/maps/${map}`]);
+  return Promise.all(files.map(async ([from, to]) => [to, await readFile(join(scenarios, from))]));
+}
+
+// Runs in Node and in a worker of Chromium, and therefore uses nothing from outside.
+const compute = async (create, wasmBinary, files, scenario) => {
   const texts = [];
-  const wasmBinary = await readFile(join(build, 'playground/playground.wasm'));
   const module = await create({ wasmBinary, onText: (text) => texts.push(text), onBytes() {}, onFile() {} });
   const withBytes = (bytes, use) => {
     const at = module._malloc(bytes.length + 1);
@@ -41,16 +47,44 @@ async function traceOf(name) {
     module.HEAPU8[at + bytes.length] = 0;
     try { return use(at, bytes.length); } finally { module._free(at); }
   };
-  withBytes(Buffer.from('/s/maps'), (at) => module._folder_make(at));
-  const files = [[`${name}.yaml`, `/s/${name}.yaml`]];
-  for (const map of await readdir(join(scenarios, 'maps'))) files.push([`maps/${map}`, `/s/maps/${map}`]);
-  for (const [from, to] of files) {
-    const bytes = await readFile(join(scenarios, from));
-    withBytes(Buffer.from(to), (path) => withBytes(bytes, (at, size) => assert.equal(module._file_write(path, at, size), 1)));
+  const withText = (text, use) => withBytes(new TextEncoder().encode(text), use);
+  withText('/s/maps', (at) => module._folder_make(at));
+  for (const [to, bytes] of files) {
+    const written = withText(to, (path) => withBytes(bytes, (at, size) => module._file_write(path, at, size)));
+    if (written !== 1) throw new Error(`${to} was not written`);
   }
-  const done = withBytes(Buffer.from(`/s/${name}.yaml`), (at) => module._run_scenario(at));
-  assert.equal(done, 1, texts.at(-1));
+  const done = withText(scenario, (at) => module._run_scenario(at));
+  if (done !== 1) throw new Error(texts.at(-1));
   return texts.at(-1);
+};
+
+/** The trace of a scenario of the repository, as the module computes it in Node. */
+async function traceOf(name) {
+  const create = createRequire(import.meta.url)(join(build, 'playground/playground.js'));
+  return compute(create, await readFile(join(build, 'playground/playground.wasm')), await filesOf(name), `/s/${name}.yaml`);
+}
+
+/** The same in a worker of Chromium. */
+async function traceInChromium(name) {
+  const { page, errors, context } = await openPage(browser, 'about:blank');
+  const glue = await readFile(join(build, 'playground/playground.js'), 'utf8');
+  const wasm = (await readFile(join(build, 'playground/playground.wasm'))).toString('base64');
+  const files = (await filesOf(name)).map(([to, bytes]) => [to, bytes.toString('base64')]);
+  const text = await page.evaluate(([code, given]) => new Promise((resolve, reject) => {
+    const worker = new Worker(URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
+    worker.onerror = ({ message }) => reject(new Error(message));
+    worker.onmessage = ({ data }) => (data.failed ? reject(new Error(data.failed)) : resolve(data.text));
+    worker.postMessage(given);
+  }), [`${glue}
+    const bytes = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const compute = ${compute};
+    onmessage = ({ data: { wasm, files, scenario } }) =>
+      compute(createPlayground, bytes(wasm), files.map(([to, base64]) => [to, bytes(base64)]), scenario)
+        .then((text) => postMessage({ text }), (error) => postMessage({ failed: String(error) }));`,
+  { wasm, files, scenario: `/s/${name}.yaml` }]);
+  assert.deepEqual(errors, []);
+  await context.close();
+  return text;
 }
 
 const rows = (csv) => csv.trim().split('\n').map((line) => line.split(','));
@@ -76,6 +110,10 @@ for (const name of ['workshop', 'doorways', 'fleet_crossing']) {
     assert.ok(most <= BOUND, `largest difference ${most}`);
   });
 }
+
+test('Chromium computes the commands of Node, to the bit', async () => {
+  for (const name of ['workshop', 'fleet_crossing']) assert.equal(await traceInChromium(name), await traceOf(name), name);
+});
 
 async function withPage(work, { hash = '', options = {} } = {}) {
   const { page, errors, context } = await openPage(browser, url + hash, options);
@@ -172,8 +210,16 @@ test('saved files are the tool\'s: scenario, recording, report', () => withPage(
   await context.close();
 }));
 
-test('it works on a phone, and in the dark', () => withPage(async (page) => {
-  await until(page, () => window.fairway.run.duration > 1);
-  const sheet = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
-  assert.ok(sheet, 'expected no horizontal scrolling');
-}, { options: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: 'dark' } }));
+// The same steps as on the live page: a goal is set and reached, settings are changed, and so on.
+const phone = { hasTouch: true, isMobile: true };
+for (const [name, options] of Object.entries({
+  laptop_dark: { viewport: { width: 1280, height: 720 }, colorScheme: 'dark' },
+  phone_light: { viewport: { width: 390, height: 844 }, colorScheme: 'light', ...phone },
+  phone_dark: { viewport: { width: 390, height: 844 }, colorScheme: 'dark', ...phone },
+})) {
+  test(`a walkthrough without a dead end: ${name}`, () => withPage(async (page) => {
+    await walk(page, { touch: options.hasTouch, name: `playground_${name}` });
+    const sheet = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
+    assert.ok(sheet, 'expected no horizontal scrolling');
+  }, { options }));
+}

@@ -185,38 +185,16 @@ test('prints in the light theme, with the map, the plots and the robots', () => 
   assert.ok(!(await page.isVisible('#play')) && !(await page.isVisible('#settings')));
 }, { colorScheme: 'dark' }));
 
-test('1000 x 1000 cells play at 20 pictures a second; the first appears within a second', async (t) => {
+// How fast it draws depends on the machine: page_pace.mjs measures that every night.
+test('a map of 1000 x 1000 cells opens and plays', async () => {
   const large = await syntheticRun({ robots: 4, seconds: 300, side: 1000 });
   assert.ok((await stat(large.page)).size < 10e6);
   const { context, page, errors } = await openPage(shared.browser, 'about:blank');
   await page.goto(pathToFileURL(large.page).href, { waitUntil: 'commit' });
   await page.waitForFunction(() => window.fairway?.drawn > 0);
-  const first = await page.evaluate(() => window.fairway.firstDrawn);
   await page.click('#play');
-  const rate = await page.evaluate(async () => {
-    const before = window.fairway.drawn;
-    const start = performance.now();
-    while (window.fairway.drawn < before + 30 && performance.now() < start + 30_000) {
-      await new Promise(requestAnimationFrame);
-    }
-    return (window.fairway.drawn - before) / (performance.now() - start) * 1e3;
-  });
-  const cost = await page.evaluate(() => {
-    // Only the processor's share, so that other programs affect it less.
-    let best = Infinity;
-    for (let i = 0; i < 30; ++i) {
-      window.fairway.time += 0.033;
-      window.fairway.invalidate();
-      const start = performance.now();
-      window.fairway.render();
-      best = Math.min(best, performance.now() - start);
-    }
-    return best;
-  });
-  t.diagnostic(`first picture after ${first.toFixed(0)} ms, ${rate.toFixed(0)} pictures a second, ${cost.toFixed(1)} ms a picture at best, file ${((await stat(large.page)).size / 1e6).toFixed(2)} MB`);
-  // Waiting times are reported only, because they depend on other programs. The least cost of a
-  // picture is limited to a twentieth of a second.
-  assert.ok(rate > 0 && cost < 50, `${rate} ${cost}`);
+  const drawn = await page.evaluate(() => window.fairway.drawn);
+  await page.waitForFunction((before) => window.fairway.drawn > before + 30 && window.fairway.time > 0.5, drawn);
   assert.deepEqual(errors, []);
   await context.close();
   await rm(large.folder, { recursive: true });

@@ -74,6 +74,13 @@ class ReleaseTest(unittest.TestCase):
         self.assertEqual(name, archives[0].name)
         self.assertEqual(digest, hashlib.sha256(archives[0].read_bytes()).hexdigest())
 
+    def test_a_release_without_the_playground_is_refused(self):
+        out = pathlib.Path(self.folder.name) / "out"
+        done = self.run_script("build", "--out", str(out), "--build", self.folder.name)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("expected the playground", done.stderr)
+        self.assertFalse(out.exists())
+
     def test_a_changed_work_tree_is_refused(self):
         (self.root / "CMakeLists.txt").write_text("changed")
         done = self.run_script("build", "--out", str(pathlib.Path(self.folder.name) / "out"))

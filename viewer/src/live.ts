@@ -56,7 +56,7 @@ class Live implements Transport {
     this.edits = new EditButtons(send);
     viewer.panel.actions = robotActions(viewer, send);
     this.files = new Files(send, notify, () => this.loss());
-    new Tabs(element('tabs'), [['Robots', 'robots'], ['Events', 'events'], ['Settings', 'settings']]);
+    new Tabs(element('tabs'), [['Robots', 'robots'], ['Events', 'events'], ['Values', 'values'], ['Settings', 'settings']]);
     const change = (assignments: string[]): void => send({ do: 'set', assignments });
     this.body = new BodyEditor((values) => this.settings.send(values));
     this.settings = new SettingsPanel(element('settings'), change, this.body.root);

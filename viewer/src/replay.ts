@@ -93,7 +93,7 @@ export async function startReplay(packed: string): Promise<void> {
   connect(replay);
   connectButtons(viewer);
   listenToKeys(viewer, replay, new Toolbar(viewer, null));
-  new Tabs(element('tabs'), [['Robots', 'robots'], ['Events', 'events'], ['Summary', 'summary'], ['Settings', 'settings']]);
+  new Tabs(element('tabs'), [['Robots', 'robots'], ['Events', 'events'], ['Values', 'values'], ['Summary', 'summary'], ['Settings', 'settings']]);
   showSummary(element('summary'), run);
   new SettingsPanel(element('settings'), null).show(run.settings);
   new EventList(element('events'), (time, robot) => { viewer.select(robot); replay.seek(time); }).follow(run, true);

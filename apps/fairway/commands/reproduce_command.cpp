@@ -108,7 +108,7 @@ Expected<int> ReproduceCommand::run() const {
 void add_reproduce_command(CommandLine& tool) {
   const auto command = std::make_shared<ReproduceCommand>();
   const Options options =
-      tool.add_command("reproduce", "Write the paper's tables and figures beside ours",
+      tool.add_command("reproduce", "Write the paper's tables and figures beside Fairway's",
                        [command] { return command->run(); });
   options.add("CASE", command->which, "Which of the paper's cases")
       .required()

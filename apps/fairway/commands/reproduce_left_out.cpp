@@ -5,7 +5,7 @@
 namespace fairway::app {
 
 void add_reproduce_command(CommandLine& tool) {
-  add_left_out_command(tool, "reproduce", "Write the paper's tables and figures beside ours",
+  add_left_out_command(tool, "reproduce", "Write the paper's tables and figures beside Fairway's",
                        "libboost-dev");
 }
 

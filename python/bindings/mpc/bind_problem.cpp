@@ -58,7 +58,8 @@ void bind_problem(py::module_& module) {
       .def_readwrite("max_change", &Problem::max_change,
                      "Greatest change from one command to the next; infinite: no limit.")
       .def_readwrite("stop_at_end", &Problem::stop_at_end, "Whether the last command is zero.")
-      .def_readwrite("penalise_first_change", &Problem::penalise_first_change)
+      .def_readwrite("penalise_first_change", &Problem::penalise_first_change,
+                     "Whether the change from the present command to the first one costs.")
       .def_readwrite("barrier_retention", &Problem::barrier_retention, "1 - gamma dt, in [0, 1).")
       .def_readwrite("violation_weight", &Problem::violation_weight,
                      "Penalty of a violation of one metre.")
@@ -74,7 +75,7 @@ void bind_problem(py::module_& module) {
       .def("add_obstacle", &add_obstacle, py::arg("positions"), py::arg("keep_out"),
            "Adds a moving obstacle: its positions at steps 0 to N, (N + 1) x 2 [m], and the least "
            "distance between the centres [m].")
-      .def_readonly("num_obstacles", &Problem::num_obstacles);
+      .def_readonly("num_obstacles", &Problem::num_obstacles, "Number of moving obstacles.");
   bind_weight<&Problem::command_weight>(type, "command_weight", "R, linear and angular.");
   bind_weight<&Problem::change_weight>(type, "change_weight", "S, linear and angular.");
 }

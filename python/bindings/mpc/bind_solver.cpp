@@ -54,11 +54,13 @@ void bind_solution(py::module_& module) {
       .value("IterationLimit", IterationLimit)
       .value("Stalled", Stalled)
       .value("InvalidProblem", InvalidProblem)
-      .def_property_readonly("text", [](SolveStatus status) { return to_text(status); });
+      .def_property_readonly(
+          "text", [](SolveStatus status) { return to_text(status); },
+          "As files of the tool write it.");
   py::class_<MpcSolution>(module, "Solution",
                           "The result of a solver: finite, and within the hard constraints.")
-      .def_readonly("status", &MpcSolution::status)
-      .def_readonly("iterations", &MpcSolution::iterations)
+      .def_readonly("status", &MpcSolution::status, "What became of the solve.")
+      .def_readonly("iterations", &MpcSolution::iterations, "Iterations of the solver.")
       .def_readonly("cost", &MpcSolution::cost, "Objective without the penalty of violations.")
       .def_readonly("max_violation", &MpcSolution::max_violation,
                     "Greatest violation of a soft constraint [m or m^2].")

@@ -37,10 +37,10 @@ void bind_map_navigator(py::module_& module) {
   py::class_<SharedMotion>(module, "SharedMotion",
                            "What a robot publishes to the others of its fleet in every cycle.")
       .def_readonly("robot", &SharedMotion::robot, "Number of the robot.")
-      .def_readonly("time", &SharedMotion::time, "[s]")
-      .def_readonly("position", &SharedMotion::position, "[m]")
-      .def_readonly("speed", &SharedMotion::speed, "[m/s]")
-      .def_readonly("radius", &SharedMotion::radius, "[m]");
+      .def_readonly("time", &SharedMotion::time, "Time of the message [s].")
+      .def_readonly("position", &SharedMotion::position, "Position of the robot [m].")
+      .def_readonly("speed", &SharedMotion::speed, "Speed of the robot [m/s].")
+      .def_readonly("radius", &SharedMotion::radius, "Radius of the disc around the robot [m].");
 
   py::class_<SharedMapNavigator> type(
       module, "MapNavigator",
@@ -68,7 +68,14 @@ void bind_map_navigator(py::module_& module) {
           "Updates the map inside a window of cells, both corners (row, column) included.")
       .def_property_readonly("obstacles", &blocked_cells,
                              "Cells of the map that are blocked, those of scans included; "
-                             "bool[row, column], or None without a map.");
+                             "bool[row, column], or None without a map.")
+      .def_property_readonly(
+          "explanation",
+          [](SharedMapNavigator& self) {
+            return self.run([](MapNavigator& n) { return n.explanation(); });
+          },
+          "Why there is no path, in one sentence with numbers; empty while there is one, and "
+          "without `planning.background`. Planner.explain has it at any time.");
 }
 
 }  // namespace fairway::python

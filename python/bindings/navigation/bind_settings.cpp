@@ -72,7 +72,8 @@ void bind_settings(py::module_& module) {
            "Returns the settings as a file that `read` takes; a comment explains each.")
       .def("changed", &changed_settings,
            "Returns the settings that differ from the defaults: name to value, as in files.")
-      .def("copy", [](const Settings& settings) { return settings; })
+      .def(
+          "copy", [](const Settings& settings) { return settings; }, "Returns a copy.")
       .def("__copy__", [](const Settings& settings) { return settings; })
       .def(
           "__deepcopy__",

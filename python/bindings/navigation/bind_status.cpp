@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "fairway/navigation/status_guide.hpp"
+#include "fairway/navigation/status_label.hpp"
 
 namespace fairway::python {
 
@@ -45,7 +46,10 @@ void bind_guided_status(py::module_& module,
   }
   values
       .def_property_readonly(
-          "text", [](Status status) { return to_text(status); }, "As the tool and pages write it.")
+          "text", [](Status status) { return to_text(status); }, "As files of the tool write it.")
+      .def_property_readonly(
+          "label", [](Status status) { return label_of(status); },
+          "For people, as the tool and pages show it.")
       .def_property_readonly(
           "meaning", [](Status status) { return guide_of(status).meaning; },
           "What the robot does, or what limits it.")

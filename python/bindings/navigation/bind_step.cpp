@@ -23,7 +23,9 @@ void bind_step(py::module_& module) {
       .def_property_readonly(
           "command", [](const Step& s) { return s.step.command; },
           "Both: finite and within the limits in every status.")
-      .def_property_readonly("status", [](const Step& s) { return s.step.status; })
+      .def_property_readonly(
+          "status", [](const Step& s) { return s.step.status; },
+          "State of the navigator in this cycle.")
       .def_property_readonly(
           "limit", [](const Step& s) { return s.step.limit; }, "Why the robot is not faster.")
       .def_property_readonly(

@@ -17,7 +17,9 @@ void bind_status_of_corridors(py::module_& module) {
       .value("SeedBlocked", SeedBlocked)
       .value("NoOverlap", NoOverlap)
       .value("InvalidInput", InvalidInput)
-      .def_property_readonly("text", [](CorridorStatus status) { return to_text(status); });
+      .def_property_readonly(
+          "text", [](CorridorStatus status) { return to_text(status); },
+          "As files of the tool write it.");
 }
 
 py::array_t<double> spans_array(const Corridor& corridor) {
@@ -51,13 +53,15 @@ void bind_corridor(py::module_& module) {
   py::class_<Corridor>(module, "Corridor",
                        "The free space along a path: rectangles in travel order, each with its "
                        "seed on the path.")
-      .def_readonly("rectangles", &Corridor::rectangles)
+      .def_readonly("rectangles", &Corridor::rectangles, "In travel order.")
       .def_property_readonly(
           "space", [](const Corridor& corridor) { return to_text(corridor.space); },
           "\"configuration\": the centre of a disc of `robot_radius` may be everywhere in a "
           "rectangle; \"workspace\": it must stay `inward_offset` inside.")
-      .def_readonly("robot_radius", &Corridor::robot_radius, "[m]")
-      .def_readonly("inward_offset", &Corridor::inward_offset, "[m]")
+      .def_readonly("robot_radius", &Corridor::robot_radius,
+                    "Radius that the rectangles keep free [m].")
+      .def_readonly("inward_offset", &Corridor::inward_offset,
+                    "Distance that the rectangles keep from their sides [m].")
       .def_property_readonly("mean_area", &Corridor::mean_area, "[m^2]; 0 without a rectangle.")
       .def_property_readonly("spans", &spans_array,
                              "The part of the path of each rectangle, by arc length: from, to [m].")
@@ -67,7 +71,7 @@ void bind_corridor(py::module_& module) {
 
   py::class_<CorridorResult>(module, "CorridorResult",
                              "A corridor, or where and why the path could not be covered.")
-      .def_readonly("status", &CorridorResult::status)
+      .def_readonly("status", &CorridorResult::status, "What became of the corridor.")
       .def_property_readonly(
           "built", [](const CorridorResult& r) { return r.status == CorridorStatus::Built; },
           "Whether the corridor covers the whole path.")

@@ -2,6 +2,7 @@
 #include "bindings.hpp"
 #include "casters.hpp"
 #include "fairway/navigation/settings.hpp"
+#include "fairway/planning/path_obstruction.hpp"
 #include "fairway/planning/planner.hpp"
 #include "results.hpp"
 
@@ -22,6 +23,18 @@ class MapPlanner {
     return Planner().plan(map_, start.position, goal, planner_settings(settings_));
   }
 
+  [[nodiscard]] std::optional<PathObstruction> find_obstruction(const Goal& start,
+                                                                const Plan& plan) const {
+    const py::gil_scoped_release release;
+    return fairway::find_obstruction(map_, start.position, plan,
+                                     planner_settings(settings_).radius);
+  }
+
+  [[nodiscard]] std::string explain(const Goal& start, const Plan& plan) const {
+    const py::gil_scoped_release release;
+    return fairway::explain(map_, start.position, plan, planner_settings(settings_).radius);
+  }
+
  private:
   Settings settings_;
   PreparedMap map_;
@@ -37,7 +50,9 @@ void bind_path_status(py::module_& module) {
       .value("GoalBlocked", GoalBlocked)
       .value("NoConnection", NoConnection)
       .value("InvalidInput", InvalidInput)
-      .def_property_readonly("text", [](PathStatus status) { return to_text(status); });
+      .def_property_readonly(
+          "text", [](PathStatus status) { return to_text(status); },
+          "As files of the tool write it.");
 }
 
 }  // namespace
@@ -48,27 +63,44 @@ void bind_plan(py::module_& module) {
       .def_property_readonly("usable", &Plan::usable, "Whether there is a path and a corridor.")
       .def_property_readonly("reason", &Plan::reason,
                              "Explains to the user why the plan is not usable.")
-      .def_readonly("path_status", &Plan::path_status)
-      .def_readonly("corridor_status", &Plan::corridor_status)
+      .def_readonly("path_status", &Plan::path_status, "What became of the search of a path.")
+      .def_readonly("corridor_status", &Plan::corridor_status,
+                    "What became of the corridor along it.")
       .def_readonly("path", &Plan::path, "Waypoints from start to goal, n x 2 [m].")
       .def_property_readonly(
           "length", [](const Plan& plan) { return plan.path.length(); }, "Of the path [m].")
-      .def_readonly("corridor", &Plan::corridor)
+      .def_readonly("corridor", &Plan::corridor, "The rectangles along the path.")
       .def_property_readonly(
           "rectangles", [](const Plan& plan) { return plan.corridor.rectangles; },
           "Those of the corridor, in travel order.")
-      .def_readonly("goal", &Plan::goal)
+      .def_readonly("goal", &Plan::goal, "Where the plan ends: (x, y) or (x, y, heading).")
       .def_readonly("whole", &Plan::whole, "Whether the corridor covers the whole path.")
       .def_readonly("margin", &Plan::margin, "Clearance of the path beyond the robot's radius [m].")
       .def_readonly("stuck_at", &Plan::stuck_at,
                     "Arc length at which building the corridor stopped, if it did [m].");
+
+  py::class_<PathObstruction>(module, "PathObstruction",
+                              "The obstruction that keeps a robot from its goal.")
+      .def_property_readonly(
+          "kind", [](const PathObstruction& o) { return to_text(o.kind); },
+          "\"start clearance\", \"goal clearance\", \"narrow gap\" or \"closed route\".")
+      .def_readonly("position", &PathObstruction::position, "Its place on the map [m].")
+      .def_readonly("found", &PathObstruction::found,
+                    "Distance to the nearest obstacle, or width of the gap [m].")
+      .def_readonly("needed", &PathObstruction::needed, "The same, as the robot needs it [m].");
 
   py::class_<MapPlanner>(module, "Planner", "Plans on one map, which is prepared once.")
       .def(py::init<const OccupancyGrid&, const std::optional<Settings>&>(), py::arg("map"),
            py::arg("settings") = py::none(), py::call_guard<py::gil_scoped_release>())
       .def("plan", &MapPlanner::plan, py::arg("start"), py::arg("goal"),
            "Finds a path from (x, y) to (x, y) or (x, y, heading), and its corridor. Always "
-           "returns a plan; `usable` and `reason` say what became of it.");
+           "returns a plan; `usable` and `reason` say what became of it.")
+      .def("find_obstruction", &MapPlanner::find_obstruction, py::arg("start"), py::arg("plan"),
+           "Finds the obstruction because of which a plan of this planner has no path, or None. "
+           "Reads the whole map: not for a control cycle.")
+      .def("explain", &MapPlanner::explain, py::arg("start"), py::arg("plan"),
+           "Says why a plan of this planner has no path, in one sentence with numbers; empty if "
+           "it has one.");
   module.def(
       "plan",
       [](const OccupancyGrid& map, const Goal& start, const Goal& goal,

@@ -59,8 +59,8 @@ std::vector<ControlProblem> read_problems(const std::filesystem::path& path) {
 
 void bind_barn(py::module_& module) {
   py::class_<BarnWorld>(module, "BarnWorld", "One world of the BARN or DynaBARN dataset.")
-      .def_readonly("number", &BarnWorld::number)
-      .def_readonly("map", &BarnWorld::map)
+      .def_readonly("number", &BarnWorld::number, "Number of the world in BARN.")
+      .def_readonly("map", &BarnWorld::map, "Its map.")
       .def_readonly("start", &BarnWorld::start, "x, y [m], heading [rad].")
       .def_readonly("goal", &BarnWorld::goal, "x, y [m].")
       .def_readonly("optimal_time", &BarnWorld::optimal_time,
@@ -70,10 +70,11 @@ void bind_barn(py::module_& module) {
            "Returns the scenario of one trial; the default settings are `jackal_settings()`.")
       .def("score", &score_of, py::arg("trial"), py::arg("result"), kBarnNote);
   py::class_<BarnScore>(module, "BarnScore", kBarnNote)
-      .def_readonly("world", &BarnScore::world)
-      .def_readonly("trial", &BarnScore::trial)
-      .def_readonly("success", &BarnScore::success)
-      .def_readonly("collided", &BarnScore::collided)
+      .def_readonly("world", &BarnScore::world, "Number of the world.")
+      .def_readonly("trial", &BarnScore::trial, "Number of the run in this world.")
+      .def_readonly("success", &BarnScore::success,
+                    "Whether the robot reached the goal in time without a contact.")
+      .def_readonly("collided", &BarnScore::collided, "Whether the robot touched an obstacle.")
       .def_readonly("time", &BarnScore::time, "From the first motion to the arrival [s].")
       .def_readonly("score", &BarnScore::score, "At most 0.5.");
   module.def("jackal_settings", &jackal_settings, "Settings of the robot of the BARN challenge.");

@@ -33,7 +33,7 @@ void bind_episode(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(TraceRecord, time, x, y, heading, linear, angular, command_linear,
                        command_angular, clearance, robot, status, limit, rectangle);
   py::class_<RobotResult>(module, "RobotResult", "The result of one robot.")
-      .def_readonly("name", &RobotResult::name)
+      .def_readonly("name", &RobotResult::name, "Name of the robot.")
       .def_readonly("reached", &RobotResult::reached, "Whether it has stopped at its goal.")
       .def_readonly("collided", &RobotResult::collided,
                     "Whether it touched something, judged by the simulator.")
@@ -44,7 +44,7 @@ void bind_episode(py::module_& module) {
                     "Least distance from the body to static obstacles [m].")
       .def_readonly("min_separation", &RobotResult::min_separation,
                     "Least distance to other bodies; infinite when alone [m].")
-      .def_readonly("cycles", &RobotResult::cycles)
+      .def_readonly("cycles", &RobotResult::cycles, "Number of control cycles.")
       .def_property_readonly("status_counts", &status_counts, "Number of cycles per status.")
       .def_property_readonly("cycle_seconds", &seconds<&RobotResult::cycle_seconds>,
                              "Computing time of each cycle [s].")
@@ -56,7 +56,7 @@ void bind_episode(py::module_& module) {
       .def_readonly("success", &EpisodeResult::success,
                     "Whether every robot reached its goal and none touched anything.")
       .def_readonly("time", &EpisodeResult::time, "Simulated [s].")
-      .def_readonly("robots", &EpisodeResult::robots)
+      .def_readonly("robots", &EpisodeResult::robots, "Results of the robots.")
       .def_property_readonly(
           "trace", &trace_array,
           "A structured array with one row per robot and cycle: time, robot, x, y, heading, "

@@ -54,10 +54,10 @@ void bind_scenario(py::module_& module) {
       .def(py::init(&make_scenario), py::arg("map"), py::arg("settings") = py::none())
       .def_static("read", &read_scenario_file, py::arg("path"),
                   "Reads a scenario and the map that it names.")
-      .def_readwrite("name", &Scenario::name)
-      .def_readwrite("map", &Scenario::map)
+      .def_readwrite("name", &Scenario::name, "Name of the scenario.")
+      .def_readwrite("map", &Scenario::map, "The true map.")
       .def_readwrite("settings", &Scenario::settings, "Of every robot.")
-      .def_readwrite("time_limit", &Scenario::time_limit, "[s]")
+      .def_readwrite("time_limit", &Scenario::time_limit, "The run ends at this time [s].")
       .def_readwrite("seed", &Scenario::seed, "Of all random numbers.")
       .def_property(
           "sensing", [](const Scenario& s) { return name_of(s.sensing.sensing); },
@@ -77,7 +77,8 @@ void bind_scenario(py::module_& module) {
           [](Scenario& s, const Pose2& start, const Goal& goal, const std::string& name) {
             s.robots.push_back({.name = name, .start = start, .goal = goal});
           },
-          py::arg("start"), py::arg("goal"), py::arg("name") = "robot")
+          py::arg("start"), py::arg("goal"), py::arg("name") = "robot",
+          "Adds a robot with its start (x, y, heading) and its goal.")
       .def(
           "add_obstacle",
           [](Scenario& s, const py::object& key_frames, double radius, const std::string& name,

@@ -79,7 +79,8 @@ void bind_run_control(py::module_& module) {
   py::class_<RunControl, std::shared_ptr<RunControl>>(
       module, "RunControl", "The run as a callback of `simulate` sees it, during the call only.")
       .def_property_readonly(
-          "time", [](const RunControl& run) { return run.get().world().time(); }, "[s]")
+          "time", [](const RunControl& run) { return run.get().world().time(); },
+          "Time of the run [s].")
       .def_property_readonly("poses", &true_poses, "True pose of each robot: x, y, heading.")
       .def_property_readonly("obstacles", &obstacles_now,
                              "Moving obstacles: x, y, velocity in x and y, radius.")

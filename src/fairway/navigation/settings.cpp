@@ -111,7 +111,10 @@ Expected<void> validate(const Settings& settings) {
     return fail("robot.linear_min: expected at most robot.linear_max");
   }
   if (settings.mpc.decay_rate * settings.mpc.step_length > 1.0) {
-    return fail("mpc.decay_rate: expected at most 1 / mpc.step_length (Eq. 14)");
+    std::ostringstream text;
+    text << "mpc.decay_rate: expected at most 1 / mpc.step_length = "
+         << 1.0 / settings.mpc.step_length << " (Eq. 14), found " << settings.mpc.decay_rate;
+    return fail(text.str());
   }
   return check_stop_length(settings);
 }

@@ -2,7 +2,7 @@
 import type { Body, Frame, RobotFrame } from './frame';
 import type { Point } from './geometry';
 import type { Run } from './run';
-import { capitalised, contactName, hasGoal, limitWords } from './words';
+import { capitalised, contactName, hasGoal, limitWords, statusWords } from './words';
 
 /** Why a robot is as slow as it is. */
 export interface Explanation {
@@ -93,10 +93,12 @@ export function explanationOf(run: Run, frame: Frame, index: number): Explanatio
   if (plan && !plan.usable) return noPath(robot);
   if (!cycle) return plain('Stopped');
   const name = run.begin.limits[cycle.limit];
-  if (name === 'none') return plain('Unconstrained');
+  if (name === 'none') return plain(limitWords(run, cycle.limit));
+  // While a plan is made, the lack of a path is not a limit.
+  if (run.begin.statuses[cycle.status] === 'planning') return plain(statusWords(run, cycle.status).label);
   const most = run.setting('robot', 'linear_max') || 1;
   const fast = Math.abs(cycle.linear) > 0.97 * most;
-  if (name === 'speed limit' && fast) return plain('Unconstrained', `At its speed limit of ${speed(most)}.`);
+  if (name === 'speed limit' && fast) return plain(limitWords(run, run.begin.limits.indexOf('none')), `At its speed limit of ${speed(most)}.`);
   const waits = awaited(run, frame, index);
   if (waits && Math.abs(cycle.linear) < SLOW) {
     return { lead: 'Waiting for', reason: waits.name, detail: `${metres(waits.distance)} away (between centres).`, fault: false };

@@ -25,6 +25,20 @@ export const hasGoal = (run: Run, robot: RobotFrame, index: number): boolean => 
   return robot.plan ? !robot.plan.dropped : run.begin.robots[index]?.idle === false;
 };
 
+/** The page's own states, which are no status of a navigator. */
+const own: [string, Tone][] = [['Collision', 'bad'], ['No goal', 'idle']];
+
+/** All states by their tone, in the words of `fairway statuses`: the colours of the status band. */
+export function statusLegend(run: Run): [Tone, string][] {
+  const labels = new Map<Tone, string[]>();
+  run.begin.statuses.forEach((_, status) => {
+    const { label, tone } = statusWords(run, status);
+    labels.set(tone, [...labels.get(tone) ?? [], label]);
+  });
+  for (const [label, tone] of own) labels.set(tone, [...labels.get(tone) ?? [], label]);
+  return [...labels].map(([tone, list]) => [tone, list.join(', ')]);
+}
+
 /** The words for a status by its number. */
 export function statusWords(run: Run, status: number): StateWords {
   const name = run.begin.statuses[status] ?? 'unknown';

@@ -4,6 +4,7 @@ import type { Obstruction, RobotFrame } from '../data/frame';
 import type { Point } from '../data/geometry';
 import type { Moment } from '../data/moment';
 import type { Run } from '../data/run';
+import { limitWords } from '../data/words';
 import { drawNote } from './lettering';
 import type { Pen } from './pen';
 
@@ -58,7 +59,7 @@ function drawStandstill(pen: Pen, run: Run, moment: Moment, index: number, robot
     pen.stroke(pen.theme.fault, 3, 0.9, [6, 4]);
     pen.disc(end, run.radius);
     pen.stroke(pen.theme.fault, 2, 0.9, [6, 4]);
-    drawNote(pen, `no verified stopping trajectory\nnearest obstacle ${cycle.clearance.toFixed(2)} m`, end);
+    drawNote(pen, `${limitWords(run, cycle.limit)}\nnearest obstacle ${cycle.clearance.toFixed(2)} m`, end);
   }
 }
 

@@ -3,16 +3,11 @@ import type { Run } from '../data/run';
 import type { Zone } from '../data/zones';
 import { layerNames, type Layer } from '../drawing/layers';
 import { toneColor } from '../drawing/theme';
-import type { Tone } from '../data/words';
+import { statusLegend } from '../data/words';
 import { element, make } from '../page/dom';
 import { plotNames, type PlotName } from '../panels/plot_rows';
 import { recalled, remember } from '../page/memory';
 import type { Viewer } from './viewer';
-
-const statusLegend: [Tone, string][] = [
-  ['good', 'Driving'], ['slow', 'Driving (limited), Recovering'], ['wait', 'Blocked, No path, Gave up'],
-  ['brake', 'Stopping'], ['bad', 'Collision, Invalid input, Stale data'], ['done', 'Goal reached'], ['idle', 'No goal, Planning'],
-];
 
 /** The popover with layers, plots and the meaning of all marks and colours. */
 export class Legend {
@@ -89,15 +84,16 @@ export class Legend {
       ['Path', theme.path, 'dashed'], ['Active rectangle', theme.current], ['Prediction', theme.prediction],
       ['Moving obstacle (clearance)', theme.body], ['Active constraint', theme.limit], ['Trail', theme.faint, 'thin'],
     ];
-    if (lidar) entries.push(['True wall', theme.occupied], ['Lidar points', theme.scan], ['Mapped obstacle', theme.believed], ['Tracked object', theme.tracked, 'dashed']);
+    if (lidar) entries.push(['True wall, drawn over the corridor', theme.occupied], ['Lidar points', theme.scan], ['Mapped obstacle', theme.believed], ['Tracked object', theme.tracked, 'dashed']);
     const marks = (): HTMLElement[] => entries.map(([text, color, kind]) => {
       const mark = make('i', kind ? { class: kind } : {});
       mark.style.borderTopColor = color;
       return make('span', {}, mark, text);
     });
     element('legend').replaceChildren(...marks());
-    this.map.replaceChildren(...marks(), make('span', { class: 'meaning' }, 'Dashed circles: a moving obstacle in one second, and a robot at the end of its prediction.'));
-    this.status.replaceChildren(...statusLegend.map(([tone, text]) => {
+    this.map.replaceChildren(...marks(), make('span', { class: 'meaning' }, 'Dashed circles: a moving obstacle in one second, and a robot at the end of its prediction.'),
+      ...(lidar ? [make('span', { class: 'meaning' }, 'The corridor of a robot with a lidar crosses walls that it has not seen yet.')] : []));
+    this.status.replaceChildren(...(viewer.run ? statusLegend(viewer.run) : []).map(([tone, text]) => {
       const mark = make('i', { class: `block ${tone}` });
       mark.style.background = toneColor(tone, theme);
       return make('span', {}, mark, text);

@@ -13,6 +13,7 @@ import { Themes } from '../drawing/theme';
 import { element, shown } from '../page/dom';
 import { Plots } from '../panels/plots';
 import { RobotPanel } from '../panels/robot_panel';
+import { ValueTable } from '../panels/value_table';
 import { Gestures } from './gestures';
 import { MapCursor } from './map_cursor';
 import { listenToPlots } from './plot_pointer';
@@ -63,6 +64,7 @@ export class Viewer {
   firstDrawn = 0; // time of the first picture since the page was requested [ms]
 
   private readonly scene = new Scene();
+  private readonly values = new ValueTable(element('values'));
   private dirty = true;
   private described = 0; // when [ms]
   private sayTimer = 0;
@@ -161,6 +163,7 @@ export class Viewer {
     const [from, to] = this.span();
     this.plots.draw(this.run, this.selected, this.time, from, to, this.themes.current);
     this.panel.show(this.run, this.moment, this.selected, this.themes.current);
+    this.values.show(this.run, this.selected, from, to, this.themes.current, this.plots.names);
     this.slider.min = `${from}`;
     if (to !== this.shownTo) this.slider.max = `${(this.shownTo = to)}`;
     this.slider.valueAsNumber = this.time;

@@ -98,7 +98,7 @@ TEST(SettingsFile, AnErrorNamesFileLineKeyRangeAndValue) {
   EXPECT_EQ(complaint("\nmcp: {}").substr(0, 17), "s.yaml:2: 'mcp': ");
   EXPECT_EQ(complaint("mpc: 3"), "s.yaml:1: mpc: expected a mapping, found '3'");
   EXPECT_EQ(complaint("mpc:\n  dt: 1\n  decay_rate: 5"),
-            "s.yaml:3: mpc.decay_rate: expected at most 1 / mpc.step_length (Eq. 14)");
+            "s.yaml:3: mpc.decay_rate: expected at most 1 / mpc.step_length = 1 (Eq. 14), found 5");
   EXPECT_NE(complaint("mpc:\n  dt: .nan"), "none");
   EXPECT_NE(complaint("mpc:\n  dt: [0.1]"), "none");
   EXPECT_NE(complaint("mpc:\n  dt:"), "none");
