@@ -97,8 +97,9 @@ class BodyCorridorSearch {
 
   // The last pose up to which one rectangle contains both parts.
   int furthest_whole(const std::array<int, 2>& start) {
-    return furthest(std::max(start[0], start[1]), most_,
-                    [&](int to) { return ranges_of(start, {to, to}); });
+    return furthest(std::max(start[0], start[1]), most_, [&](int to) {
+      return ranges_of(start, {to, to});
+    });
   }
 
   // The poses at which the parts enter the link after one that contains both up to `last`. Where
@@ -174,8 +175,8 @@ class BodyCorridorSearch {
   // Adds the rectangle for these ranges, with all the poses before and after that it contains.
   void add(const Ranges& ranges, BodyCorridor& corridor) {
     if (!find(ranges)) return;
-    BodyCorridor::Link link{
-        .rectangle = to_world(obstacles_.frame(), found_->frame, found_->box), .parts = ranges};
+    BodyCorridor::Link link{.rectangle = to_world(obstacles_.frame(), found_->frame, found_->box),
+                            .parts = ranges};
     if (!is_free(obstacles_, link.rectangle, 0.0)) return;
     for (std::size_t part = 0; part < 2; ++part) {
       BodyCorridor::Range& range = link.parts[part];

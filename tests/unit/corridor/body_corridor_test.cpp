@@ -39,11 +39,10 @@ std::vector<Pose2> round_the_corner() {
   for (double x = 1.0; x < center.x(); x += 0.1)
     poses.push_back({.position = {x, center.y() - radius}, .heading = 0.0});
   for (double turn = 0.0; turn < 0.5 * std::numbers::pi; turn += 0.1)
-    poses.push_back({.position = center + radius * Vector2d(std::sin(turn), -std::cos(turn)),
-                     .heading = turn});
-  for (double y = center.y(); y < 7.0; y += 0.1)
     poses.push_back(
-        {.position = {center.x() + radius, y}, .heading = 0.5 * std::numbers::pi});
+        {.position = center + radius * Vector2d(std::sin(turn), -std::cos(turn)), .heading = turn});
+  for (double y = center.y(); y < 7.0; y += 0.1)
+    poses.push_back({.position = {center.x() + radius, y}, .heading = 0.5 * std::numbers::pi});
   return poses;
 }
 
@@ -58,8 +57,8 @@ void expect_covers(const BodyCorridor& corridor,
     ASSERT_TRUE(pair) << k;
     for (std::size_t part = 0; part < 2; ++part) {
       for (const Vector2d& point : body.part(part)) {
-        EXPECT_TRUE(corridor.links[(*pair)[part]].rectangle.contains(transform(poses[k], point),
-                                                                     1e-6))
+        EXPECT_TRUE(
+            corridor.links[(*pair)[part]].rectangle.contains(transform(poses[k], point), 1e-6))
             << k;
       }
     }

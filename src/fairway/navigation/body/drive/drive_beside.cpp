@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fairway/navigation/body/drive/drive_follower.hpp"
-#include "fairway/navigation/body/drive/evasion.hpp"
 
 namespace fairway {
 
