@@ -17,7 +17,7 @@ TARGETS = [
         "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
         "mpc/interior_point/lockstep",
         "mpc/interior_point", "mpc/interior_point/body", "planning", "tracking", "tracking/space_time", "safety", "fleet", "localization", "perception", "navigation",
-        "navigation/facade", "navigation/body/proof", "navigation/body/drive", "navigation/body/guide", "navigation/body", ""]),
+        "navigation/facade", "navigation/body/proof", "navigation/body/control", "navigation/body/drive", "navigation/body/guide", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
         "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation", "simulation/people", "simulation/interactive", "simulation/scenarios",

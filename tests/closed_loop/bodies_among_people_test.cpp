@@ -196,5 +196,29 @@ TEST(BodiesAmongPeople, GiveWayToAPersonWhoWalksStraightAtThem) {
   }
 }
 
+// A person walks slowly along the middle of a hall, in the direction of the robot. There is space
+// to both sides, so the robot overtakes: behind the person it would need 58 s.
+TEST(BodiesAmongPeople, OvertakeAPersonWhoWalksSlowlyAhead) {
+  for (const test::NamedRobot& robot : test::robot_presets()) {
+    SCOPED_TRACE(robot.name);
+    Scenario scenario;
+    scenario.map =
+        OccupancyGrid(GridFrame{.width = 400, .height = 140, .resolution = 0.05, .origin = {}});
+    scenario.time_limit = 60.0;
+    RobotTask task{.name = "robot",
+                   .start = {.position = {3.0, 3.5}, .heading = 0.0},
+                   .goal = {.position = {17.0, 3.5}, .heading = 0.0}};
+    task.model = robot.model;
+    scenario.robots = {task};
+    scenario.bodies = {
+        {.name = "person", .radius = 0.3, .key_frames = {{0.0, {6.5, 3.5}}, {60.0, {18.5, 3.5}}}}};
+    const EpisodeResult result = run_episode(scenario);
+    const RobotResult& run = result.robots[0];
+    EXPECT_FALSE(run.collided) << run.approach << " m/s at " << run.time << " s";
+    EXPECT_TRUE(run.reached);
+    EXPECT_LT(run.time, 35.0);
+  }
+}
+
 }  // namespace
 }  // namespace fairway

@@ -22,6 +22,7 @@ DriveReference::DriveReference(const BaseModel& base,
       duration_(period * static_cast<double>(rows_.size() - 1)) {
   FAIRWAY_EXPECTS(!rows_.empty() && period > 0.0);
   begin_ = begin.value_or(resting_input(base_, rows_.front().input));
+  begin_twist_ = twist_of(base_, begin_);
 }
 
 Pose2 DriveReference::pose_at(double phase) const noexcept {
@@ -43,6 +44,21 @@ BaseInput DriveReference::planned_at(double phase) const noexcept {
   return (1.0 - share) * rows_[k].input + share * next;
 }
 
+// The same for the twists of the rows.
+PlanarTwist DriveReference::twist_at(double phase) const noexcept {
+  if (rows_.empty()) return {};
+  const auto mixed = [](double share, const PlanarTwist& a, const PlanarTwist& b) {
+    return PlanarTwist{.linear = (1.0 - share) * a.linear + share * b.linear,
+                       .lateral = (1.0 - share) * a.lateral + share * b.lateral,
+                       .angular = (1.0 - share) * a.angular + share * b.angular};
+  };
+  const double at = std::clamp(phase / period_ - 0.5, -0.5, static_cast<double>(rows_.size() - 1));
+  if (at < 0.0) return mixed(1.0 + 2.0 * at, begin_twist_, rows_.front().twist);
+  const std::size_t k = std::min(static_cast<std::size_t>(at), rows_.size() - 1);
+  const std::size_t next = std::min(k + 1, rows_.size() - 1);
+  return mixed(at - static_cast<double>(k), rows_[k].twist, rows_[next].twist);
+}
+
 BaseInput DriveReference::input_at(const DriveProgress& progress) const noexcept {
   const BaseInput planned = planned_at(progress.phase);
   return {.linear = progress.rate * planned.linear,
@@ -52,9 +68,9 @@ BaseInput DriveReference::input_at(const DriveProgress& progress) const noexcept
 
 std::array<DriveReference::Axis, 3> DriveReference::axes_at(double phase) const noexcept {
   const double half = 0.5 * period_;
-  const PlanarTwist before = twist_of(base_, planned_at(phase - half));
-  const PlanarTwist now = twist_of(base_, planned_at(phase));
-  const PlanarTwist after = twist_of(base_, planned_at(phase + half));
+  const PlanarTwist before = twist_at(phase - half);
+  const PlanarTwist now = twist_at(phase);
+  const PlanarTwist after = twist_at(phase + half);
   return {{{now.linear, (after.linear - before.linear) / period_, base_.linear_acceleration},
            {now.lateral, (after.lateral - before.lateral) / period_, base_.lateral_acceleration},
            {now.angular, (after.angular - before.angular) / period_, base_.angular_acceleration}}};
@@ -128,10 +144,11 @@ double DriveReference::greatest_rate(double phase) const noexcept {
 
 DriveProgress DriveReference::advanced(const DriveProgress& progress,
                                        double target,
-                                       double time) const noexcept {
-  constexpr double kLongestStep = 0.02;  // [s]
+                                       double time,
+                                       double longest_step) const noexcept {
   constexpr int kMostSteps = 64;
-  const int steps = std::clamp(static_cast<int>(std::ceil(time / kLongestStep)), 1, kMostSteps);
+  const int steps =
+      std::clamp(static_cast<int>(std::ceil(time / longest_step - 1e-9)), 1, kMostSteps);
   const double step = time / steps;
   DriveProgress now = progress;
   for (int i = 0; i < steps; ++i) {

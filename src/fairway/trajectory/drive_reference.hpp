@@ -49,9 +49,11 @@ class DriveReference {
   /// The progress `time` [s] later, where the rate goes to `target` as fast as the accelerations of
   /// the base allow, and no further than `greatest_rate`. The phase stays within the drive; at an
   /// end the rate is 0.
+  /// @param longest_step  Of the integration [s]; a longer one is faster and less exact.
   [[nodiscard]] DriveProgress advanced(const DriveProgress& progress,
                                        double target,
-                                       double time) const noexcept;
+                                       double time,
+                                       double longest_step = 0.02) const noexcept;
 
  private:
   struct RateBounds {
@@ -59,6 +61,7 @@ class DriveReference {
     double high;
   };
   [[nodiscard]] BaseInput planned_at(double phase) const noexcept;
+  [[nodiscard]] PlanarTwist twist_at(double phase) const noexcept;
   [[nodiscard]] RateBounds rate_bounds(const DriveProgress& progress) const noexcept;
 
   struct Axis {
@@ -72,6 +75,7 @@ class DriveReference {
   std::vector<double> greatest_rates_;  // at the rows; empty for no limit
   std::vector<TrajectoryRow> rows_;
   BaseInput begin_;
+  PlanarTwist begin_twist_;
   double period_ = 1.0;
   double duration_ = 0.0;
 };

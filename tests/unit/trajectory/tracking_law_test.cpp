@@ -27,10 +27,10 @@ TEST(LimitedInput, ReachesWhatIsWantedAlongTheLimitOfTheWheels) {
   const BaseModel base = mecanum();
   const BaseInput wanted{.linear = 0.4, .lateral = 0.35, .turn = -0.5};
   BaseInput sent{.linear = 1.0, .lateral = 0.2, .turn = 0.0};
-  constexpr double kPeriod = 0.1;
+  constexpr double kCycle = 0.1;
   for (int i = 0; i < 20; ++i) {
     const BaseInput before = sent;
-    sent = limited_input(base, sent, wanted, kPeriod);
+    sent = limited_input(base, sent, wanted, kCycle);
     EXPECT_LE(speed_load(base, twist_of(base, sent)), 1.0 + 1e-9);
     EXPECT_LE(std::abs(sent.linear - before.linear), 0.08 + 1e-12);
     EXPECT_LE(std::abs(sent.turn - before.turn), 0.2 + 1e-12);

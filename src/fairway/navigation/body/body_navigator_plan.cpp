@@ -236,6 +236,8 @@ void BodyNavigator::State::take_plan(const Measurements& m) {
   } else {
     follower.follow(std::move(drive), made->evasive);
   }
+  follower.set_space(std::move(made->space));
+  control.forget();
   meet_zone_speeds();
 }
 

@@ -43,6 +43,7 @@ BodyNavigator::State::State(const Settings& given,
       robot(model),
       around(given, model.body, shared_map, reach_of_stop(model)),
       follower(model.base, given.navigation.control_period, given.safety),
+      control(model, given.mpc, given.navigation.control_period, given.safety.stop_margin),
       planning(model, kDriveRowPeriod, given.planning.background) {
   constexpr std::size_t kManyObstacles = 256;
   moving_.reserve(kManyObstacles);
@@ -190,7 +191,8 @@ NavigationStep BodyNavigator::State::drive(const Measurements& m) {
   const FollowerView view{.pose = m.pose,
                           .clearance = &around.for_stops(),
                           .moving = moving_around(m),
-                          .no_refuge = no_refuge_};
+                          .no_refuge = no_refuge_,
+                          .control = planning.busy() || along_.bound ? nullptr : &control};
   end_evasion(m);
   if (has_drive_ && follower.is_lost(m.pose)) wants_plan_ = true;
   if ((!has_drive_ || wants_plan_) && !keeps_driving(m)) {

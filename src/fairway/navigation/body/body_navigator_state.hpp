@@ -33,6 +33,7 @@ struct BodyNavigator::State {
   RobotModel robot;
   BodySurroundings around;
   DriveFollower follower;
+  BodyControl control;
   BodyPlanning planning;
   Plan plan;
   [[nodiscard]] bool has_drive() const noexcept { return has_drive_; }

@@ -218,6 +218,10 @@ void BodyPlanning::make(const PreparedMap& map) {
   made_ = request_.evades        ? plan_body_evasion(map, robot_, request_, row_period_)
           : request_.along.guide ? plan_body_guide(map, robot_, request_, row_period_, settings)
                                  : plan_body_drive(map, robot_, request_, row_period_, settings);
+  constexpr double kMargin = 0.05;  // of the body to the sides of rectangles [m]
+  if (!made_->drive.rows.empty() && !made_->evasive)
+    made_->space = find_drive_space(map.obstacles, robot_.body, robot_.base, made_->drive.rows,
+                                    row_period_, kMargin);
   seconds_ = clock_ ? clock_() - begin : 0.0;
 }
 

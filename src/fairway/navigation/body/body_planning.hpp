@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fairway/geometry/robot_model.hpp"
+#include "fairway/navigation/body/control/drive_space.hpp"
 #include "fairway/navigation/body/drive/drive_follower.hpp"
 #include "fairway/navigation/body/guide/guide.hpp"
 #include "fairway/planning/background_worker.hpp"
@@ -62,7 +63,8 @@ struct BodyPlan {
   /// Along a path: the place of each row on it, and whether the drive leads to its end.
   std::vector<double> arcs{};
   bool complete = true;
-  std::string why{};  ///< why the drive does not lead to the end of the path
+  DriveSpace space{};  ///< free space along the drive
+  std::string why{};   ///< why the drive does not lead to the end of the path
 };
 
 /// Settings of drives for a body: the cells of the search grow with the body.

@@ -26,13 +26,16 @@ bool DriveFollower::can_leave(const FollowerView& view, const Candidate& next) c
   moving.prediction.obstacle_growth = 0.0;
   const double fastest = std::max(base_.linear_max, -base_.linear_min) + base_.lateral_max;
   if (is_apart(body, view.pose, moving, fastest, kAhead)) return true;
+  const Eigen::Vector2d beside = view.pose.position - reference_.pose_at(progress_.phase).position;
   const auto is_free = [&](double share, double target) {
     DriveProgress now = next.sent_for;
     bool stopped = false;
     for (double time = kStep; time <= kAhead; time += kStep) {
-      now = reference_.advanced(now, stopped ? target : 0.0, kStep);
+      now = reference_.advanced(now, stopped ? target : 0.0, kStep, 0.5 * kStep);
       stopped = stopped || now.rate == 0.0;
-      if (body_separation(body, reference_.pose_at(now.phase), moving, time, share) < 0.0)
+      const Pose2 drive = reference_.pose_at(now.phase);
+      if (body_separation(body, {.position = drive.position + beside, .heading = drive.heading},
+                          moving, time, share) < 0.0)
         return false;
     }
     return true;
@@ -47,7 +50,7 @@ bool DriveFollower::can_leave(const FollowerView& view, const Candidate& next) c
 // the way. Its stop need not be free of an obstacle that walks on into it. It is proven for
 // obstacles that stop or turn back, so that the robot itself never drives into them.
 bool DriveFollower::gives_way(const FollowerView& view, double target) noexcept {
-  if (target == 0.0) return false;
+  if (target == 0.0 || beside_ > 0.0) return false;
   constexpr double kDistance = 0.02;  // [m]
   MovingSurroundings moving = view.moving;
   moving.fleet = {};
@@ -55,7 +58,7 @@ bool DriveFollower::gives_way(const FollowerView& view, double target) noexcept 
   moving.prediction.obstacle_growth = 0.0;
   const BodyShape& body = view.clearance->body();
   const auto separation = [&](double rate) {
-    return look_ahead(body, reference_, progress_, rate, moving, look_ahead_).separation;
+    return look_ahead(body, view.pose, reference_, progress_, rate, moving, look_ahead_).separation;
   };
   if (separation(0.0) >= 0.0 || separation(target) < 0.0) return false;
   const Candidate next = candidate(view, target);
@@ -80,8 +83,10 @@ bool DriveFollower::stop_is_free(const FollowerView& view) noexcept {
 }
 
 // Where also braking meets a moving obstacle, driving on may pass before it without contact.
-// Otherwise braking is right: nothing else stops earlier. Static obstacles stay excluded.
+// Otherwise braking is right: nothing else stops earlier. Static obstacles stay excluded. A robot
+// beside its drive would return to it at the same time, which is not foreseen here.
 bool DriveFollower::escape(const FollowerView& view) noexcept {
+  if (beside_ > 0.0) return false;
   constexpr double kDistance = 0.05;  // [m]
   FollowerView fixed = view;
   fixed.moving.obstacles = {};
@@ -91,7 +96,8 @@ bool DriveFollower::escape(const FollowerView& view) noexcept {
   const BodyShape& body = view.clearance->body();
   for (const double rate : {1.0, 0.6, 0.0}) {
     const bool passes =
-        look_ahead(body, reference_, progress_, rate, moving, look_ahead_).separation > 0.0;
+        look_ahead(body, view.pose, reference_, progress_, rate, moving, look_ahead_).separation >
+        0.0;
     if (!passes && rate > 0.0) continue;
     const Candidate next = candidate(view, rate);
     if (prove(fixed, next) != StopVerdict::Free) continue;

@@ -15,6 +15,9 @@ namespace fairway {
 
 void DriveFollower::follow(DriveReference reference, bool evasive) noexcept {
   reference_ = std::move(reference);
+  space_ = {};
+  controlled_ = false;
+  beside_ = 0.0;
   evasive_ = evasive;
   progress_ = {};
   proven_ = {};
@@ -24,6 +27,9 @@ void DriveFollower::follow(DriveReference reference, bool evasive) noexcept {
 
 void DriveFollower::reset(const BaseInput& actual) noexcept {
   reference_ = DriveReference();
+  space_ = {};
+  controlled_ = false;
+  beside_ = 0.0;
   progress_ = {};
   proven_ = {};
   sent_ = current_ = quick_ = actual;
@@ -48,11 +54,14 @@ DriveFollower::Choice DriveFollower::choose_rate(const FollowerView& view) const
   const double fastest = std::max(base_.linear_max, -base_.linear_min) + base_.lateral_max;
   const BodyShape& body = view.clearance->body();
   if (is_apart(body, view.pose, view.moving, fastest, look_ahead_)) return {};
-  const auto look = [&](double rate, const MovingSurroundings& moving, double horizon) {
-    return look_ahead(body, reference_, progress_, rate, moving, horizon).separation;
+  const auto look = [&](double rate, const MovingSurroundings& moving, double horizon,
+                        double enough = -1e9) {
+    return look_ahead(body, view.pose, reference_, progress_, rate, moving, horizon, enough)
+        .separation;
   };
   for (const double rate : kRates) {
-    if (look(rate, view.moving, look_ahead_) >= 0.0) return {.target = rate, .slowed = rate < 1.0};
+    if (look(rate, view.moving, look_ahead_, 0.0) >= 0.0)
+      return {.target = rate, .slowed = rate < 1.0};
   }
   MovingSurroundings near = view.moving;
   near.prediction = near_prediction(near.prediction);
@@ -137,9 +146,12 @@ double DriveFollower::accuracy(const Pose2& pose) const noexcept {
 }
 
 bool DriveFollower::is_lost(const Pose2& pose) const noexcept {
-  constexpr double kBeside = 0.3;  // [m]
+  constexpr double kBeside = 0.3;            // [m]
+  constexpr double kControlledBeside = 2.0;  // while it drives beside others [m]
+  constexpr double kAfterwards = 0.1;        // once it could return [m]
+  const double most = controlled_ ? kControlledBeside : beside_ > 0.0 ? kAfterwards : kBeside;
   return !finished() &&
-         (pose.position - reference_.pose_at(progress_.phase).position).norm() > kBeside;
+         (pose.position - reference_.pose_at(progress_.phase).position).norm() > most;
 }
 
 FollowerStep DriveFollower::update(const FollowerView& given) noexcept {
@@ -148,6 +160,7 @@ FollowerStep DriveFollower::update(const FollowerView& given) noexcept {
     view.moving.prediction = near_prediction(view.moving.prediction);
     view.moving.commits = true;
   }
+  if (beside_ > 0.0) find_place(view.pose);
   if (steers_first()) return {.input = sent_};
   if (finished()) return settle(view);
   const Choice choice = choose_rate(view);
@@ -157,6 +170,12 @@ FollowerStep DriveFollower::update(const FollowerView& given) noexcept {
   constexpr double kLimited = 0.995;
   if (reference_.greatest_rate(progress_.phase) < kLimited) step.limit = LimitingFactor::SpeedZone;
   if (choice.slowed) step.limit = LimitingFactor::MovingObstacle;
+  if (may_control(view) && choice.slowed) {
+    if (const auto status = drive_beside(view, target))
+      return {.input = sent_, .status = *status, .limit = step.limit};
+  } else if (view.control != nullptr) {
+    view.control->forget();
+  }
   StopVerdict verdict = StopVerdict::Free;
   std::optional<Candidate> exposed;  // proven, but an obstacle may run into the robot after it
   for (const double rate : {target, 0.5 * target, 0.0}) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "fairway/geometry/robot_model.hpp"
+#include "fairway/navigation/body/control/body_control.hpp"
 #include "fairway/navigation/body/proof/body_stop.hpp"
 #include "fairway/navigation/navigation_status.hpp"
 #include "fairway/safety/safety_settings.hpp"
@@ -22,6 +23,8 @@ struct FollowerView {
   const BodyClearance* clearance = nullptr;  ///< the newest static obstacles
   MovingSurroundings moving;
   bool no_refuge = false;  ///< there is no drive out of the way of an obstacle
+  /// Control that may leave the drive where that costs less; null for none.
+  BodyControl* control = nullptr;
 };
 
 /// What a follower answers.
@@ -75,6 +78,9 @@ class DriveFollower {
   /// @param step   Time between knots [s].
   [[nodiscard]] DriveLead lead(const Pose2& pose, double ahead, double step) const;
 
+  /// Sets the free space along the present drive, in which control may leave it.
+  void set_space(DriveSpace space) noexcept { space_ = std::move(space); }
+
   /// Limits the rate of the present drive; see DriveReference::limit_rate.
   void limit_rate(std::vector<double> most) { reference_.limit_rate(std::move(most)); }
 
@@ -126,6 +132,8 @@ class DriveFollower {
     DriveProgress progress;
     DriveProgress sent_for;  // where the robot is when the base has followed the input
     BaseInput input;
+    bool controlled = false;  // by model predictive control: it stops beside its drive
+    double separation = 0.0;  // least distance to moving obstacles then, less what is kept [m]
   };
   [[nodiscard]] bool steers_first() noexcept;
   [[nodiscard]] FollowerStep settle(const FollowerView& view) noexcept;
@@ -133,6 +141,13 @@ class DriveFollower {
   [[nodiscard]] Choice choose_rate(const FollowerView& view) const noexcept;
   [[nodiscard]] BaseInput within_zones(const FollowerView& view, BaseInput input) const noexcept;
   [[nodiscard]] Candidate candidate(const FollowerView& view, double target) const noexcept;
+  [[nodiscard]] bool may_control(const FollowerView& view) const noexcept;
+  [[nodiscard]] std::optional<Candidate> controlled(const FollowerView& view,
+                                                    double target) noexcept;
+  [[nodiscard]] std::optional<NavigationStatus> drive_beside(const FollowerView& view,
+                                                             double target) noexcept;
+  [[nodiscard]] double separation_at_rest(const FollowerView& view) const noexcept;
+  void find_place(const Pose2& pose) noexcept;
   [[nodiscard]] bool escape(const FollowerView& view) noexcept;
   [[nodiscard]] bool stop_is_free(const FollowerView& view) noexcept;
   [[nodiscard]] StopSurroundings surroundings(const FollowerView& view) const noexcept;
@@ -154,7 +169,10 @@ class DriveFollower {
   SafetySettings safety_;
   TrackingGains gains_{};
   DriveReference reference_;
+  DriveSpace space_;
   DriveProgress progress_;
+  bool controlled_ = false;  // the last input was of model predictive control
+  double beside_ = 0.0;      // time for which it may be beside its drive [s]
   FollowerCycle cycle_;
   double step_;         // in which the input may change in this cycle [s]
   double ramp_;         // in which the base ramps to what was sent [s]

@@ -61,6 +61,9 @@ DriveLead DriveFollower::lead(const Pose2& pose, double ahead, double step) cons
 
 void DriveFollower::follow_moving(DriveReference reference, double phase) noexcept {
   reference_ = std::move(reference);
+  space_ = {};
+  controlled_ = false;
+  beside_ = 0.0;
   evasive_ = false;
   progress_ = {.phase = phase, .rate = 1.0};
   settled_ = false;

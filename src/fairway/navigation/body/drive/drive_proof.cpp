@@ -55,7 +55,11 @@ BodyManoeuvre DriveFollower::manoeuvre(const BaseInput& input) const noexcept {
 StopVerdict DriveFollower::prove(const FollowerView& view,
                                  const Candidate& next,
                                  Excuse excuse) noexcept {
-  make_stop(base_, reference_, next.sent_for, next.input, period_, trial_);
+  if (next.controlled) {
+    make_braking_stop(base_, next.input, period_, trial_);
+  } else {
+    make_stop(base_, reference_, next.sent_for, next.input, period_, trial_);
+  }
   StopSurroundings all = surroundings(view);
   all.may_turn = true;
   all.may_exceed_zone_speed = excuse == Excuse::BrakesInZone;
@@ -91,6 +95,9 @@ StopSurroundings DriveFollower::surroundings(const FollowerView& view) const noe
 
 void DriveFollower::take(const Candidate& next) noexcept {
   progress_ = next.progress;
+  controlled_ = next.controlled;
+  constexpr double kBeside = 2.0;  // [s]
+  beside_ = controlled_ ? kBeside : std::max(0.0, beside_ - period_);
   send(next.input);
   proven_ = trial_;
   since_ = 0.0;

@@ -100,13 +100,6 @@ MotionPath path_of(const Pose2& start, const Beginning& begin, double length) {
 
 }  // namespace
 
-PredictionSettings near_prediction(PredictionSettings prediction) noexcept {
-  constexpr double kNear = 0.05;  // [m]
-  prediction.obstacle_margin = std::min(kNear, prediction.obstacle_margin);
-  prediction.obstacle_growth = 0.0;
-  return prediction;
-}
-
 bool is_run_into(const BodyShape& body,
                  const Pose2& pose,
                  const MovingSurroundings& surroundings,

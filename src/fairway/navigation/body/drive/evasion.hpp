@@ -10,9 +10,6 @@
 
 namespace fairway {
 
-/// The prediction with the least distance at which a robot gives way to an obstacle.
-[[nodiscard]] PredictionSettings near_prediction(PredictionSettings prediction) noexcept;
-
 /// Returns whether a robot that stays at `pose` is run into within `horizon` [s]: an obstacle on
 /// its predicted motion comes nearer than 5 cm.
 [[nodiscard]] bool is_run_into(const BodyShape& body,

@@ -20,6 +20,18 @@ bool has_priority(const FleetMember& member, const MovingSurroundings& surroundi
   return member.motion->under_way && member.motion->robot < surroundings.robot;
 }
 
+// The pose of another robot on its stop, or on its plan.
+Pose2 pose_on(const SharedMotion& other, bool committed, double at) noexcept {
+  const SampledMotion& track = committed ? other.stop : other.plan;
+  const auto& headings = committed ? other.outline.stop_headings : other.outline.plan_headings;
+  const double steps = std::clamp((at - track.start) / track.interval, 0.0, track.count - 1.0);
+  const auto k = static_cast<std::size_t>(steps);
+  const std::size_t next = std::min(k + 1, static_cast<std::size_t>(track.count - 1));
+  const double share = steps - static_cast<double>(k);
+  return {.position = track.at(at),
+          .heading = headings[k] + share * (headings[next] - headings[k])};
+}
+
 // The distance from a body to the box of another robot; negative where they overlap.
 double box_distance(const BodyShape& body,
                     const Pose2& pose,
@@ -46,6 +58,13 @@ double box_distance(const BodyShape& body,
 
 }  // namespace
 
+PredictionSettings near_prediction(PredictionSettings prediction) noexcept {
+  constexpr double kNear = 0.05;  // [m]
+  prediction.obstacle_margin = std::min(kNear, prediction.obstacle_margin);
+  prediction.obstacle_growth = 0.0;
+  return prediction;
+}
+
 double fleet_separation(const BodyShape& body,
                         const Pose2& pose,
                         const FleetMember& member,
@@ -67,13 +86,13 @@ double fleet_separation(const BodyShape& body,
   if (far > kFar) return far;
   if (!other.outline.is_box)
     return body.distance(rotated(way, -pose.heading)) - other.radius - kept;
-  const auto& headings = committed ? other.outline.stop_headings : other.outline.plan_headings;
-  const double steps = std::clamp((at - track.start) / track.interval, 0.0, track.count - 1.0);
-  const auto k = static_cast<std::size_t>(steps);
-  const std::size_t next = std::min(k + 1, static_cast<std::size_t>(track.count - 1));
-  const double share = steps - static_cast<double>(k);
-  const double heading = headings[k] + share * (headings[next] - headings[k]);
-  return box_distance(body, pose, other.outline, {.position = position, .heading = heading}) - kept;
+  return box_distance(body, pose, other.outline, pose_on(other, committed, at)) - kept;
+}
+
+Pose2 expected_pose(const FleetMember& member,
+                    const MovingSurroundings& surroundings,
+                    double time) noexcept {
+  return pose_on(*member.motion, !has_priority(member, surroundings), surroundings.time + time);
 }
 
 bool is_on_plan_of_fleet(const BodyShape& body,
@@ -159,13 +178,16 @@ bool is_apart(const BodyShape& body,
 }
 
 RateOutlook look_ahead(const BodyShape& body,
+                       const Pose2& pose,
                        const DriveReference& reference,
                        const DriveProgress& progress,
                        double target,
                        const MovingSurroundings& surroundings,
-                       double horizon) noexcept {
-  constexpr double kLongest = 0.1;    // [s]
-  constexpr double kShortest = 0.02;  // [s]
+                       double horizon,
+                       double enough) noexcept {
+  constexpr double kLongest = 0.1;       // [s]
+  constexpr double kShortest = 0.02;     // [s]
+  constexpr double kIntegration = 0.05;  // step [s]
   RateOutlook outlook{.separation = std::numeric_limits<double>::infinity(), .time = 0.0};
   constexpr double kOwn = 1.5;  // of the body's points, about [m/s]
   double closing = kOwn;
@@ -173,12 +195,18 @@ RateOutlook look_ahead(const BodyShape& body,
     closing = std::max(closing, kOwn + obstacle.velocity.norm());
   for (const FleetMember& member : surroundings.fleet)
     closing = std::max(closing, kOwn + member.motion->speed_max);
+  const Pose2 planned = reference.pose_at(progress.phase);
+  const Pose2 beside{.position = pose.position - planned.position,
+                     .heading = pose.heading - planned.heading};
   DriveProgress now = progress;
   double step = kLongest;
-  for (double time = step; time <= horizon; time += step) {
-    now = reference.advanced(now, target, step);
-    const double separation =
-        body_separation(body, reference.pose_at(now.phase), surroundings, time);
+  for (double time = step; time <= horizon && outlook.separation >= enough; time += step) {
+    now = reference.advanced(now, target, step, kIntegration);
+    const Pose2 drive = reference.pose_at(now.phase);
+    const double separation = body_separation(
+        body,
+        {.position = drive.position + beside.position, .heading = drive.heading + beside.heading},
+        surroundings, time);
     if (separation < outlook.separation) outlook = {.separation = separation, .time = time};
     // The nearer the obstacles are, the finer: none passes the body between two looks.
     step = std::clamp(separation / closing, kShortest, kLongest);

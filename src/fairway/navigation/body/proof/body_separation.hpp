@@ -20,6 +20,9 @@ struct MovingSurroundings {
   bool commits = false;
 };
 
+/// The prediction with the least distance at which a robot gives way to an obstacle.
+[[nodiscard]] PredictionSettings near_prediction(PredictionSettings prediction) noexcept;
+
 /// Returns the distance from the body at `pose` to the motion that another robot has published,
 /// `time` [s] from now. The distance kept is subtracted [m].
 /// @param committed  The motion is the stop that it has committed to; otherwise it is its plan.
@@ -29,6 +32,12 @@ struct MovingSurroundings {
                                       bool committed,
                                       const MovingSurroundings& surroundings,
                                       double time) noexcept;
+
+/// Returns the pose of another robot `time` [s] from now: on its plan where it has priority, else
+/// on the stop that it has published.
+[[nodiscard]] Pose2 expected_pose(const FleetMember& member,
+                                  const MovingSurroundings& surroundings,
+                                  double time) noexcept;
 
 /// Returns whether the body at `pose` lies on the plan of a robot with priority that is under way,
 /// at any time of that plan; see near_prediction for the distance.
@@ -71,12 +80,16 @@ struct RateOutlook {
   double time = 0.0;        ///< when it occurs [s]
 };
 
-/// Looks `horizon` [s] ahead along a drive, where the rate goes to `target`.
+/// Looks `horizon` [s] ahead along a drive, where the rate goes to `target`. A robot at `pose`,
+/// which may be beside the drive, is assumed to stay as far beside it.
+/// @param enough  The search ends where the separation is less [m]: then only its sign counts.
 [[nodiscard]] RateOutlook look_ahead(const BodyShape& body,
+                                     const Pose2& pose,
                                      const DriveReference& reference,
                                      const DriveProgress& progress,
                                      double target,
                                      const MovingSurroundings& surroundings,
-                                     double horizon) noexcept;
+                                     double horizon,
+                                     double enough = -1e9) noexcept;
 
 }  // namespace fairway

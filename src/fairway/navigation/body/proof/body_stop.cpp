@@ -43,6 +43,28 @@ void make_stop(const BaseModel& base,
   stop.count = 0;
 }
 
+void make_braking_stop(const BaseModel& base,
+                       const BaseInput& sent,
+                       double period,
+                       BodyStop& stop) noexcept {
+  stop.count = 0;
+  stop.first = sent;
+  const PlanarTwist twist = twist_of(base, sent);
+  const double periods = std::max({std::abs(twist.linear) / base.linear_acceleration,
+                                   std::abs(twist.lateral) / base.lateral_acceleration,
+                                   std::abs(twist.angular) / base.angular_acceleration}) /
+                         period;
+  const int count = std::max(1, static_cast<int>(std::ceil(periods - 1e-9)));
+  if (count > BodyStop::kMostInputs) return;
+  for (int k = 1; k <= count; ++k) {
+    const double share = k == count ? 0.0 : 1.0 - k / periods;
+    BaseInput& input = stop.inputs[static_cast<std::size_t>(k - 1)];
+    input = share * sent;
+    if (is_steered(base)) input.turn = sent.turn;
+  }
+  stop.count = count;
+}
+
 namespace {
 
 // Whether the body comes nearer to the stop of another robot than the distance to be kept. Robots

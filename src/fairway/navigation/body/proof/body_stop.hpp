@@ -34,6 +34,12 @@ void make_stop(const BaseModel& base,
                double period,
                BodyStop& stop) noexcept;
 
+/// Makes the stop without a drive: all speeds fall in proportion, so the base keeps its curvature.
+void make_braking_stop(const BaseModel& base,
+                       const BaseInput& sent,
+                       double period,
+                       BodyStop& stop) noexcept;
+
 /// What the check of a stop tests against.
 struct StopSurroundings {
   const BodyClearance* clearance = nullptr;  ///< static obstacles and the body
