@@ -3,12 +3,13 @@
 // the recording. Prints arrivals, contacts, and times relative to the same path without people.
 //
 //   pedestrian_runs TRACKS [--runs N] [--seed S] [--radius M] [--speed M/S] [--margin M]
-//                   [--growth M/S] [--growth-max M] [--verbose]
+//                   [--growth M/S] [--growth-max M] [--remember] [--verbose]
 //
 // --radius is that of a person; the last four are settings of the robot (robot.linear_max,
 // navigation.obstacle_*). The format of TRACKS is in fairway/io/scenario/tracks_file.hpp, with 25
 // frames per second. Every run leads from outside the scene through its middle to the other side,
 // in a random direction. Each run is made twice, with and without the prediction.
+// With --remember the robot knows where people appeared earlier in the recording.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 
 #include "experiments/clocks.hpp"
 #include "fairway/io/scenario/tracks_file.hpp"
+#include "fairway/prediction/entrances.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/recorded/metrics.hpp"
 
@@ -32,6 +34,7 @@ struct Options {
   unsigned long seed = 1;
   Settings settings;
   io::TracksFormat format;
+  bool remember = false;
   bool verbose = false;
 };
 
@@ -54,6 +57,8 @@ Options read_options(int argc, char** argv) {
       options.settings.prediction.obstacle_growth = std::atof(value());
     } else if (name == "--growth-max") {
       options.settings.prediction.obstacle_growth_max = std::atof(value());
+    } else if (name == "--remember") {
+      options.remember = true;
     } else if (name == "--verbose") {
       options.verbose = true;
     } else {
@@ -89,7 +94,8 @@ Recording recording_of(std::vector<MovingBody> people) {
           .end = end};
 }
 
-Scenario draw(const Recording& recording, const Options& options, Noise& noise) {
+// @param from  Receives the time of the recording at which the run begins [s].
+Scenario draw(const Recording& recording, const Options& options, Noise& noise, double& from) {
   constexpr double kAround = 3.0;  // [m] of open space around the paths
   constexpr double kResolution = 0.1;
   Scenario scenario;
@@ -105,7 +111,7 @@ Scenario draw(const Recording& recording, const Options& options, Noise& noise) 
   scenario.settings = options.settings;
   const double heading = noise.uniform(-std::numbers::pi, std::numbers::pi);
   const double aside = noise.uniform(-0.3, 0.3);
-  const double from = noise.uniform(0.0, recording.end - scenario.time_limit);
+  from = noise.uniform(0.0, recording.end - scenario.time_limit);
   scenario.robots = {
       {.name = "robot",
        .start = {.position = recording.center - recording.reach * direction(heading),
@@ -116,7 +122,23 @@ Scenario draw(const Recording& recording, const Options& options, Noise& noise) 
   return scenario;
 }
 
-// For how long the person nearest to the robot's last place had been in the recording [s].
+// Where people appeared before the run begins. Those of the first moment were there already.
+EntranceMap entrances_before(const Recording& recording, double begin) {
+  const Vector2d around = Vector2d::Constant(recording.reach + 1.0);
+  EntranceMap entrances(recording.center - around, recording.center + around);
+  double first = recording.end;
+  for (const MovingBody& person : recording.people)
+    first = std::min(first, person.key_frames.front().time);
+  for (const MovingBody& person : recording.people) {
+    const MovingBody::KeyFrame& frame = person.key_frames.front();
+    if (frame.time > first && frame.time <= begin) entrances.note(frame.position);
+  }
+  entrances.observe(std::max(0.0, begin - first));
+  return entrances;
+}
+
+// For how long the person nearest to the robot's last place had been in the recording [s]; those of
+// the first moment for the whole run.
 double seen_for(const Scenario& scenario, const EpisodeResult& result) {
   const Vector2d robot = result.trace.rows.back().pose.position;
   double nearest = 1e9;
@@ -134,18 +156,23 @@ double seen_for(const Scenario& scenario, const EpisodeResult& result) {
 struct Tally {
   int arrived = 0;
   int ran_into = 0;   // contacts while the robot went towards the person
-  int appeared = 0;   // of these, with a person who was not in the recording half a second before
+  int appeared = 0;   // of these, with a person who appeared within the time of a stop
+  int at_once = 0;    // of these, with a person who touched the robot within a cycle of appearing
   int run_over = 0;   // contacts while the robot was at standstill or moved away
   int not_there = 0;  // without contact, but too late
   double separation = 1e9;
   std::vector<double> ratios;
   std::vector<double> cycles;
 
-  void add(const RobotResult& robot, double lone, double seen) {
-    constexpr double kBefore = 0.5;  // [s]
+  // The time of a stop is that of the safety campaign, without its second for a reaction.
+  void add(const RobotResult& robot, double lone, double seen, const Settings& settings) {
+    const double cycle = settings.navigation.control_period;
+    const double stop = settings.robot.linear_max / linear_actuation(settings.robot).braking +
+                        dead_time(settings.robot) + (1.0 + settings.safety.longest_hold) * cycle;
     if (robot.collided) {
       ++(robot.approach > 0.0 ? ran_into : run_over);
-      if (robot.approach > 0.0 && seen < kBefore) ++appeared;
+      if (robot.approach > 0.0 && seen < stop) ++appeared;
+      if (robot.approach > 0.0 && seen < cycle) ++at_once;
     } else {
       separation = std::min(separation, robot.min_separation);
       ++(robot.reached ? arrived : not_there);
@@ -163,13 +190,13 @@ struct Tally {
     };
     const Quantiles cycle = quantiles(cycles);
     std::printf(
-        "prediction %-3s: %d runs, arrived %d, ran into a person %d (%d who had just appeared), "
-        "run over "
-        "%d, too late %d, "
+        "prediction %-3s: %d runs, arrived %d, ran into a person %d (%d who appeared within the "
+        "time "
+        "of a stop, %d of these at the robot), run over %d, too late %d, "
         "least separation without contact %.3f m, time x %.2f median, x %.2f at 90 %%, x %.2f "
         "worst, cycle %.0f/%.0f us\n",
-        name, runs, arrived, ran_into, appeared, run_over, not_there, separation, at(0.5), at(0.9),
-        at(1.0), 1e6 * cycle.median, 1e6 * cycle.p99);
+        name, runs, arrived, ran_into, appeared, at_once, run_over, not_there, separation, at(0.5),
+        at(0.9), at(1.0), 1e6 * cycle.median, 1e6 * cycle.p99);
   }
 };
 
@@ -180,7 +207,10 @@ void run(const Recording& recording, const Options& options) {
   Tally with;
   Tally without;
   for (int i = 0; i < options.runs; ++i) {
-    Scenario scenario = draw(recording, options, noise);
+    double from = 0.0;
+    Scenario scenario = draw(recording, options, noise, from);
+    const EntranceMap entrances = entrances_before(recording, from);
+    if (options.remember) hooks.entrances = &entrances;
     Scenario alone = scenario;
     alone.bodies.clear();
     const double lone = run_episode(alone).robots.front().time;
@@ -188,12 +218,13 @@ void run(const Recording& recording, const Options& options) {
       scenario.settings.prediction.predict_motion = tally == &with;
       const EpisodeResult result = run_episode(scenario, hooks);
       const RobotResult& robot = result.robots.front();
-      tally->add(robot, lone, seen_for(scenario, result));
+      const double seen = seen_for(scenario, result);
+      tally->add(robot, lone, seen, scenario.settings);
       if (options.verbose) {
-        std::printf("  run %d, prediction %s: %s after %.1f s, %.2f m/s towards\n", i,
-                    tally == &with ? "on" : "off",
+        std::printf("  run %d, prediction %s: %s after %.1f s, %.2f m/s towards, seen for %.2f s\n",
+                    i, tally == &with ? "on" : "off",
                     robot.collided ? "contact" : (robot.reached ? "arrived" : "too late"),
-                    robot.time, robot.approach);
+                    robot.time, robot.approach, seen);
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times each stage from map to command on generated maps of the paper's three kinds: map
-// preparation, path, corridor, one cold MPC solve. The argument is the MapKind.
+// preparation, path, corridor, one cold MPC solve. The argument is the MapKind. Beside them, the
+// prediction of people.
 #include <memory>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "fairway/navigation/settings.hpp"
 #include "fairway/path/path_planner.hpp"
 #include "fairway/planning/planner.hpp"
+#include "fairway/prediction/forecast.hpp"
 #include "fairway/simulation/scenarios/generated_maps.hpp"
 #include "ocp_generator.hpp"
 
@@ -142,8 +144,27 @@ void solve_mpc(benchmark::State& state) {
   }
 }
 
+// Predicts people around the robot for 8 s at 33 times; the argument is their number.
+void predict_people(benchmark::State& state) {
+  std::vector<fairway::MovingObstacle> people;
+  for (int i = 0; i < static_cast<int>(state.range(0)); ++i) {
+    const double turn = 2.4 * i;
+    people.push_back({.position = (1.0 + 0.2 * i) * fairway::direction(turn),
+                      .velocity = 1.3 * fairway::direction(3.0 * turn),
+                      .radius = 0.3});
+  }
+  const fairway::PredictionSettings settings;
+  fairway::Forecast forecast;
+  for (auto _ : state) {
+    fairway::predict(people, 0.1, {0.0, 0.0}, settings, 0.25, fairway::Forecast::kMaxSamples,
+                     forecast);
+    benchmark::DoNotOptimize(forecast);
+  }
+}
+
 }  // namespace
 
+BENCHMARK(predict_people)->ArgName("people")->Arg(20)->Arg(100)->Unit(benchmark::kMicrosecond);
 BENCHMARK(prepare_map)->ArgName("kind")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(find_path)->ArgName("kind")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(find_further_paths, from_the_same_start, true)

@@ -14,6 +14,8 @@
 
 namespace fairway {
 
+class EntranceMap;
+
 /// The result of one robot.
 struct RobotResult {
   std::string name;
@@ -55,6 +57,8 @@ struct EpisodeHooks {
   PhysicsMaker physics{};
   /// The solver for all robots; null for the structured solver.
   ControlSolver* solver = nullptr;
+  /// Where people appear, for robots that know the map; may be null. Recordings do not contain it.
+  const EntranceMap* entrances = nullptr;
   /// Receives all events; may be null.
   EpisodeObserver* observer = nullptr;
   /// For interactive runs: called after every cycle, may change the run, and ends it by returning

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fairway/prediction/moving_obstacle.hpp"
+#include "fairway/simulation/people/walk_plan.hpp"
 
 namespace fairway {
 
-/// A disc that moves along key frames and does not react to others: a person, a cart.
+/// A disc that moves along key frames: a person, a cart. It reacts to others only with a plan.
 struct MovingBody {
   struct KeyFrame {
     double time = 0.0;  ///< [s]
@@ -20,6 +22,8 @@ struct MovingBody {
   std::vector<KeyFrame> key_frames;  ///< with increasing times; one frame: the body does not move
   bool loop = false;                 ///< start again after the last frame; otherwise stop there
   bool passing = false;  ///< present only from the first key frame to the last; without `loop`
+  /// A person who reacts to robots: the world adds a key frame for each step; without `loop`.
+  std::optional<WalkPlan> walk{};
 
   /// Whether it is present at `time` [s]. @pre there is a key frame.
   [[nodiscard]] bool is_there(double time) const;

@@ -53,7 +53,8 @@ class MapDriver final : public RobotDriver {
   }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
-    const Measurements measured = measure_on_map(world, robot_, context_.radio, seen_);
+    Measurements measured = measure_on_map(world, robot_, context_.radio, seen_);
+    measured.entrances = context_.entrances;
     const double before = now(context_);
     const NavigationStep step = navigator_.update(measured);
     const double planning = navigator_.planning_seconds();

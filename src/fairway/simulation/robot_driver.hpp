@@ -14,6 +14,8 @@
 
 namespace fairway {
 
+class EntranceMap;
+
 struct RobotResult;
 
 /// One control cycle of a driver: inputs and outputs of its navigator, and the time it took.
@@ -90,6 +92,7 @@ struct DriverContext {
   FleetRadio& radio;
   EpisodeObserver* observer;             ///< receives the scans; may be null
   const std::function<double()>& clock;  ///< empty: nothing is timed
+  const EntranceMap* entrances;          ///< where people appear; may be null
 };
 
 /// Makes the driver for the scenario's sensing, without a goal, for a robot in its current motion.

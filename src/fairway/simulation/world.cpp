@@ -10,6 +10,7 @@
 #include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
 #include "fairway/map/polygon_separation.hpp"
+#include "fairway/simulation/people/walkers.hpp"
 
 namespace fairway {
 
@@ -78,6 +79,7 @@ World::World(const Scenario& scenario, std::unique_ptr<Physics> physics)
   set_robots(scenario.settings);
   for (std::size_t i = 0; i < robots_.size(); ++i)
     judge(i);
+  let_people_walk(kFineStep);
 }
 
 void World::advance(const std::vector<Twist2>& commands, double dt) {
@@ -85,12 +87,28 @@ void World::advance(const std::vector<Twist2>& commands, double dt) {
   const int steps = std::max(1, static_cast<int>(std::ceil(dt / kFineStep - 1e-9)));
   const double start = time_;
   for (int n = 1; n <= steps; ++n) {
+    let_people_walk(dt / steps);
     time_ = start + dt * n / steps;
     move(commands, dt / steps);
     for (std::size_t i = 0; i < robots_.size(); ++i)
       judge(i);
     if (!zones_.empty()) judge_all_zones();
   }
+}
+
+// People with a plan choose where to walk next; they see the robots.
+void World::let_people_walk(double dt) {
+  const auto walks = [](const MovingBody& body) { return body.walk.has_value(); };
+  if (std::none_of(bodies_.begin(), bodies_.end(), walks)) return;
+  std::vector<OrcaNeighbour> discs;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (encounters_[i].absent) continue;
+    visit_discs(i, [&](const MovingObstacle& disc) {
+      discs.push_back(
+          {.position = disc.position, .velocity = disc.velocity, .radius = disc.radius});
+    });
+  }
+  walk_on(bodies_, discs, time_ + dt);
 }
 
 void World::judge_all_zones() {

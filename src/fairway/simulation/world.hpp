@@ -121,6 +121,7 @@ class World {
 
  private:
   void move(const std::vector<Twist2>& commands, double dt);
+  void let_people_walk(double dt);
   void judge(std::size_t robot);
   void judge_all_zones();
   void measure_clearance(std::size_t robot);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/simulation/people/walkers.hpp"
 #include "support/random_world.hpp"
 
 namespace fairway {
@@ -51,6 +52,40 @@ TEST(World, ContactOfARobotWithAModelIsJudgedByItsTrueBody) {
   EXPECT_TRUE(world.encounters()[0].collided);
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.5, 1.0 * World::kFineStep + 1e-9);
   EXPECT_NEAR(world.encounters()[0].min_separation, 0.6 - 0.025 - 0.1 - 0.3, 1e-9);
+}
+
+// The person walks at a robot that does not move: around it if the person sees it, otherwise into
+// it.
+TEST(World, PeopleWhoSeeRobotsWalkAroundThem) {
+  for (const WalkingModel model : {WalkingModel::Orca, WalkingModel::SocialForce}) {
+    Scenario scenario = open_floor();
+    scenario.robots = {{.name = "a", .start = {{0, 0}, 0}, .goal = {}}};
+    const Walker person{.start = {3, 0.05}, .goal = {-3, 0.05}, .speed = 1.0};
+    for (const bool sees : {false, true}) {
+      scenario.bodies =
+          sees ? walking_bodies({&person, 1}, model) : walk({&person, 1}, model, 15.0);
+      World world(scenario);
+      for (int i = 0; i < 150; ++i)
+        world.advance({{}}, 0.1);
+      EXPECT_EQ(world.encounters()[0].collided, !sees);
+      EXPECT_LT((world.body(0).at(world.time()).position - person.goal).norm(), 0.5);
+    }
+  }
+}
+
+// Steps of a run that are no part of a person's step change nothing but rounding.
+TEST(World, PeopleWhoSeeRobotsMoveSteadilyAtAnyPeriod) {
+  Scenario scenario = open_floor();
+  const Walker person{.start = {3, 0}, .goal = {-3, 0}, .speed = 1.0};
+  scenario.bodies = walking_bodies({&person, 1}, WalkingModel::Orca);
+  World world(scenario);
+  for (int i = 0; i < 60; ++i) {
+    std::vector<MovingObstacle> seen;
+    world.moving_bodies(seen);
+    EXPECT_NEAR(seen.at(0).velocity.x(), -1.0, 1e-6) << world.time();
+    EXPECT_NEAR(seen[0].position.x(), 3.0 - world.time(), 1e-6);
+    world.advance({}, 0.037);
+  }
 }
 
 TEST(World, ARobotWithAModelMovesSidewaysWithinItsLimits) {

@@ -137,6 +137,7 @@ void RunMessages::on_start(const Scenario& scenario) {
                       {"loop", body.loop},
                       {"passing", body.passing},
                       {"key_frames", std::move(frames)}});
+    if (body.walk) bodies.back()["walk"] = walk_plan_json(*body.walk);
   }
   scenario_json_ = {{"version", 1},
                     {"name", scenario.name},

@@ -169,6 +169,7 @@ std::vector<MovingBody> read_bodies(YamlMapping& root) {
     body.radius = mapping.number("radius", {.min = 0.01, .max = 100.0}, body.radius);
     body.loop = mapping.boolean("loop", body.loop);
     body.passing = mapping.boolean("passing", body.passing);
+    body.walk = read_walk_plan(mapping);
     for (const std::vector<double>& row : mapping.rows("key_frames", 3)) {
       const MovingBody::KeyFrame frame{.time = row[0], .position = {row[1], row[2]}};
       if (frame.position.cwiseAbs().maxCoeff() > kFurthest || std::abs(frame.time) > kLongestTime) {
@@ -286,8 +287,7 @@ Expected<Scenario> read_scenario(const std::string& path, FileNotes* notes) {
   if (const Expected<void> fits = check_models(scenario); !fits)
     root.complain("robots", fits.error().message);
   if (!file.error) add_pedestrians(root, folder, scenario, notes);
-  for (MovingBody& person : read_people(root, scenario.time_limit))
-    scenario.bodies.push_back(std::move(person));
+  add_people(root, scenario.time_limit, scenario.bodies);
   root.finish();
   if (file.error) return tl::unexpected(*file.error);
   if (notes != nullptr) {

@@ -62,7 +62,8 @@ void Episode::make_drivers() {
                               .solver = *solver,
                               .radio = radio_,
                               .observer = hooks_.observer,
-                              .clock = hooks_.clock};
+                              .clock = hooks_.clock,
+                              .entrances = hooks_.entrances};
   drivers_.clear();
   std::vector<NavigatorStart> starts;
   for (std::size_t i = 0; i < goals_.size(); ++i) {

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/people/orca.hpp"
 
 namespace fairway {
-
-/// How people avoid each other.
-enum class WalkingModel : std::uint8_t {
-  Orca,         ///< optimal reciprocal collision avoidance, as in the public benchmarks
-  SocialForce,  ///< accelerations that repel people from each other (Helbing and Molnar 1995)
-};
-
-[[nodiscard]] constexpr std::array<const char*, 2> setting_names(WalkingModel /*type*/) noexcept {
-  return {"orca", "social_force"};
-}
 
 /// A person who walks from start to goal among other people.
 struct Walker {
@@ -29,7 +18,19 @@ struct Walker {
   double speed = 1.2;                               ///< without other people [m/s]
   double radius = 0.3;                              ///< [m]
   bool returns = false;                             ///< walks back after arrival, and so on
+  /// People with the same text walk at the speed of their slowest and stay together. Empty: alone.
+  std::string group{};
 };
+
+/// Returns the people at their starts, with the plans by which `walk_on` moves them.
+[[nodiscard]] std::vector<MovingBody> walking_bodies(std::span<const Walker> people,
+                                                     WalkingModel model);
+
+/// Adds a key frame, 0.1 s later, to each body with a plan whose last one is before `time` [s].
+///
+/// These people avoid each other, bodies without a plan, and the discs of `robots` as they avoid
+/// people. They do not see the map.
+void walk_on(std::vector<MovingBody>& bodies, std::span<const OrcaNeighbour> robots, double time);
 
 /// Lets people walk for `duration` seconds and returns their tracks, with a key frame every 0.1 s.
 ///

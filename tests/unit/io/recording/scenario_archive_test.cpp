@@ -36,7 +36,15 @@ TEST(ScenarioArchive, ReadsBackAsTheSameScenario) {
                       .radius = 0.35,
                       .key_frames = {{.time = 0.0, .position = {0.1, 0.2}},
                                      {.time = 2.5, .position = {1e-3, -4.0}}},
-                      .loop = true}};
+                      .loop = true},
+                     {.name = "walker",
+                      .key_frames = {{.time = 0.0, .position = {0.5, 0.5}}},
+                      .walk = WalkPlan{.model = WalkingModel::SocialForce,
+                                       .from = {0.5, 0.5},
+                                       .to = {1.0 / 3.0, 2.0},
+                                       .speed = 0.7,
+                                       .returns = true,
+                                       .group = "a \"pair\""}}};
 
   const test::TemporaryFolder folder;
   for (const ArchiveFile& file : scenario_files(scenario))
@@ -56,7 +64,15 @@ TEST(ScenarioArchive, ReadsBackAsTheSameScenario) {
   EXPECT_EQ(read->robots[0].goal.heading, -1.5);
   EXPECT_FALSE(read->robots[1].goal.heading);
   EXPECT_EQ(read->robots[1].start.position, scenario.robots[1].start.position);
-  ASSERT_EQ(read->bodies.size(), 1U);
+  ASSERT_EQ(read->bodies.size(), 2U);
+  EXPECT_FALSE(read->bodies[0].walk);
+  ASSERT_TRUE(read->bodies[1].walk);
+  EXPECT_EQ(read->bodies[1].walk->model, WalkingModel::SocialForce);
+  EXPECT_EQ(read->bodies[1].walk->from, scenario.bodies[1].walk->from);
+  EXPECT_EQ(read->bodies[1].walk->to, scenario.bodies[1].walk->to);
+  EXPECT_EQ(read->bodies[1].walk->speed, 0.7);
+  EXPECT_TRUE(read->bodies[1].walk->returns);
+  EXPECT_EQ(read->bodies[1].walk->group, "a \"pair\"");
   EXPECT_TRUE(read->bodies[0].loop);
   EXPECT_EQ(read->bodies[0].key_frames[1].position, scenario.bodies[0].key_frames[1].position);
 }

@@ -85,6 +85,14 @@ TEST(ScenarioFile, LetsPeopleWalk) {
   EXPECT_EQ(scenario->bodies[0].radius, 0.25);
   EXPECT_EQ(scenario->bodies[1].name, "person 2");
   EXPECT_GT(scenario->bodies[0].at(10.0).position.x(), 6.0);
+  const auto seeing = read_scenario(folder.write(
+      "r.yaml", head + "people:\n  sees_robots: true\n  walkers:\n"
+                       "    - {start: [0, 4], goal: [8, 4], group: pair, returns: true}\n"));
+  ASSERT_TRUE(seeing) << seeing.error().message;
+  ASSERT_TRUE(seeing->bodies.at(0).walk);
+  EXPECT_EQ(seeing->bodies[0].walk->group, "pair");
+  EXPECT_TRUE(seeing->bodies[0].walk->returns);
+  EXPECT_EQ(seeing->bodies[0].key_frames.size(), 1U) << "walks as the run proceeds";
   const auto refused = [&](const std::string& people, const std::string& expected) {
     const auto wrong = read_scenario(folder.write("wrong.yaml", head + people));
     ASSERT_FALSE(wrong) << people;

@@ -15,4 +15,8 @@ namespace fairway::io {
 /// The contact of a robot in a `fairway.World`.
 [[nodiscard]] nlohmann::json contact_json(const Encounter& met);
 
+/// Where a body that reacts to robots walks.
+[[nodiscard]] nlohmann::json walk_plan_json(const WalkPlan& plan);
+[[nodiscard]] WalkPlan to_walk_plan(const nlohmann::json& json);
+
 }  // namespace fairway::io

@@ -65,6 +65,15 @@ std::string zones_text(const Zones& zones) {
   return text;
 }
 
+std::string walk_text(const WalkPlan& plan) {
+  return "    walk:\n      " + named("kind", plan.model) +
+         "      from: " + list({plan.from.x(), plan.from.y()}) +
+         "\n      to: " + list({plan.to.x(), plan.to.y()}) +
+         "\n      speed: " + number_text(plan.speed) +
+         "\n      returns: " + (plan.returns ? "true" : "false") +
+         "\n      group: " + quoted(plan.group) + "\n";
+}
+
 std::string scenario_text(const Scenario& scenario) {
   std::string text = "name: " + quoted(scenario.name) + "\n";
   text += "map: map.yaml\ntime_limit: " + number_text(scenario.time_limit) + "\n";
@@ -88,7 +97,9 @@ std::string scenario_text(const Scenario& scenario) {
     text += "  - name: " + quoted(body.name) + "\n";
     text += "    radius: " + number_text(body.radius) + "\n";
     text += std::string("    loop: ") + (body.loop ? "true" : "false") +
-            (body.passing ? "\n    passing: true" : "") + "\n    key_frames:\n";
+            (body.passing ? "\n    passing: true\n" : "\n");
+    if (body.walk) text += walk_text(*body.walk);
+    text += "    key_frames:\n";
     for (const MovingBody::KeyFrame& frame : body.key_frames)
       text += "      - " + list({frame.time, frame.position.x(), frame.position.y()}) + "\n";
   }

@@ -7,6 +7,7 @@
 
 #include "fairway/io/base64.hpp"
 #include "fairway/io/recording/exact/exact_zones.hpp"
+#include "fairway/io/recording/exact/robots_json.hpp"
 #include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
 
@@ -110,6 +111,7 @@ Scenario to_scenario(const Json& json, const Json& map_message) {
     }
     if (body.key_frames.empty() || !(body.radius > 0.0 && body.radius <= kLargestBody))
       throw std::invalid_argument("expected a body with a radius up to 100 m and a key frame");
+    if (item.contains("walk")) body.walk = to_walk_plan(item.at("walk"));
     scenario.bodies.push_back(std::move(body));
   }
   scenario.time_limit = exact::to_number(json.at("time_limit"));
