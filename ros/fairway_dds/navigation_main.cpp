@@ -95,11 +95,6 @@ int main(int argc, char** argv) {
     if (!read) return fail_with(read.error().message);
     options.pilot.body = *read;
   }
-  if (options.pilot.body && options.max_deviation > 0.0) {
-    return fail_with(
-        "--max-deviation: expected none with --body, whose robot drives a path of its own, found " +
-        std::to_string(options.max_deviation));
-  }
   if (const auto valid = bridge::validate(options.pilot); !valid) {
     return fail_with(valid.error().message);
   }
