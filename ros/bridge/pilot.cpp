@@ -180,6 +180,7 @@ std::optional<SharedMotion> Pilot::share(double time) const {
 }
 
 void Pilot::begin_goal() {
+  waits_since_.reset();
   if (!navigator_) return;
   if (!poses_.poses.empty()) {
     navigator_->follow(poses_);
@@ -227,7 +228,7 @@ PilotStep Pilot::cycle(double time) {
            .angular = answer.command.angular};
   if (options_.body) steering_ = answer.steering;
   if (state_ == PilotState::Driving) {
-    judge(step, answer);
+    judge(time, step, answer);
   } else if (is_zero(step) && --zeros_left_ <= 0) {
     state_ = PilotState::Idle;
   }
@@ -248,12 +249,22 @@ void Pilot::guard(double time, PilotStep& answer) {
                              steering_);
 }
 
+// A BodyNavigator does not give up itself.
+bool Pilot::waits_too_long(double time, const NavigationStep& step) noexcept {
+  if (!options_.body || !is_zero(step) || step.status == NavigationStatus::Holding) {
+    waits_since_.reset();
+    return false;
+  }
+  if (!waits_since_) waits_since_ = time;
+  return std::abs(time - *waits_since_) >= options_.patience;
+}
+
 // Decides whether the drive has ended, and how.
-void Pilot::judge(const NavigationStep& step, PilotStep& answer) {
+void Pilot::judge(double time, const NavigationStep& step, PilotStep& answer) {
   if (step.status == NavigationStatus::GoalReached) {
     answer.end = GoalEnd::Reached;
     cancel();
-  } else if (step.status == NavigationStatus::GaveUp) {
+  } else if (waits_too_long(time, step) || step.status == NavigationStatus::GaveUp) {
     answer.end = GoalEnd::GivenUp;
     answer.reason = reason_of(step);
     if (has_planned_ && !navigator_->plan().usable()) {

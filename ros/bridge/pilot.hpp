@@ -132,7 +132,8 @@ class Pilot : public SensorReceiver {
   void reset_navigator(const PlanarTwist& actual);
   void guard(double time, PilotStep& answer);
   [[nodiscard]] Settings with_options(const Settings& settings) const;
-  void judge(const NavigationStep& step, PilotStep& answer);
+  [[nodiscard]] bool waits_too_long(double time, const NavigationStep& step) noexcept;
+  void judge(double time, const NavigationStep& step, PilotStep& answer);
   [[nodiscard]] std::string reason_of(const NavigationStep& step) const;
 
   Settings settings_;
@@ -147,7 +148,8 @@ class Pilot : public SensorReceiver {
   PilotState state_ = PilotState::Idle;
   int zeros_left_ = 0;  // remaining commands while stopping, after standstill
   bool has_planned_ = false;
-  bool fresh_goal_ = false;  // set since the last cycle
+  bool fresh_goal_ = false;            // set since the last cycle
+  std::optional<double> waits_since_;  // at standstill, with a body [s]
   PlanarTwist sent_{};
   double steering_ = 0.0;  // last one sent, or that follows from the odometry [rad]
   std::optional<CommandGuard> guard_;
