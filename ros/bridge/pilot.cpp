@@ -22,20 +22,6 @@ bool is_zero(const NavigationStep& step) noexcept {
 
 }  // namespace
 
-Expected<void> validate(const PilotOptions& options) {
-  if (!options.use_map && !options.use_scan) {
-    return fail("use_map, use_scan: expected one of them true, found both false");
-  }
-  if (!(options.patience > 0.0)) {
-    return fail("patience: expected a positive number, found " + std::to_string(options.patience));
-  }
-  if (!(options.localisation_timeout > 0.0)) {
-    return fail("localisation_timeout: expected a positive number, found " +
-                std::to_string(options.localisation_timeout));
-  }
-  return {};
-}
-
 Pilot::Pilot(const Settings& settings, const PilotOptions& options)
     : settings_(settings),
       options_(options),
@@ -50,13 +36,14 @@ Pilot::Pilot(const Settings& settings, const PilotOptions& options)
 void Pilot::make_guard() {
   guard_.reset();
   if (!options_.use_monitor || !options_.use_scan) return;
-  if (options_.body) {
-    // The monitor brakes like a base that turns freely; others need the stop along their drive.
-    if (options_.body->base.kind == BaseKind::Unicycle)
-      guard_.emplace(monitor_settings(settings_, *options_.body));
-    return;
-  }
-  guard_.emplace(monitor_settings(settings_));
+  // The monitor brakes like a base that turns freely; others need the stop along their drive.
+  if (options_.body && options_.body->base.kind != BaseKind::Unicycle) return;
+  MonitorSettings monitor =
+      options_.body ? monitor_settings(settings_, *options_.body) : monitor_settings(settings_);
+  monitor.stop_zone = options_.monitor_stop_zone;
+  monitor.slow_zone = options_.monitor_slow_zone;
+  monitor.slow_speed = options_.monitor_slow_speed;
+  guard_.emplace(monitor);
 }
 
 Settings Pilot::with_options(const Settings& settings) const {

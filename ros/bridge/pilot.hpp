@@ -15,6 +15,9 @@ struct PilotOptions {
   bool use_map = true;                ///< drive on a map; otherwise on the cells seen by the scans
   bool use_scan = true;               ///< scans are needed, and their age is checked
   bool use_monitor = true;            ///< check every command with a SafetyMonitor; needs scans
+  Polygon monitor_stop_zone{};        ///< a scan point in here stops the robot; empty: none
+  Polygon monitor_slow_zone{};        ///< a scan point in here slows it down; empty: none
+  double monitor_slow_speed = 0.3;    ///< greatest linear speed then [m/s]
   bool plan_in_background = true;     ///< false: the cycle waits for plans, and is deterministic
   std::size_t max_beams = 4096;       ///< only the first beams of a scan are used
   double patience = 20.0;             ///< a goal is given up after this time without progress [s]
