@@ -25,6 +25,21 @@ LONGEST_TEST = 120  # [s]; a change that loops is found, too
 
 # Part of a line, the change, and why no test can see it.
 EQUIVALENT = [
+    ("erase_if(sent_", "< -> <=", "a command of exactly that age has been obeyed already"),
+    ("* fastest * fastest", "0.5 -> 0.65", "looking at points further away only costs time"),
+    ("i % 2 ==", "0 -> 1", "the four bases come in another order"),
+    ("i / 2 ==", "0 -> 1", "the four bases come in another order"),
+    ("constexpr double kDue", "1e-9 -> 1.3e-09", "both are far below a step"),
+    ("constexpr double kRounding", "1e-9 -> 1.3e-09", "both are far below a step"),
+    ("due(s) >=", "> -> >=", "a command that is due in exactly that rounding"),
+    ("t >= last - kRounding", "> -> >=", "as above, at the end of the last command"),
+    ("now_ <= end - kRounding", "< -> <=", "as above, at the end of the cycle"),
+    ("t - now_ < kLongStop", "<= -> <", "as above, after a minute"),
+    ("from * to >=", "> -> >=", "a change from or to zero is the same by both"),
+    ("speed * wanted >=", "> -> >=", "a change from or to zero is the same by both"),
+    ("std::abs(kept) <= std::abs(", "< -> <=", "nothing is lost where both are equal"),
+    ("if (needed >", ">= -> >", "the speed is reached exactly then"),
+    ("elapsed <", "<= -> <", "after 10 s the base has reached its command"),
 ]
 
 OPPOSITES = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
