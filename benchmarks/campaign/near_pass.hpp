@@ -32,14 +32,16 @@ class NearPass {
       const MovingObstacle now = body.at(time);
       const double gap = gap_to(world, pose, now);
       least = std::min(least, gap);
-      const double nearer = gap_to(world, before_->pose, now) - gap;  // by the robot's own motion
-      constexpr double kStill = 0.02;                                 // [m/s]
+      // By the robot's own way: a long body that turns to a stop may swing nearer.
+      const Pose2 turned{.position = before_->position, .heading = pose.heading};
+      const double nearer = gap_to(world, turned, now) - gap;
+      constexpr double kStill = 0.02;     // [m/s]
       constexpr double kRounding = 1e-3;  // [m]; bodies are linear between their frames
       if (gap < bound_ - kRounding && nearer > kStill * (time - before_->time) &&
           !changes(body, time))
         broken = true;
     }
-    before_ = Known{.time = time, .pose = pose};
+    before_ = Known{.time = time, .position = pose.position};
     return broken;
   }
 
@@ -48,7 +50,7 @@ class NearPass {
  private:
   struct Known {
     double time = 0.0;
-    Pose2 pose;
+    Vector2d position;
   };
 
   [[nodiscard]] double gap_to(const World& world,

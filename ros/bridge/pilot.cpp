@@ -94,7 +94,7 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
   if (!navigator_) return false;
   const std::optional<PlacedScan> placed = senses_.place(scan, duration, sensor_on_robot);
   if (!placed) return false;
-  if (guard_) guard_->observe(placed->in_odometry);
+  if (guard_) guard_->observe(placed->in_odometry, sensor_on_robot);
   if (options_.use_map && !map_) return true;  // there is nothing to add it to
   const bool taken = navigator_->observe(placed->in_world, placed->position);
   if (taken) senses_.note_scan();

@@ -108,7 +108,7 @@ TEST(SafetyMonitor, RemembersTheCommandsThatAreOnTheirWay) {
   EXPECT_TRUE(monitor.see(0.1, wall));
   EXPECT_EQ(monitor.check(0.1, {}, fast, {}).fraction, 1.0);
   EXPECT_EQ(monitor.check(0.2, {}, {}, {.linear = 0.5}).fraction, 1.0);
-  // Within the delay the base stands still, though its command was fast until now.
+  // Within the delay the base is at rest, though its command was fast until now.
   const std::vector<Vector2d> near{{0.3 + 0.1, 0.0}};
   EXPECT_TRUE(monitor.see(0.3, near));
   EXPECT_LT(monitor.check(0.3, {}, {.linear = 0.5}, {.linear = 0.1}).fraction, 1.0);
