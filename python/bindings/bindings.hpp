@@ -22,6 +22,7 @@ void bind_map_navigator(py::module_& module);
 void bind_mapless_navigator(py::module_& module);
 void bind_body_navigator(py::module_& module);
 void bind_map_localization(py::module_& module);
+void bind_safety_monitor(py::module_& module);
 
 void bind_problem(py::module_& module);
 void bind_solver(py::module_& module);

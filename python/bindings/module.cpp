@@ -20,6 +20,7 @@ PYBIND11_MODULE(_fairway, module) {
   bind_mapless_navigator(module);
   bind_body_navigator(module);
   bind_map_localization(module);
+  bind_safety_monitor(module);
   bind_scenario(module);
   bind_episode(module);
   bind_recording(module);

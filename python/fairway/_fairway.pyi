@@ -272,6 +272,43 @@ class MapPose:
     @property
     def weak_direction(self) -> _Point: ...
 
+class MonitorVerdict:
+    """What a SafetyMonitor says of a command."""
+
+    @property
+    def command(self) -> _Command: ...
+    @property
+    def fraction(self) -> float: ...
+    @property
+    def reason(self) -> str: ...
+
+class SafetyMonitor:
+    """The last check of a command before the base; it shares no code with the navigators."""
+
+    def __init__(
+        self,
+        footprint: Sequence[npt.ArrayLike],
+        *,
+        stop_zone: npt.ArrayLike = ...,
+        slow_zone: npt.ArrayLike = ...,
+        slow_speed: float = 0.3,
+        linear_acceleration: float = 1.0,
+        angular_acceleration: float = 2.0,
+        linear_braking: float = 0.0,
+        angular_braking: float = 0.0,
+        delay: float = 0.0,
+        angular_delay: float | None = None,
+        linear_lag: float = 0.0,
+        angular_lag: float = 0.0,
+        ramp: float = 0.0,
+        hold: float = 0.15,
+        margin: float = 0.01,
+        max_age: float = 0.5,
+    ) -> None: ...
+    def see(self, time: float, points: npt.ArrayLike) -> bool: ...
+    def check(self, time: float, pose: _Numbers, current: _Numbers, command: _Numbers) -> MonitorVerdict: ...
+    def reset(self) -> None: ...
+
 class MapLocalization:
     """Tracks the pose of a robot in a known map from odometry and lidar scans."""
 

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
+
+#include "fairway/geometry/angle.hpp"
 
 namespace fairway::bridge {
 
 namespace {
 
-constexpr int kCorners = 32;  // of the polygon about a disc
+constexpr int kCorners = 64;  // of the polygon about a disc
 
 Polygon polygon_about(const Eigen::Vector2d& center, double radius) {
   Polygon polygon;
@@ -117,14 +120,38 @@ const char* to_text(MonitorReason reason) noexcept {
   return "unknown";
 }
 
-void CommandGuard::observe(const LidarScan& scan) {
+CommandGuard::Source& CommandGuard::source_at(const Pose2& mount) {
+  constexpr double kSame = 0.01;  // [m], [rad]
+  for (Source& source : sources_) {
+    if ((source.mount.position - mount.position).norm() < kSame &&
+        std::abs(shortest_turn(source.mount.heading, mount.heading)) < kSame)
+      return source;
+  }
+  return sources_.emplace_back(Source{.mount = mount, .time = 0.0, .points = {}});
+}
+
+void CommandGuard::observe(const LidarScan& scan, const Pose2& mount) {
   if (!is_plausible(scan, scan.last_pose.position)) return;
   lay_beams(scan, std::numeric_limits<double>::infinity(), beams_);
-  points_.clear();
+  Source& source = source_at(mount);
+  source.time = scan.time;
+  source.points.clear();
   for (const Beam& beam : beams_) {
-    if (beam.end == BeamEnd::Hit) points_.push_back(beam.to);
+    if (beam.end == BeamEnd::Hit) source.points.push_back(beam.to);
   }
-  if (points_.size() > SafetyMonitor::kMostPoints) points_.resize(SafetyMonitor::kMostPoints);
+  // A lidar that ceased is forgotten; the navigator notices it.
+  std::erase_if(sources_, [&](const Source& s) { return std::abs(scan.time - s.time) > max_age_; });
+  points_.clear();
+  for (const Source& each : sources_)
+    points_.insert(points_.end(), each.points.begin(), each.points.end());
+  if (points_.size() > SafetyMonitor::kMostPoints) {
+    const Eigen::Vector2d here = scan.last_pose.position;
+    const auto last = points_.begin() + static_cast<std::ptrdiff_t>(SafetyMonitor::kMostPoints);
+    std::nth_element(points_.begin(), last, points_.end(), [&](const auto& a, const auto& b) {
+      return (a - here).squaredNorm() < (b - here).squaredNorm();
+    });
+    points_.erase(last, points_.end());
+  }
   monitor_.see(scan.time, points_);
 }
 

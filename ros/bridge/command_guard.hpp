@@ -25,10 +25,14 @@ namespace fairway::bridge {
 /// It works in the frame of the odometry, so that neither the map nor the localisation matters.
 class CommandGuard {
  public:
-  explicit CommandGuard(const MonitorSettings& settings) : monitor_(settings) {}
+  explicit CommandGuard(const MonitorSettings& settings)
+      : monitor_(settings),
+        max_age_(settings.max_age) {}
 
-  /// Takes in a scan whose poses are in the odometry frame. An implausible scan is ignored.
-  void observe(const LidarScan& scan);
+  /// Takes in a scan whose poses are in the odometry frame. An implausible scan is ignored. Of more
+  /// points than the monitor takes, those nearest to the robot count.
+  /// @param mount  Of the lidar on the robot: the newest scans of several lidars count together.
+  void observe(const LidarScan& scan, const Pose2& mount = {});
 
   /// Call it for every command; see SafetyMonitor::check.
   /// @param pose     Of the robot in the odometry frame.
@@ -44,8 +48,18 @@ class CommandGuard {
   void reset() noexcept { monitor_.reset(); }
 
  private:
+  struct Source {
+    Pose2 mount;
+    double time = 0.0;
+    std::vector<Eigen::Vector2d> points;
+  };
+
+  [[nodiscard]] Source& source_at(const Pose2& mount);
+
   SafetyMonitor monitor_;
+  double max_age_;  // [s]
   std::vector<Beam> beams_;
+  std::vector<Source> sources_;  // of each lidar, its newest scan
   std::vector<Eigen::Vector2d> points_;
 };
 

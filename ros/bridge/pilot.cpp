@@ -22,20 +22,6 @@ bool is_zero(const NavigationStep& step) noexcept {
 
 }  // namespace
 
-Expected<void> validate(const PilotOptions& options) {
-  if (!options.use_map && !options.use_scan) {
-    return fail("use_map, use_scan: expected one of them true, found both false");
-  }
-  if (!(options.patience > 0.0)) {
-    return fail("patience: expected a positive number, found " + std::to_string(options.patience));
-  }
-  if (!(options.localisation_timeout > 0.0)) {
-    return fail("localisation_timeout: expected a positive number, found " +
-                std::to_string(options.localisation_timeout));
-  }
-  return {};
-}
-
 Pilot::Pilot(const Settings& settings, const PilotOptions& options)
     : settings_(settings),
       options_(options),
@@ -50,13 +36,14 @@ Pilot::Pilot(const Settings& settings, const PilotOptions& options)
 void Pilot::make_guard() {
   guard_.reset();
   if (!options_.use_monitor || !options_.use_scan) return;
-  if (options_.body) {
-    // The monitor brakes like a base that turns freely; others need the stop along their drive.
-    if (options_.body->base.kind == BaseKind::Unicycle)
-      guard_.emplace(monitor_settings(settings_, *options_.body));
-    return;
-  }
-  guard_.emplace(monitor_settings(settings_));
+  // The monitor brakes like a base that turns freely; others need the stop along their drive.
+  if (options_.body && options_.body->base.kind != BaseKind::Unicycle) return;
+  MonitorSettings monitor =
+      options_.body ? monitor_settings(settings_, *options_.body) : monitor_settings(settings_);
+  monitor.stop_zone = options_.monitor_stop_zone;
+  monitor.slow_zone = options_.monitor_slow_zone;
+  monitor.slow_speed = options_.monitor_slow_speed;
+  guard_.emplace(monitor);
 }
 
 Settings Pilot::with_options(const Settings& settings) const {
@@ -107,7 +94,7 @@ bool Pilot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_rob
   if (!navigator_) return false;
   const std::optional<PlacedScan> placed = senses_.place(scan, duration, sensor_on_robot);
   if (!placed) return false;
-  if (guard_) guard_->observe(placed->in_odometry);
+  if (guard_) guard_->observe(placed->in_odometry, sensor_on_robot);
   if (options_.use_map && !map_) return true;  // there is nothing to add it to
   const bool taken = navigator_->observe(placed->in_world, placed->position);
   if (taken) senses_.note_scan();
@@ -180,6 +167,7 @@ std::optional<SharedMotion> Pilot::share(double time) const {
 }
 
 void Pilot::begin_goal() {
+  waits_since_.reset();
   if (!navigator_) return;
   if (!poses_.poses.empty()) {
     navigator_->follow(poses_);
@@ -227,7 +215,7 @@ PilotStep Pilot::cycle(double time) {
            .angular = answer.command.angular};
   if (options_.body) steering_ = answer.steering;
   if (state_ == PilotState::Driving) {
-    judge(step, answer);
+    judge(time, step, answer);
   } else if (is_zero(step) && --zeros_left_ <= 0) {
     state_ = PilotState::Idle;
   }
@@ -248,12 +236,22 @@ void Pilot::guard(double time, PilotStep& answer) {
                              steering_);
 }
 
+// A BodyNavigator does not give up itself.
+bool Pilot::waits_too_long(double time, const NavigationStep& step) noexcept {
+  if (!options_.body || !is_zero(step) || step.status == NavigationStatus::Holding) {
+    waits_since_.reset();
+    return false;
+  }
+  if (!waits_since_) waits_since_ = time;
+  return std::abs(time - *waits_since_) >= options_.patience;
+}
+
 // Decides whether the drive has ended, and how.
-void Pilot::judge(const NavigationStep& step, PilotStep& answer) {
+void Pilot::judge(double time, const NavigationStep& step, PilotStep& answer) {
   if (step.status == NavigationStatus::GoalReached) {
     answer.end = GoalEnd::Reached;
     cancel();
-  } else if (step.status == NavigationStatus::GaveUp) {
+  } else if (waits_too_long(time, step) || step.status == NavigationStatus::GaveUp) {
     answer.end = GoalEnd::GivenUp;
     answer.reason = reason_of(step);
     if (has_planned_ && !navigator_->plan().usable()) {

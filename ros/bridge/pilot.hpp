@@ -15,6 +15,9 @@ struct PilotOptions {
   bool use_map = true;                ///< drive on a map; otherwise on the cells seen by the scans
   bool use_scan = true;               ///< scans are needed, and their age is checked
   bool use_monitor = true;            ///< check every command with a SafetyMonitor; needs scans
+  Polygon monitor_stop_zone{};        ///< a scan point in here stops the robot; empty: none
+  Polygon monitor_slow_zone{};        ///< a scan point in here slows it down; empty: none
+  double monitor_slow_speed = 0.3;    ///< greatest linear speed then [m/s]
   bool plan_in_background = true;     ///< false: the cycle waits for plans, and is deterministic
   std::size_t max_beams = 4096;       ///< only the first beams of a scan are used
   double patience = 20.0;             ///< a goal is given up after this time without progress [s]
@@ -132,7 +135,8 @@ class Pilot : public SensorReceiver {
   void reset_navigator(const PlanarTwist& actual);
   void guard(double time, PilotStep& answer);
   [[nodiscard]] Settings with_options(const Settings& settings) const;
-  void judge(const NavigationStep& step, PilotStep& answer);
+  [[nodiscard]] bool waits_too_long(double time, const NavigationStep& step) noexcept;
+  void judge(double time, const NavigationStep& step, PilotStep& answer);
   [[nodiscard]] std::string reason_of(const NavigationStep& step) const;
 
   Settings settings_;
@@ -147,7 +151,8 @@ class Pilot : public SensorReceiver {
   PilotState state_ = PilotState::Idle;
   int zeros_left_ = 0;  // remaining commands while stopping, after standstill
   bool has_planned_ = false;
-  bool fresh_goal_ = false;  // set since the last cycle
+  bool fresh_goal_ = false;            // set since the last cycle
+  std::optional<double> waits_since_;  // at standstill, with a body [s]
   PlanarTwist sent_{};
   double steering_ = 0.0;  // last one sent, or that follows from the odometry [rad]
   std::optional<CommandGuard> guard_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The goals of the navigation node: from topics and actions to the pilot, and what became of them.
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "bridge/message_conversions.hpp"
@@ -7,6 +9,14 @@
 #include "fairway_dds/navigation_node.hpp"
 
 namespace fairway::dds {
+
+namespace {
+
+std::optional<double> finite(double heading) {
+  return std::isfinite(heading) ? std::optional(heading) : std::nullopt;
+}
+
+}  // namespace
 
 void NavigationNode::take_goal(const geometry_msgs_msg_dds__PoseStamped_& message,
                                bool from_action) {
@@ -39,7 +49,7 @@ void NavigationNode::take_path(const nav_msgs_msg_dds__Path_& message) {
                    .from_action = true,
                    .since = now()};
   for (const geometry_msgs_msg_dds__PoseStamped_& pose : poses)
-    goal.path.waypoints.emplace_back(pose.pose.position.x, pose.pose.position.y);
+    goal.path.push_back(bridge::to_pose(pose.pose));
   waiting_goal_ = std::move(goal);
 }
 
@@ -65,7 +75,7 @@ void NavigationNode::place_goal() {
   if (known) {
     const std::string fault = start_goal(*frame);
     if (!fault.empty()) {
-      const bool path = !waiting_goal_->path.waypoints.empty();
+      const bool path = !waiting_goal_->path.empty();
       cancel_goal();
       actions_.abort(path ? ActionFault::InvalidPath : ActionFault::Unknown, fault, now());
     }
@@ -86,23 +96,30 @@ void NavigationNode::place_goal() {
 // Gives the waiting goal to the pilot. Returns why it is not valid, or an empty text.
 std::string NavigationNode::start_goal(const Pose2& frame) {
   const Pose2 goal = bridge::compose(frame, waiting_goal_->pose);
-  if (waiting_goal_->path.waypoints.empty()) {
+  if (waiting_goal_->path.empty()) {
     if (!is_finite(goal)) return "expected a finite position and a rotation of length 1";
     goal_position_ = goal.position;
     pilot_.set_goal({.position = goal.position, .heading = goal.heading});
     return {};
   }
   Path path;
-  for (const Eigen::Vector2d& point : waiting_goal_->path.waypoints) {
-    const Eigen::Vector2d position = transform(frame, point);
-    if (!is_plausible(Pose2{.position = position, .heading = 0.0})) {
+  PosePath poses;
+  for (const Pose2& pose : waiting_goal_->path) {
+    const Pose2 placed = bridge::compose(frame, pose);
+    if (!is_plausible(Pose2{.position = placed.position, .heading = 0.0})) {
       return "pose " + std::to_string(path.waypoints.size()) +
              " of the path: expected a position within 10000 km";
     }
-    path.waypoints.push_back(position);
+    path.waypoints.push_back(placed.position);
+    poses.poses.push_back({.position = placed.position, .heading = finite(placed.heading)});
   }
-  const std::optional<double> heading =
-      std::isfinite(goal.heading) ? std::optional(goal.heading) : std::nullopt;
+  goal_position_ = goal.position;
+  if (options_.pilot.body) {
+    if (options_.max_deviation > 0.0) poses.max_deviation = options_.max_deviation;
+    pilot_.follow(std::move(poses));
+    return {};
+  }
+  const std::optional<double> heading = finite(goal.heading);
   drive_.emplace(std::move(path), heading, pilot_.pose()->position, options_.max_deviation,
                  pilot_.settings().robot.radius);
   return {};
@@ -134,6 +151,7 @@ bool NavigationNode::is_outside_map() const {
 double NavigationNode::remaining_length(const Eigen::Vector2d& position) const {
   if (drive_) return drive_->remaining();
   const bridge::AnyNavigator& navigator = *pilot_.navigator();
+  if (const auto place = navigator.place_on_path()) return place->remaining;
   if (navigator.plan_is_current() && navigator.plan().usable()) {
     return bridge::remaining_length(navigator.plan().path, position);
   }
@@ -165,6 +183,10 @@ void NavigationNode::report_goal(const bridge::PilotStep& step, double now) {
   } else if (step.end == bridge::GoalEnd::GivenUp) {
     drop_goal();
     actions_.abort(fault_of(step.path), step.reason, now);
+  } else if (step.limit == LimitingFactor::InvalidGoal) {
+    const std::string why = pilot_.navigator()->why_no_plan();
+    cancel_goal();
+    actions_.abort(ActionFault::InvalidPath, why, now);
   } else if (is_outside_map()) {
     cancel_goal();
     actions_.abort(ActionFault::GoalOutsideMap, to_text(PathStatus::GoalOutsideMap), now);

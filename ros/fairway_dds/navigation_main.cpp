@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
+#include <string>
+#include <tuple>
 
 #include <CLI/CLI.hpp>
 
+#include "bridge/polygon_text.hpp"
 #include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
@@ -44,6 +47,8 @@ int main(int argc, char** argv) {
   std::string zones;
   std::string body;
   std::vector<std::string> assignments;
+  std::string stop_zone;
+  std::string slow_zone;
   bool no_map = false;
   bool no_scan = false;
   bool no_monitor = false;
@@ -65,6 +70,14 @@ int main(int argc, char** argv) {
   app.add_flag("--no-scan", no_scan, "Drive without a lidar, on the map only");
   app.add_flag("--no-monitor", no_monitor,
                "Do not check every command with the safety monitor, which needs a lidar");
+  app.add_option("--monitor-stop-zone", stop_zone,
+                 "Polygon [[x,y],[x,y],...] in which a scan point stops the robot [m]");
+  app.add_option("--monitor-slow-zone", slow_zone,
+                 "Polygon in which a scan point limits the robot to --monitor-slow-speed");
+  app.add_option("--monitor-slow-speed", options.pilot.monitor_slow_speed,
+                 "Greatest linear speed with a scan point in the slow zone [m/s]")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
   app.add_flag("--stamped", options.stamped, "Publish commands as TwistStamped");
   app.add_option(
          "--max-deviation", options.max_deviation,
@@ -95,10 +108,12 @@ int main(int argc, char** argv) {
     if (!read) return fail_with(read.error().message);
     options.pilot.body = *read;
   }
-  if (options.pilot.body && options.max_deviation > 0.0) {
-    return fail_with(
-        "--max-deviation: expected none with --body, whose robot drives a path of its own, found " +
-        std::to_string(options.max_deviation));
+  for (const auto& [name, text, polygon] :
+       {std::tuple{"--monitor-stop-zone", &stop_zone, &options.pilot.monitor_stop_zone},
+        std::tuple{"--monitor-slow-zone", &slow_zone, &options.pilot.monitor_slow_zone}}) {
+    const Expected<Polygon> given = bridge::polygon_of(name, *text);
+    if (!given) return fail_with(given.error().message);
+    *polygon = *given;
   }
   if (const auto valid = bridge::validate(options.pilot); !valid) {
     return fail_with(valid.error().message);

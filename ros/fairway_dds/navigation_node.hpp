@@ -68,7 +68,7 @@ class NavigationNode {
   struct WaitingGoal {
     std::string frame;
     Pose2 pose;
-    Path path{};  // to the pose, if it was given; else empty
+    std::vector<Pose2> path{};  // to the pose, if it was given; headings may be not finite
     bool from_action = false;
     double since = 0.0;  // [s]
   };

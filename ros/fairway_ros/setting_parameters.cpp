@@ -3,6 +3,7 @@
 
 #include <dynamic_reconfigure/ConfigDescription.h>
 
+#include "bridge/polygon_text.hpp"
 #include "fairway/io/scenario/robot_model_file.hpp"
 #include "fairway/io/scenario/zones_file.hpp"
 #include "fairway/io/yaml/setting_text.hpp"
@@ -83,6 +84,21 @@ Expected<void> assign_option(const std::string& key,
     *frame = text;
     return {};
   }
+  for (const auto& [name, polygon] :
+       {std::pair{"monitor_stop_zone", &options.pilot.monitor_stop_zone},
+        std::pair{"monitor_slow_zone", &options.pilot.monitor_slow_zone}}) {
+    if (key != name) continue;
+    Expected<Polygon> given = bridge::polygon_of(key, text);
+    if (!given) return tl::unexpected(given.error());
+    *polygon = *std::move(given);
+    return {};
+  }
+  if (key == "monitor_slow_speed") {
+    const auto speed = io::parse_value<double>(text, SettingInfo{"", "m/s", "", 0.01, 10.0});
+    if (!speed) return expected("a number from 0.01 to 10");
+    options.pilot.monitor_slow_speed = *speed;
+    return {};
+  }
   if (key == "zones") {
     if (text.empty()) return {};
     Expected<Zones> zones = io::read_zones_file(text);
@@ -100,7 +116,7 @@ Expected<void> assign_option(const std::string& key,
   return fail(key +
               ": expected a group of settings, or one of preset, use_map, use_scan, use_monitor, "
               "patience, localisation_timeout, map_frame, base_frame, cancel_with_client, zones, "
-              "body, found an "
+              "body, monitor_stop_zone, monitor_slow_zone, monitor_slow_speed, found an "
               "unknown parameter");
 }
 

@@ -25,7 +25,7 @@ LinkedRobot::LinkedRobot(const Settings& settings,
 bool LinkedRobot::add_scan(LidarScan scan, double duration, const Pose2& sensor_on_robot) {
   const auto placed = senses_.place(scan, duration, sensor_on_robot);
   if (!placed || driver_ == nullptr) return false;
-  if (guard_) guard_->observe(placed->in_odometry);
+  if (guard_) guard_->observe(placed->in_odometry, sensor_on_robot);
   const bool taken = driver_->observe(placed->in_world, placed->position);
   if (taken) senses_.note_scan();
   return taken;

@@ -44,6 +44,9 @@ class BodyDriver final : public RobotDriver {
   void measure(const World& world) override {
     if (senses_) senses_->measure(world);
   }
+  void replace_last(const Twist2& sent) override {
+    navigator_.replace_last({.linear = sent.linear, .angular = sent.angular});
+  }
   [[nodiscard]] const Plan& plan() const override { return navigator_.plan(); }
   [[nodiscard]] StepExplanation explain(const NavigationStep& /*step*/,
                                         double /*speed*/) const override {

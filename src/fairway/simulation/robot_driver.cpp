@@ -67,6 +67,8 @@ class MapDriver final : public RobotDriver {
     return cycle;
   }
 
+  void replace_last(const Twist2& sent) override { navigator_.replace_last(sent); }
+
   void tell_standing(const World& world) override {
     navigator_.reset();
     tell(world);
@@ -139,6 +141,8 @@ class LidarDriver final : public RobotDriver {
     if (!context.scenario.zones.empty()) navigator_.set_zones(context.scenario.zones);
     navigator_.reset(world.robots()[robot].twist);
   }
+
+  void replace_last(const Twist2& sent) override { navigator_.replace_last(sent); }
 
   [[nodiscard]] double next_measurement() const override { return senses_.next_scan(); }
   void measure(const World& world) override { senses_.measure(world); }

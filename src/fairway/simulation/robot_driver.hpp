@@ -44,6 +44,10 @@ class RobotDriver {
   /// One control cycle at the world's time.
   [[nodiscard]] virtual DrivenCycle drive(const World& world) = 0;
 
+  /// Sets the command that was really sent in the last cycle, where a check after it has changed
+  /// it.
+  virtual void replace_last(const Twist2& sent) = 0;
+
   /// Sets the goal. A robot that knows the map plans at once, also in a paused world.
   /// @return whether it follows another plan now.
   virtual bool head_for(const Goal& goal, const World& world) = 0;

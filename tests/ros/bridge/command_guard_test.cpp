@@ -113,6 +113,39 @@ TEST(CommandGuard, IgnoresAnImplausibleScanAndBeamsThatHitNothing) {
   EXPECT_EQ(guard.check(0.0, {}, {}, {.linear = 0.5}).reason, MonitorReason::None);
 }
 
+// 10000 beams, of which the last one hits a post just ahead: it must not be the one that is left
+// out.
+TEST(CommandGuard, KeepsTheNearestOfTooManyPoints) {
+  CommandGuard guard{monitor_settings(Settings{})};
+  Ahead scan(9.0);
+  scan.ranges.assign(10000, 9.0F);
+  scan.ranges.back() = 0.5F;
+  scan.scan.ranges = scan.ranges;
+  scan.scan.angle_step = 1e-4;
+  scan.scan.first_angle = -9999 * 1e-4;
+  guard.observe(scan.scan);
+  EXPECT_EQ(guard.check(0.0, {}, {.linear = 1.0}, {.linear = 1.0}).reason, MonitorReason::Obstacle);
+}
+
+// The scan of the lidar at the back does not replace that of the one in front.
+TEST(CommandGuard, CountsThePointsOfSeveralLidarsTogether) {
+  MonitorSettings settings = monitor_settings(Settings{});
+  settings.max_age = 0.5;
+  CommandGuard guard{settings};
+  const Pose2 front{.position = {0.2, 0.0}, .heading = 0.0};
+  const Pose2 back{.position = {-0.2, 0.0}, .heading = 3.14};
+  const Twist2 fast{.linear = 1.0};
+  guard.observe(Ahead(0.6, 0.0).scan, front);
+  guard.observe(Ahead(9.0, 0.05).scan, back);
+  EXPECT_EQ(guard.check(0.05, {}, fast, fast).reason, MonitorReason::Obstacle);
+  // A newer scan of the same lidar replaces it, and one that is too old is forgotten.
+  guard.observe(Ahead(9.0, 0.1).scan, front);
+  EXPECT_EQ(guard.check(0.1, {}, fast, fast).reason, MonitorReason::None);
+  guard.observe(Ahead(0.6, 0.2).scan, front);
+  guard.observe(Ahead(9.0, 0.8).scan, back);
+  EXPECT_EQ(guard.check(0.8, {}, fast, fast).reason, MonitorReason::None);
+}
+
 TEST(CommandGuard, NamesEveryReason) {
   for (const MonitorReason reason :
        {MonitorReason::None, MonitorReason::InvalidInput, MonitorReason::Stale,

@@ -60,6 +60,23 @@ TEST(Pilot, ABodyObeysTheZones) {
   EXPECT_GT(nearest, 0.2);
 }
 
+// The goal is inside the wall that only the scans have shown, or beside a path with a bound.
+TEST(Pilot, ABodyGivesUpAfterItsPatience) {
+  PilotOptions options{.plan_in_background = false, .patience = 3.0};
+  options.body = fairway::test::robot_presets().front().model;
+  Scenario truth = room();
+  truth.robots[0].model = options.body;
+  Rig rig(options, truth);
+  rig.step();
+  rig.pilot.set_goal({.position = {5.0, 1.5}, .heading = {}});
+  const double begin = rig.world.time();
+  const PilotStep last = rig.drive(20.0);
+  EXPECT_EQ(last.end, GoalEnd::GivenUp);
+  EXPECT_GE(rig.world.time() - begin, 3.0);
+  EXPECT_LE(rig.world.time() - begin, 3.5);
+  EXPECT_FALSE(last.reason.empty());
+}
+
 // A path with a bound stays one, with its strips: the end of it lies just behind the start.
 TEST(Pilot, ABodyKeepsItsPathWhenTheSettingsChange) {
   PilotOptions options{.plan_in_background = false};

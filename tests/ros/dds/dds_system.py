@@ -172,3 +172,14 @@ class DdsTest(unittest.TestCase):
         rows = self.track(name)[-10:]
         (t0, x0, y0), (t1, x1, y1) = rows[0], rows[-1]
         return math.hypot(x1 - x0, y1 - y0) / max(t1 - t0, 1e-9)
+
+    def act(self, *options):
+        return self.start("solo", "fairway_dds_goal", *options)
+
+    def result(self, process):
+        """Exit code and output of a program that sends a goal of an action."""
+        code = process.wait(60)
+        process.log.seek(0)
+        text = process.log.read()
+        process.log.truncate(0)
+        return code, text

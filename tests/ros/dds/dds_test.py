@@ -99,17 +99,6 @@ class DriveTest(DdsTest):
         self.assertEqual(node.wait(10), 0)
         self.wait_for(lambda: self.speed("solo") < 0.01, 5, "the robot to stop")
 
-    def act(self, *options):
-        return self.start("solo", "fairway_dds_goal", *options)
-
-    def result(self, process):
-        """Exit code and output of a program that sends a goal of an action."""
-        code = process.wait(60)
-        process.log.seek(0)
-        text = process.log.read()
-        process.log.truncate(0)
-        return code, text
-
     def test_a_goal_of_the_action_is_reached_cancelled_and_refused(self):
         self.start("solo", "fairway_dds_node")
         goal = f"--goal={self.GOAL[0]},{self.GOAL[1]}"
@@ -160,8 +149,6 @@ class DriveTest(DdsTest):
     def test_bad_options_are_named(self):
         for options, message in (
                 (["--set", "mpc.step_length=x"], "fairway: mpc.step_length: expected a number from"),
-                (["--body", SCENARIOS / "robots" / "car.yaml", "--max-deviation", "0.5"],
-                 "fairway: --max-deviation: expected none with --body"),
                 (["--no-map", "--no-scan"], "fairway: use_map, use_scan: expected one of them"),
                 (["--domain", "900"], "fairway: --domain: Value 900 not in range")):
             node = self.start("solo", "fairway_dds_node", *options)
@@ -190,6 +177,17 @@ class BodyTest(DdsTest):
 
     def test_a_mecanum_base_reaches_its_goal(self):
         self.drive("mecanum", (-5.0, -1.0))
+
+    def test_a_car_follows_a_path_within_a_bound(self):
+        self.prepare(["solo"])
+        robot = SCENARIOS / "robots" / "car.yaml"
+        self.start("solo", "fairway_dds_simulator", SCENARIOS / "maps" / "doorways.yaml", "--start=-5,-3,1.57", "--body", robot,
+                   "--track", self.path("solo.csv"))
+        self.start("solo", "fairway_dds_node", "--body", robot, "--max-deviation", "0.3")
+        code, text = self.result(self.act("--path=-5,-3,-5,-1"))
+        self.assertEqual(code, 0, text)
+        self.assertLess(max(abs(x + 5.0) for _, x, _ in self.track("solo")), 0.35)
+        self.assertLess(self.distance("solo", (-5.0, -1.0)), 0.2)
 
 
 if __name__ == "__main__":

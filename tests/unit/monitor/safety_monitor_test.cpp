@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -107,7 +108,7 @@ TEST(SafetyMonitor, RemembersTheCommandsThatAreOnTheirWay) {
   EXPECT_TRUE(monitor.see(0.1, wall));
   EXPECT_EQ(monitor.check(0.1, {}, fast, {}).fraction, 1.0);
   EXPECT_EQ(monitor.check(0.2, {}, {}, {.linear = 0.5}).fraction, 1.0);
-  // Within the delay the base is at standstill, though its command was fast until now.
+  // Within the delay the base is at rest, though its command was fast until now.
   const std::vector<Vector2d> near{{0.3 + 0.1, 0.0}};
   EXPECT_TRUE(monitor.see(0.3, near));
   EXPECT_LT(monitor.check(0.3, {}, {.linear = 0.5}, {.linear = 0.1}).fraction, 1.0);
@@ -131,6 +132,76 @@ TEST(SafetyMonitor, KnowsThatALateBaseDoesNotBrakeYet) {
   EXPECT_EQ(monitor.check(0.3, {}, {}, turn).fraction, 1.0);
   monitor.reset();
   EXPECT_EQ(monitor.check(0.3, {}, fast, {}).fraction, 0.0);
+}
+
+// A base that gains 0.01 m/s2: within 10 s it has not reached the command, after more it has.
+TEST(SafetyMonitor, AfterTenSecondsTheBaseMovesAsItWasSent) {
+  MonitorSettings settings = plain();
+  settings.linear_acceleration = 0.01;
+  settings.linear_braking = 1.0;
+  settings.max_age = 100.0;
+  for (const auto& [pause, fraction] : {std::pair{9.9, 1.0}, {10.0, 1.0}, {10.1, 0.0}}) {
+    SafetyMonitor monitor(settings);
+    EXPECT_TRUE(monitor.see(0.0, std::vector<Vector2d>{{0.3 + 0.3, 0.0}}));
+    EXPECT_EQ(monitor.check(0.0, {}, {}, {}).fraction, 1.0);
+    EXPECT_EQ(monitor.check(pause, {}, {.linear = 1.0}, {}).fraction, fraction) << pause;
+  }
+}
+
+TEST(SafetyMonitor, TakesAStopOfMoreThanAMinuteForNone) {
+  MonitorSettings settings = plain();
+  settings.linear_acceleration = 0.01;
+  settings.hold = 0.1;
+  const auto fraction = [&](double speed) {
+    const MonitorVerdict verdict =
+        verdict_of(settings, {{18.0, 2.0}}, {.linear = speed}, {.linear = speed});
+    return verdict.fraction;
+  };
+  EXPECT_EQ(fraction(0.59), 1.0);
+  EXPECT_LT(fraction(0.65), 1.0);
+}
+
+// What is on the border counts: of a zone, and of what is an error.
+TEST(SafetyMonitor, BordersBelongToWhatTheyBound) {
+  MonitorSettings settings = plain();
+  settings.stop_zone = box(0.5, 1.0, 0.5);
+  EXPECT_EQ(verdict_of(settings, {{1.0, 0.0}}, {}, {}).reason, MonitorReason::StopZone);
+  settings = plain();
+  settings.slow_zone = box(0.5, 1.0, 0.5);
+  EXPECT_EQ(verdict_of(settings, {{1.0, 0.0}}, {}, {.linear = -1.0}).reason,
+            MonitorReason::SlowZone);
+  settings.slow_zone = box(0.3, 1.0, 0.5);  // a point on the body is a part of it
+  EXPECT_EQ(verdict_of(settings, {{0.3, 0.0}}, {}, {.linear = -1.0}).reason, MonitorReason::None);
+  SafetyMonitor monitor(plain());
+  EXPECT_TRUE(monitor.see(0.0, std::vector<Vector2d>{{1e7, -1e7}}));
+  const Twist2 fast{.linear = 20.0, .angular = -20.0};
+  EXPECT_EQ(monitor.check(0.0, {.position = {-1e7, 1e7}}, fast, fast).reason, MonitorReason::None);
+}
+
+// An invalid cycle leaves no trace in what is remembered.
+TEST(SafetyMonitor, ForgetsNothingInAnInvalidCycle) {
+  MonitorSettings settings = plain();
+  settings.delay = 0.3;
+  settings.max_age = 100.0;
+  for (const bool bad_time : {true, false}) {
+    SafetyMonitor monitor(settings);
+    EXPECT_TRUE(monitor.see(0.0, std::vector<Vector2d>{{0.3 + 0.6, 0.0}}));
+    (void)monitor.check(0.0, {}, {}, {});
+    (void)monitor.check(bad_time ? kNan : 0.1, {}, {.linear = bad_time ? 0.0 : kNan}, {});
+    // 1 m/s was sent at 0.1 s (at 0 s where that cycle had no time): it acts at 1.2 s.
+    EXPECT_EQ(monitor.check(0.2, {}, {}, {}).fraction, 1.0);
+    EXPECT_LT(monitor.check(2.2, {}, {.linear = 1.0}, {}).fraction, 1.0);
+  }
+}
+
+// Nothing turns yet when the command's hold is over.
+TEST(SafetyMonitor, LooksAtTheAxisWithTheLongerDelay) {
+  MonitorSettings settings = plain();
+  settings.angular_delay = 0.5;
+  settings.hold = 0.3;
+  const std::vector<Vector2d> beside{{0.18, 0.24}};
+  EXPECT_LT(verdict_of(settings, beside, {}, {.angular = 1.5}).fraction, 1.0);
+  EXPECT_EQ(verdict_of(settings, beside, {}, {.angular = 0.02}).fraction, 1.0);
 }
 
 TEST(SafetyMonitor, AfterAPauseTheBaseMovesAsItWasSent) {

@@ -19,7 +19,8 @@ using Eigen::Vector2d;
 struct Run {
   Scenario scenario;
   double jitter = 0.0;       ///< of the time between two cycles, in periods
-  double lost_share = 0.0;   ///< of cycles that do not take place, never two in a row
+  double lost_share = 0.0;   ///< of cycles that do not take place, two in a row in late runs only
+  double late_share = 0.0;   ///< of cycles that come a second late
   bool valid = true;         ///< the settings are accepted
   std::string refused = {};  ///< why they are not
 };
@@ -30,6 +31,7 @@ struct DrawOptions {
   Sensing sensing = Sensing::Map;
   double mujoco_share = 0.0;
   double body_share = 0.0;  ///< of robots with their true outline on a base of any kind
+  double late_share = 0.0;  ///< of runs with cycles that are later than is promised
 };
 
 class Draw {
@@ -51,6 +53,10 @@ class Draw {
     s.radio.on = false;
     s.time_limit = 30.0;
     if (chance(options.body_share)) draw_body(s);
+    if (chance(options.late_share)) {
+      drawn.late_share = noise_.uniform(0.01, 0.15);
+      drawn.lost_share = std::max(drawn.lost_share, noise_.uniform(0.0, 0.2));
+    }
     if (const Expected<void> valid = validate(s.settings); !valid) {
       drawn.valid = false;
       drawn.refused = valid.error().message;
