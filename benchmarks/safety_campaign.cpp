@@ -2,7 +2,10 @@
 // Drives random robots through random worlds and counts the contacts, as the simulator judges them.
 //
 //   safety_campaign [--runs N] [--seed S] [--shard I/N] [--sensing map|lidar] [--mujoco SHARE]
-//                   [--bodies SHARE] [--json FILE] [--run K]
+//                   [--bodies SHARE] [--pose exact|scans] [--noise FACTOR] [--json FILE] [--run K]
+//
+// With --pose scans, robots that know the map have their pose from lidar scans and odometry, with
+// FACTOR times the standard noise; the errors of the pose are printed.
 //
 // Each run is drawn from its number and the seed: limits, footprint, period and jitter, map and
 // people. --run K repeats one of them and prints its cycles. How contacts are classified is written
@@ -64,6 +67,11 @@ Options read_options(int argc, char** argv) {
     } else if (name == "--sensing") {
       if (value != "map" && value != "lidar") bad_usage("--sensing: expected map or lidar");
       options.draw.sensing = value == "lidar" ? Sensing::Lidar : Sensing::Map;
+    } else if (name == "--pose") {
+      if (value != "exact" && value != "scans") bad_usage("--pose: expected exact or scans");
+      options.draw.pose = value == "scans" ? PoseSource::Scans : PoseSource::Exact;
+    } else if (name == "--noise") {
+      options.draw.noise = std::atof(value.c_str());
     } else if (name == "--mujoco") {
       options.draw.mujoco_share = std::atof(value.c_str());
 #ifndef FAIRWAY_WITH_MUJOCO
@@ -102,6 +110,10 @@ struct Tally {
   double separation = std::numeric_limits<double>::infinity();
   std::array<std::uint64_t, 5> contacts{};
   std::vector<std::pair<std::uint64_t, ContactKind>> list;
+  double metres = 0.0;       // driven
+  double pose_square = 0.0;  // sum over the cycles [m^2]
+  double pose_error = 0.0;   // greatest [m]
+  std::vector<std::uint64_t> diverged;
 
   void add(std::uint64_t index, const Outcome& outcome) {
     ++runs;
@@ -111,6 +123,11 @@ struct Tally {
     seconds += outcome.time;
     clearance = std::min(clearance, outcome.clearance);
     if (outcome.contact == ContactKind::None) separation = std::min(separation, outcome.separation);
+    constexpr double kDiverged = 0.3;  // [m]
+    metres += outcome.driven;
+    pose_square += outcome.pose_square;
+    pose_error = std::max(pose_error, outcome.pose_error);
+    if (outcome.pose_error > kDiverged) diverged.push_back(index);
     ++contacts[static_cast<std::size_t>(outcome.contact)];
     if (outcome.contact != ContactKind::None || outcome.bad_commands > 0)
       list.emplace_back(index, outcome.contact);
@@ -123,6 +140,19 @@ struct Tally {
     return count(ContactKind::Static) + count(ContactKind::DroveInto) + bad_commands == 0;
   }
 };
+
+// Prints the errors of poses by scans.
+void print_poses(const Tally& tally) {
+  std::printf(
+      "pose: %.1f m driven, error %.1f mm rms, %.1f mm at most; %zu of %llu runs beyond 0.3 m:",
+      tally.metres,
+      1e3 * std::sqrt(tally.pose_square /
+                      static_cast<double>(std::max<std::uint64_t>(1, tally.cycles))),
+      1e3 * tally.pose_error, tally.diverged.size(), static_cast<unsigned long long>(tally.runs));
+  for (const std::uint64_t run : tally.diverged)
+    std::printf(" %llu", static_cast<unsigned long long>(run));
+  std::printf("\n");
+}
 
 // JSON has no infinity: no obstacle was ever near.
 double finite(double distance) { return std::min(distance, 1e9); }
@@ -188,6 +218,8 @@ int look_at(const Options& options) {
         world.time(), r.pose.position.x(), r.pose.position.y(), r.pose.heading, r.twist.linear,
         r.twist.angular, step.command.linear, step.command.angular, to_text(step.status),
         to_text(step.limit), met.min_clearance, met.min_separation);
+    const Pose2& pose = cycle.input.pose;  // by lidar in the frame of its map
+    std::printf(" | estimated %.4f %.4f %.4f", pose.position.x(), pose.position.y(), pose.heading);
     for (std::size_t i = 0; i < world.num_bodies(); ++i) {
       const MovingObstacle body = world.body(i).at(world.time());
       std::printf(" | %.3f %.3f v %.3f %.3f", body.position.x(), body.position.y(),
@@ -228,6 +260,7 @@ int main(int argc, char** argv) {
   }
   if (terminal) std::fprintf(stderr, "\n");
   write(stdout, options, tally);
+  if (options.draw.pose == PoseSource::Scans) print_poses(tally);
   if (!options.json.empty()) {
     std::FILE* file = std::fopen(options.json.c_str(), "w");
     if (file == nullptr) bad_usage("--json: cannot write " + options.json);

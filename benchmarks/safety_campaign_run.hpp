@@ -49,7 +49,10 @@ struct Outcome {
   double clearance = 0.0;   // least, to the map [m]
   double separation = 0.0;  // least, to moving bodies [m]
   int cycles = 0;
-  int bad_commands = 0;  // not finite, or outside the limits
+  int bad_commands = 0;      // not finite, or outside the limits
+  double driven = 0.0;       // [m]
+  double pose_error = 0.0;   // greatest, of the position [m]
+  double pose_square = 0.0;  // sum over the cycles of its square [m^2]
 };
 
 /// The time that a robot needs until standstill, from its greatest speed [s].
@@ -194,6 +197,14 @@ using Watch = std::function<void(const World&, const DrivenCycle&, bool good)>;
     const DrivenCycle cycle = driver->drive(world);
     const NavigationStep& step = cycle.step;
     ++outcome.cycles;
+    // Without a map the pose is in a frame of its own.
+    if (scenario.sensing.sensing == Sensing::Map) {
+      const Vector2d truth = world.robots().front().pose.position;
+      const double error = (cycle.input.pose.position - truth).norm();
+      outcome.pose_error = std::max(outcome.pose_error, error);
+      outcome.pose_square += error * error;
+      outcome.driven += std::abs(world.robots().front().twist.linear) * interval;
+    }
     const bool good = check.good(step.command, interval);
     if (!good) ++outcome.bad_commands;
     if (watch) watch(world, cycle, good);

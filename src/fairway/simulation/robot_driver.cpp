@@ -10,6 +10,7 @@
 #include "fairway/simulation/body_driver.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/lidar_senses.hpp"
+#include "fairway/simulation/measured_pose.hpp"
 
 namespace fairway {
 
@@ -17,7 +18,7 @@ namespace {
 
 double now(const DriverContext& context) { return context.clock ? context.clock() : 0.0; }
 
-// Knows its pose, the map and all moving obstacles.
+// Knows the map and all moving obstacles, and its pose as the scenario says.
 class MapDriver final : public RobotDriver {
  public:
   MapDriver(const DriverContext& context,
@@ -27,6 +28,7 @@ class MapDriver final : public RobotDriver {
       : context_(context),
         robot_(robot),
         result_(result),
+        pose_(context.scenario, world, robot),
         navigator_(
             context.settings.planning.background
                 ? MapNavigator(context.settings, context.solver)
@@ -40,10 +42,8 @@ class MapDriver final : public RobotDriver {
     tell(world);
   }
 
-  [[nodiscard]] double next_measurement() const override {
-    return std::numeric_limits<double>::infinity();
-  }
-  void measure(const World& /*world*/) override {}
+  [[nodiscard]] double next_measurement() const override { return pose_.next_measurement(); }
+  void measure(const World& world) override { pose_.measure(world); }
   [[nodiscard]] const Plan& plan() const override { return navigator_.navigator().plan(); }
   [[nodiscard]] LimitMark mark(const NavigationStep& step) const override {
     return limit_mark(navigator_.navigator(), step);
@@ -53,7 +53,11 @@ class MapDriver final : public RobotDriver {
   }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
-    const Measurements measured = measure_on_map(world, robot_, context_.radio, seen_);
+    const double begin = now(context_);
+    pose_.locate(world.time());
+    if (context_.clock && pose_.by_scans()) result_.sense_seconds.push_back(now(context_) - begin);
+    const Measurements measured =
+        measure_on_map(world, robot_, pose_.pose(world), context_.radio, seen_);
     const double before = now(context_);
     const NavigationStep step = navigator_.update(measured);
     const double planning = navigator_.planning_seconds();
@@ -99,8 +103,7 @@ class MapDriver final : public RobotDriver {
 
  private:
   bool plan_now(const World& world) {
-    const bool new_plan =
-        navigator_.plan_now({.time = world.time(), .pose = world.robots()[robot_].pose});
+    const bool new_plan = navigator_.plan_now({.time = world.time(), .pose = pose_.pose(world)});
     note_planning();
     return new_plan;
   }
@@ -113,12 +116,13 @@ class MapDriver final : public RobotDriver {
   void tell(const World& world) {
     if (!context_.radio.model().on) return;
     context_.radio.tell(robot_, navigator_.share(static_cast<std::uint32_t>(robot_), world.time(),
-                                                 world.robots()[robot_].pose));
+                                                 pose_.pose(world)));
   }
 
   DriverContext context_;
   std::size_t robot_;
   RobotResult& result_;
+  MeasuredPose pose_;
   MapNavigator navigator_;
   std::vector<MovingObstacle> seen_;
 };
@@ -198,9 +202,9 @@ class LidarDriver final : public RobotDriver {
 
 Measurements measure_on_map(const World& world,
                             std::size_t robot,
+                            const Pose2& pose,
                             FleetRadio& radio,
                             std::vector<MovingObstacle>& seen) {
-  const Pose2& pose = world.robots()[robot].pose;
   if (radio.model().on) {
     world.moving_bodies(seen);
   } else {

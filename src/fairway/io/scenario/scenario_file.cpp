@@ -242,6 +242,9 @@ Enum read_choice(YamlMapping& root, const char* key) {
 // Reads how the robots sense and which engine moves them.
 void read_models(YamlMapping& root, Scenario& scenario) {
   scenario.sensing.sensing = read_choice<Sensing>(root, "sensing");
+  scenario.sensing.pose = read_choice<PoseSource>(root, "pose");
+  if (scenario.sensing.sensing == Sensing::Lidar && scenario.sensing.pose != PoseSource::Exact)
+    root.complain("pose", "expected exact with sensing: lidar, found scans");
   if (read_choice<SensorNoise>(root, "noise") == SensorNoise::Standard)
     use_standard_noise(scenario.sensing);
   scenario.engine = read_choice<Engine>(root, "physics");
