@@ -7,7 +7,6 @@
 #include "fairway/navigation/facade/obstacle_merge.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/lidar_senses.hpp"
-#include "fairway/simulation/measured_pose.hpp"
 
 namespace fairway {
 

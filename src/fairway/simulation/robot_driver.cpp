@@ -10,7 +10,6 @@
 #include "fairway/simulation/body_driver.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/lidar_senses.hpp"
-#include "fairway/simulation/measured_pose.hpp"
 
 namespace fairway {
 

@@ -208,10 +208,7 @@ void add_pedestrians(YamlMapping& root,
   const std::string tracks_path = (path.is_absolute() ? path : folder / path).string();
   if (notes != nullptr) notes->files.push_back(tracks_path);
   const Expected<std::vector<MovingBody>> tracks = read_tracks(tracks_path, format);
-  if (!tracks) {
-    mapping->complain("tracks", tracks.error().message);
-    return;
-  }
+  if (!tracks) return mapping->complain("tracks", tracks.error().message);
   for (MovingBody& person : replayed(*tracks, from, scenario.time_limit))
     scenario.bodies.push_back(std::move(person));
 }
