@@ -46,6 +46,8 @@ struct Words {
   std::optional<double> mujoco;
   std::optional<double> bodies;
   std::optional<double> late;
+  std::string pose = "exact";
+  std::optional<double> noise;
   std::optional<int> run;
   bool guard = false;
   std::string json;
@@ -72,6 +74,7 @@ struct Tally {
   double separation = std::numeric_limits<double>::infinity();
   std::array<std::uint64_t, 5> contacts{};
   std::vector<std::pair<std::uint64_t, ContactKind>> list;
+  PoseErrors poses;
 
   void add(std::uint64_t index, const Outcome& outcome) {
     ++runs;
@@ -81,6 +84,7 @@ struct Tally {
     too_near += static_cast<std::uint64_t>(outcome.too_near);
     reduced += static_cast<std::uint64_t>(outcome.reduced);
     seconds += outcome.time;
+    poses.add(index, outcome.pose);
     clearance = std::min(clearance, outcome.clearance);
     if (outcome.contact == ContactKind::None) separation = std::min(separation, outcome.separation);
     ++contacts[static_cast<std::size_t>(outcome.contact)];
@@ -119,6 +123,12 @@ Json json_of(const Words& words, const Tally& tally) {
   for (const ContactKind contact : {ContactKind::Static, ContactKind::DroveInto,
                                     ContactKind::RunInto, ContactKind::Unpredictable})
     totals["contacts"][to_text(contact)] = tally.count(contact);
+  if (words.pose == "scans") {
+    result["pose"] = {{"metres", tally.poses.sum.driven},
+                      {"error_rms", tally.poses.root_mean_square()},
+                      {"error_most", tally.poses.sum.greatest},
+                      {"diverged", tally.poses.diverged}};
+  }
   result["runs"] = Json::array();
   for (const auto& [run, contact] : tally.list)
     result["runs"].push_back({{"run", run}, {"contact", to_text(contact)}});
@@ -157,6 +167,8 @@ int look_at(const CampaignOptions& options, std::uint64_t number) {
         world.time(), r.pose.position.x(), r.pose.position.y(), r.pose.heading, r.twist.linear,
         r.twist.angular, step.command.linear, step.command.angular, to_text(step.status),
         to_text(step.limit), met.min_clearance, met.min_separation);
+    const Pose2& pose = cycle.input.pose;  // by lidar in the frame of its map
+    std::printf(" | estimated %.4f %.4f %.4f", pose.position.x(), pose.position.y(), pose.heading);
     for (std::size_t i = 0; i < world.num_bodies(); ++i) {
       const MovingObstacle body = world.body(i).at(world.time());
       std::printf(" | %.3f %.3f v %.3f %.3f", body.position.x(), body.position.y(),
@@ -182,6 +194,8 @@ Expected<int> run_campaign(const Words& words) {
   CampaignOptions options{
       .draw = {.seed = static_cast<std::uint64_t>(words.seed),
                .sensing = words.sensing == "lidar" ? Sensing::Lidar : Sensing::Map,
+               .pose = words.pose == "scans" ? PoseSource::Scans : PoseSource::Exact,
+               .noise = words.noise.value_or(0.0),
                .mujoco_share = words.mujoco.value_or(0.0),
                .body_share = words.bodies.value_or(0.0),
                .late_share = words.late.value_or(0.0)},
@@ -238,6 +252,11 @@ int main(int argc, char** argv) {
   options.add("--mujoco", words.mujoco, "Share of runs with wheels in MuJoCo").check(share);
   options.add("--bodies", words.bodies, "Share of robots with their true outline").check(share);
   options.add("--late", words.late, "Share of runs with cycles a second late").check(share);
+  options.add("--pose", words.pose, "Pose of robots that know the map: exact, or from lidar scans")
+      .one_of({"exact", "scans"})
+      .shows_default();
+  options.add("--noise", words.noise, "Noise of lidar and odometry, in multiples of the standard")
+      .check(number_between(0.0, 100.0));
   options.add_flag("--guard", words.guard, "Run the safety monitor of the nodes behind each robot");
   options.add("--run", words.run, "Repeat one run, and print its cycles").between(0, kMostRuns);
   options.add("--json", words.json, "Write the result to a file").type_name("FILE");

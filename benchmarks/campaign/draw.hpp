@@ -29,6 +29,8 @@ struct Run {
 struct DrawOptions {
   std::uint64_t seed = 1;
   Sensing sensing = Sensing::Map;
+  PoseSource pose = PoseSource::Exact;
+  double noise = 0.0;  ///< of lidar and odometry, in multiples of the standard noise
   double mujoco_share = 0.0;
   double body_share = 0.0;  ///< of robots with their true outline on a base of any kind
   double late_share = 0.0;  ///< of runs with cycles that are later than is promised
@@ -49,6 +51,8 @@ class Draw {
       hall(s);
     }
     s.sensing.sensing = options.sensing;
+    s.sensing.pose = options.pose;
+    if (options.noise > 0.0) draw_noise(s.sensing, options.noise);
     s.engine = chance(options.mujoco_share) ? Engine::Mujoco : Engine::Unicycle;
     s.radio.on = false;
     s.time_limit = 30.0;
@@ -105,6 +109,14 @@ class Draw {
       robot.discs.discs[1] = {.center = {-half, 0.0}, .radius = 0.2};
       robot.radius = half + 0.2 + 1e-3;
     }
+  }
+
+  static void draw_noise(SensingModel& sensing, double noise) {
+    use_standard_noise(sensing);
+    sensing.lidar.range_sigma *= noise;
+    sensing.lidar.dropout *= noise;
+    sensing.odometry.most_scale_error *= noise;
+    sensing.odometry.most_drift *= noise;
   }
 
   // Replaces the robot by one with its own base, which fits where the other one does. Its base

@@ -15,6 +15,7 @@
 #include "fairway/simulation/robot_driver.hpp"
 #include "guard.hpp"
 #include "near_pass.hpp"
+#include "pose_error.hpp"
 
 // One run of the safety campaign.
 namespace fairway::campaign {
@@ -29,6 +30,7 @@ struct Outcome {
   int bad_commands = 0;  // not finite, or outside the limits
   int too_near = 0;      // cycles in which a bound of docs/safety.md was broken
   int reduced = 0;       // commands that the guard has reduced
+  PoseError pose{};
 };
 
 /// Called after every cycle; for a look at a single run.
@@ -91,11 +93,13 @@ using Watch = std::function<void(const World&, const DrivenCycle&, bool good)>;
     sight.look(world);
     // By lidar the bound is that of what was seen, which is not known here. A monitor behind the
     // navigator changes what was proven.
-    const bool promised = scenario.sensing.sensing == Sensing::Map && !guarded;
+    const bool exact = scenario.sensing.pose == PoseSource::Exact;
+    const bool promised = scenario.sensing.sensing == Sensing::Map && exact && !guarded;
     if (near.look(world) && promised) ++outcome.too_near;
     DrivenCycle cycle = driver->drive(world);
     NavigationStep& step = cycle.step;
     ++outcome.cycles;
+    if (scenario.sensing.sensing == Sensing::Map) outcome.pose.look(world, cycle, interval);
     const bool good = check.good(step, interval);
     if (!good) ++outcome.bad_commands;
     if (watch) watch(world, cycle, good);

@@ -38,6 +38,7 @@ struct BarnCommand {
   std::string source;
   std::string worlds = "all";
   std::string sensing = "map";
+  std::string pose = "exact";
   std::string physics = "unicycle";
   std::string noise = "none";
   std::string body;
@@ -89,6 +90,9 @@ Expected<BarnOptions> BarnCommand::options() const {
   if (const auto valid = validate(*own); !valid) return tl::unexpected(valid.error());
   options.settings = *own;
   options.sensing.sensing = sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
+  options.sensing.pose = pose == "scans" ? PoseSource::Scans : PoseSource::Exact;
+  if (pose == "scans" && sensing == "lidar")
+    return fail("--pose: expected exact with --sensing lidar, found scans");
   if (noise == "standard") use_standard_noise(options.sensing);
   if (!body.empty()) {
     const Expected<RobotModel> model = io::read_robot_model(body);
@@ -233,6 +237,8 @@ void add_command(
   options.add("SOURCE", command->source, source).required();
   options.add("--worlds", command->worlds, "all, or numbers separated by commas");
   options.add("--sensing", command->sensing, "What the robot knows").one_of({"map", "lidar"});
+  options.add("--pose", command->pose, "How a robot that knows the map knows its pose")
+      .one_of({"exact", "scans"});
   options.add("--physics", command->physics, "Model that moves the robot")
       .one_of({"unicycle", "mujoco"});
   options.add("--noise", command->noise, "Errors of lidar and odometry")

@@ -37,6 +37,7 @@ struct SimulateCommand {
   std::string swap;
   std::string zones;
   std::string sensing;
+  std::string pose;
   std::string noise;
   std::string physics;
   std::string body;
@@ -125,6 +126,9 @@ Expected<Scenario> SimulateCommand::load() const {
   }
   if (!sensing.empty())
     loaded->sensing.sensing = sensing == "lidar" ? Sensing::Lidar : Sensing::Map;
+  if (!pose.empty()) loaded->sensing.pose = pose == "scans" ? PoseSource::Scans : PoseSource::Exact;
+  if (loaded->sensing.sensing == Sensing::Lidar && loaded->sensing.pose == PoseSource::Scans)
+    return fail("--pose: expected exact with --sensing lidar, found scans");
   if (!noise.empty()) {
     use_noise(loaded->sensing, noise == "standard" ? SensorNoise::Standard : SensorNoise::None);
   }
@@ -248,6 +252,10 @@ void add_simulate_command(CommandLine& tool) {
       .type_name("FILE.yaml");
   options.add("--sensing", command->sensing, "What the robots know; overrides the scenario")
       .one_of({"map", "lidar"});
+  options
+      .add("--pose", command->pose,
+           "How robots that know the map know their pose; overrides the scenario")
+      .one_of({"exact", "scans"});
   options.add("--noise", command->noise, "Errors of lidar and odometry; overrides the scenario")
       .one_of({"none", "standard"});
   options.add("--physics", command->physics, "Model that moves the robots; overrides the scenario")

@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 
 #include "fairway/geometry/angle.hpp"
+#include "fairway/localization/shift_search.hpp"
 
 namespace fairway {
 
@@ -83,6 +84,7 @@ void PoseCorrection::predict(const Pose2& odometry) noexcept {
   const std::optional<double> measured = std::exchange(turned_, std::nullopt);
   last_odometry_ = odometry;
   if (!started_) return;
+  driven_ = driven;
   const double shift = kPerMetre * driven + kLeastShift;
   const double turn = measured ? kPerMeasuredTurn * std::abs(*measured) + kLeastTurn
                                : kTurnPerMetre * driven + kPerTurn * turned + kLeastTurn;
@@ -112,6 +114,17 @@ ScanMotion PoseCorrection::match(std::span<const Vector2d> ends, const Pose2& od
   if (!good) return ScanMotion::Zero();
   Vector2d weak = Vector2d::Zero();
   certainty_.degenerate = find_weak_direction(match, weak);
+  if (certainty_.degenerate && known_map_) {
+    const std::optional<double> shift = search_along(weak, match, center);
+    if (shift) {
+      ScanMotion start = match.motion;
+      start.head<2>() += *shift * weak;
+      prior = (certainty_.covariance + kLeastVariance * Matrix3d::Identity()).inverse();
+      match = match_scan(surfaces_, scan_, center, prior, start);
+      certainty_.degenerate = find_weak_direction(match, weak);
+    }
+  }
+  if (!certainty_.degenerate) weak_driven_ = 0.0;
   if (certainty_.degenerate) {
     // The position in this direction must not follow the noise of the points.
     constexpr double kFixed = 1e10;  // [1/m^2]
@@ -127,6 +140,23 @@ ScanMotion PoseCorrection::match(std::span<const Vector2d> ends, const Pose2& od
   }
   correct(match, center);
   return match.motion;
+}
+
+// Along a corridor the errors of the wheels add up in one direction, unlike the noise of steps. The
+// covariance allows for that, and what comes into view is searched as far away as they may reach.
+std::optional<double> PoseCorrection::search_along(const Vector2d& weak,
+                                                   const ScanMatch& match,
+                                                   const Vector2d& center) noexcept {
+  constexpr double kNear = 0.1;      // [m]; matching finds nearer surfaces by itself
+  constexpr double kFurthest = 2.0;  // [m]
+  const double before = kPerMetre * weak_driven_;
+  weak_driven_ += driven_;
+  const double now = kPerMetre * weak_driven_;
+  certainty_.covariance.topLeftCorner<2, 2>() +=
+      (now * now - before * before) * weak * weak.transpose();
+  const double reach = std::min(kFurthest, kNear + now);
+  if (now < kNear) return std::nullopt;
+  return find_shift(surfaces_, scan_, center, match.motion, weak, reach);
 }
 
 void PoseCorrection::correct(const ScanMatch& match, const Vector2d& center) noexcept {

@@ -74,12 +74,17 @@ class PoseCorrection {
 
  private:
   void predict(const Pose2& odometry) noexcept;
+  [[nodiscard]] std::optional<double> search_along(const Eigen::Vector2d& weak,
+                                                   const ScanMatch& match,
+                                                   const Eigen::Vector2d& center) noexcept;
   void correct(const ScanMatch& match, const Eigen::Vector2d& center) noexcept;
 
   SurfacePoints surfaces_;
   bool known_map_ = false;
   bool remembers_ = true;  // the points of the last scan
   bool started_ = false;
+  double driven_ = 0.0;           // since the match before [m]
+  double weak_driven_ = 0.0;      // while one direction was weak [m]
   std::optional<double> turned_;  // since the last match, by a gyroscope [rad]
   Pose2 correction_;              // from the frame of the odometry to that of the map
   Pose2 last_odometry_;           // of the sensor

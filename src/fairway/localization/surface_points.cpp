@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/localization/surface_points.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -84,18 +85,34 @@ const SurfacePoint* SurfacePoints::nearest(const SurfacePoint& to, double reach)
   if (!(to.position.cwiseAbs().maxCoeff() < kFurthestPoint)) return nullptr;
   const SurfacePoint* best = nullptr;
   double least = reach * reach;
-  const std::int32_t last_x = cell_of(to.position.x() + reach);
-  const std::int32_t last_y = cell_of(to.position.y() + reach);
-  for (std::int32_t y = cell_of(to.position.y() - reach); y <= last_y; ++y) {
-    for (std::int32_t x = cell_of(to.position.x() - reach); x <= last_x; ++x) {
-      const Cell& cell = cells_[index(x, y)];
-      if (cell.x != x || cell.y != y) continue;
-      for (std::size_t i = 0; i < cell.count; ++i) {
-        const double away = (cell.points[i].position - to.position).squaredNorm();
-        if (away >= least || cell.points[i].normal.dot(to.normal) < kSameSide) continue;
-        least = away;
-        best = &cell.points[i];
-      }
+  const auto look_into = [&](std::int32_t x, std::int32_t y) {
+    const Cell& cell = cells_[index(x, y)];
+    if (cell.x != x || cell.y != y) return;
+    for (std::size_t i = 0; i < cell.count; ++i) {
+      const double away = (cell.points[i].position - to.position).squaredNorm();
+      if (away >= least || cell.points[i].normal.dot(to.normal) < kSameSide) continue;
+      least = away;
+      best = &cell.points[i];
+    }
+  };
+  // The cell of the point nearly always has a point so near that no other cell has a nearer one.
+  const std::int32_t x = cell_of(to.position.x());
+  const std::int32_t y = cell_of(to.position.y());
+  look_into(x, y);
+  // Distances to the sides of the cell. As reach <= kCell, only the next cells can be in reach.
+  const double low_x = to.position.x() - kCell * x;
+  const double low_y = to.position.y() - kCell * y;
+  const auto gap = [](double low, std::int32_t step) {
+    return step == 0 ? 0.0 : step < 0 ? low : kCell - low;
+  };
+  constexpr double kRounding = 1e-6;  // [m]; of far coordinates
+  for (const std::int32_t dy : {0, -1, 1}) {
+    const double gap_y = std::max(0.0, gap(low_y, dy) - kRounding);
+    if (gap_y * gap_y >= least) continue;
+    for (const std::int32_t dx : {0, -1, 1}) {
+      const double gap_x = std::max(0.0, gap(low_x, dx) - kRounding);
+      if ((dx == 0 && dy == 0) || gap_x * gap_x + gap_y * gap_y >= least) continue;
+      look_into(x + dx, y + dy);
     }
   }
   return best;

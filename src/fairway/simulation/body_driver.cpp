@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/simulation/body_driver.hpp"
 
-#include <limits>
 #include <optional>
 
 #include "fairway/navigation/body/body_navigator.hpp"
@@ -23,6 +22,7 @@ class BodyDriver final : public RobotDriver {
         robot_(robot),
         result_(result),
         lidar_(context.scenario.sensing.sensing == Sensing::Lidar),
+        pose_(context.scenario, world, robot),
         own_map_(!lidar_ && !context.scenario.zones.empty()),
         navigator_(
             lidar_ || own_map_
@@ -39,10 +39,11 @@ class BodyDriver final : public RobotDriver {
   }
 
   [[nodiscard]] double next_measurement() const override {
-    return senses_ ? senses_->next_scan() : std::numeric_limits<double>::infinity();
+    return senses_ ? senses_->next_scan() : pose_.next_measurement();
   }
   void measure(const World& world) override {
     if (senses_) senses_->measure(world);
+    pose_.measure(world);
   }
   void replace_last(const Twist2& sent) override {
     navigator_.replace_last({.linear = sent.linear, .angular = sent.angular});
@@ -104,18 +105,19 @@ class BodyDriver final : public RobotDriver {
 
   [[nodiscard]] Measurements measurements(const World& world) {
     if (lidar_) return {.time = world.time(), .pose = senses_->pose()};
-    return measure_on_map(world, robot_, context_.radio, seen_);
+    return measure_on_map(world, robot_, pose_.pose(world), context_.radio, seen_);
   }
 
   // Robots that know the map publish their motion.
   void tell(const World& world) {
     if (lidar_ || !context_.radio.model().on) return;
     context_.radio.tell(robot_, navigator_.share(static_cast<std::uint32_t>(robot_), world.time(),
-                                                 world.robots()[robot_].pose));
+                                                 pose_.pose(world)));
   }
 
   // Takes over the scans that have become available.
   void look_around(double time) {
+    pose_.locate(time);
     if (!senses_) return;
     senses_->deliver(time, [this](const LidarScan& scan, const Eigen::Vector2d& position) {
       navigator_.observe(scan, position);
@@ -139,6 +141,7 @@ class BodyDriver final : public RobotDriver {
   std::size_t robot_;
   RobotResult& result_;
   bool lidar_;
+  MeasuredPose pose_;
   bool own_map_;  // with the zones in the form for a body
   BodyNavigator navigator_;
   std::optional<LidarSenses> senses_;

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 
 #include "fairway/perception/lidar_scan.hpp"
+#include "fairway/perception/map_localization.hpp"
+#include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/world.hpp"
 
 namespace fairway {
@@ -58,6 +61,33 @@ class LidarSenses {
   double next_scan_;
   std::deque<Pending> pending_;
   std::vector<MovingObstacle> around_;
+};
+
+/// The pose of a robot that knows the map: the exact one, or the one that MapLocalization finds
+/// from odometry and scans.
+class MeasuredPose {
+ public:
+  /// @param scenario  Its map and models of sensors are used.
+  MeasuredPose(const Scenario& scenario, const World& world, std::size_t robot);
+
+  [[nodiscard]] bool by_scans() const noexcept { return senses_.has_value(); }
+
+  /// When `measure` is due next [s]; infinite for never.
+  [[nodiscard]] double next_measurement() const noexcept;
+
+  /// Updates the odometry, and takes a scan if one is due.
+  void measure(const World& world);
+
+  /// Matches the scans that have become available. Call it once per cycle.
+  void locate(double time);
+
+  /// The robot's pose now.
+  [[nodiscard]] Pose2 pose(const World& world) const noexcept;
+
+ private:
+  std::size_t robot_;
+  std::optional<LidarSenses> senses_;  // none: the pose is exact
+  std::optional<MapLocalization> localization_;
 };
 
 }  // namespace fairway

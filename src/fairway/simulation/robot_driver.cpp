@@ -17,7 +17,7 @@ namespace {
 
 double now(const DriverContext& context) { return context.clock ? context.clock() : 0.0; }
 
-// Knows its pose, the map and all moving obstacles.
+// Knows the map and all moving obstacles, and its pose as the scenario says.
 class MapDriver final : public RobotDriver {
  public:
   MapDriver(const DriverContext& context,
@@ -27,6 +27,7 @@ class MapDriver final : public RobotDriver {
       : context_(context),
         robot_(robot),
         result_(result),
+        pose_(context.scenario, world, robot),
         navigator_(
             context.settings.planning.background
                 ? MapNavigator(context.settings, context.solver)
@@ -40,10 +41,8 @@ class MapDriver final : public RobotDriver {
     tell(world);
   }
 
-  [[nodiscard]] double next_measurement() const override {
-    return std::numeric_limits<double>::infinity();
-  }
-  void measure(const World& /*world*/) override {}
+  [[nodiscard]] double next_measurement() const override { return pose_.next_measurement(); }
+  void measure(const World& world) override { pose_.measure(world); }
   [[nodiscard]] const Plan& plan() const override { return navigator_.navigator().plan(); }
   [[nodiscard]] LimitMark mark(const NavigationStep& step) const override {
     return limit_mark(navigator_.navigator(), step);
@@ -53,7 +52,11 @@ class MapDriver final : public RobotDriver {
   }
 
   [[nodiscard]] DrivenCycle drive(const World& world) override {
-    Measurements measured = measure_on_map(world, robot_, context_.radio, seen_);
+    const double begin = now(context_);
+    pose_.locate(world.time());
+    if (context_.clock && pose_.by_scans()) result_.sense_seconds.push_back(now(context_) - begin);
+    Measurements measured =
+        measure_on_map(world, robot_, pose_.pose(world), context_.radio, seen_);
     measured.entrances = context_.entrances;
     const double before = now(context_);
     const NavigationStep step = navigator_.update(measured);
@@ -102,8 +105,7 @@ class MapDriver final : public RobotDriver {
 
  private:
   bool plan_now(const World& world) {
-    const bool new_plan =
-        navigator_.plan_now({.time = world.time(), .pose = world.robots()[robot_].pose});
+    const bool new_plan = navigator_.plan_now({.time = world.time(), .pose = pose_.pose(world)});
     note_planning();
     return new_plan;
   }
@@ -116,12 +118,13 @@ class MapDriver final : public RobotDriver {
   void tell(const World& world) {
     if (!context_.radio.model().on) return;
     context_.radio.tell(robot_, navigator_.share(static_cast<std::uint32_t>(robot_), world.time(),
-                                                 world.robots()[robot_].pose));
+                                                 pose_.pose(world)));
   }
 
   DriverContext context_;
   std::size_t robot_;
   RobotResult& result_;
+  MeasuredPose pose_;
   MapNavigator navigator_;
   std::vector<MovingObstacle> seen_;
 };
@@ -203,9 +206,9 @@ class LidarDriver final : public RobotDriver {
 
 Measurements measure_on_map(const World& world,
                             std::size_t robot,
+                            const Pose2& pose,
                             FleetRadio& radio,
                             std::vector<MovingObstacle>& seen) {
-  const Pose2& pose = world.robots()[robot].pose;
   if (radio.model().on) {
     world.moving_bodies(seen);
   } else {

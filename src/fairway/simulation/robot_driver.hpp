@@ -80,9 +80,11 @@ class RobotDriver {
 
 /// What a robot that knows the map measures: its pose, the moving obstacles, and other robots by
 /// radio, or as obstacles without it.
+/// @param pose  Of the robot, as measured.
 /// @param seen  Holds the obstacles that the result refers to.
 [[nodiscard]] Measurements measure_on_map(const World& world,
                                           std::size_t robot,
+                                          const Pose2& pose,
                                           FleetRadio& radio,
                                           std::vector<MovingObstacle>& seen);
 

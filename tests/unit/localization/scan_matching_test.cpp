@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/localization/scan_matching.hpp"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "fairway/geometry/pose2.hpp"
@@ -138,6 +140,41 @@ TEST(SurfacePoints, CellsThatLeaveTheWindowAreReused) {
   for (double x = 0.0; x < 60.0; x += 0.1)
     points.add({.position = {x + 1.0, 0.1}, .normal = {1.0, 0.0}});
   EXPECT_EQ(points.nearest(here, 0.1), nullptr);
+}
+
+TEST(SurfacePoints, TheNearestPointIsThatOfAScanOverAllPoints) {
+  test::Random random(4);
+  const auto draw = [&] {
+    return SurfacePoint{.position = {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)},
+                        .normal = direction(random.uniform(-3.1, 3.1))};
+  };
+  SurfacePoints points(10.0);
+  std::vector<SurfacePoint> all;
+  for (int n = 0; n < 1500; ++n) {
+    const SurfacePoint point = draw();
+    const std::size_t before = points.added();
+    points.add(point);
+    if (points.added() > before) all.push_back(point);
+  }
+  int found = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const SurfacePoint query = draw();
+    const double reach = random.uniform(0.02, SurfacePoints::kCell);
+    const SurfacePoint* expected = nullptr;
+    double least = reach * reach;
+    for (const SurfacePoint& point : all) {
+      const double away = (point.position - query.position).squaredNorm();
+      if (away >= least || point.normal.dot(query.normal) < 0.5) continue;
+      least = away;
+      expected = &point;
+    }
+    const SurfacePoint* const nearest = points.nearest(query, reach);
+    ASSERT_EQ(nearest == nullptr, expected == nullptr) << n;
+    if (nearest == nullptr) continue;
+    ++found;
+    EXPECT_EQ(nearest->position, expected->position) << n;
+  }
+  EXPECT_GT(found, 400);
 }
 
 TEST(SurfacePoints, ADiagonalWallOfAMapHasOneNormal) {

@@ -209,10 +209,7 @@ void add_pedestrians(YamlMapping& root,
   const std::string tracks_path = (path.is_absolute() ? path : folder / path).string();
   if (notes != nullptr) notes->files.push_back(tracks_path);
   const Expected<std::vector<MovingBody>> tracks = read_tracks(tracks_path, format);
-  if (!tracks) {
-    mapping->complain("tracks", tracks.error().message);
-    return;
-  }
+  if (!tracks) return mapping->complain("tracks", tracks.error().message);
   for (MovingBody& person : replayed(*tracks, from, scenario.time_limit))
     scenario.bodies.push_back(std::move(person));
 }
@@ -243,6 +240,9 @@ Enum read_choice(YamlMapping& root, const char* key) {
 // Reads how the robots sense and which engine moves them.
 void read_models(YamlMapping& root, Scenario& scenario) {
   scenario.sensing.sensing = read_choice<Sensing>(root, "sensing");
+  scenario.sensing.pose = read_choice<PoseSource>(root, "pose");
+  if (scenario.sensing.sensing == Sensing::Lidar && scenario.sensing.pose != PoseSource::Exact)
+    root.complain("pose", "expected exact with sensing: lidar, found scans");
   if (read_choice<SensorNoise>(root, "noise") == SensorNoise::Standard)
     use_standard_noise(scenario.sensing);
   scenario.engine = read_choice<Engine>(root, "physics");

@@ -10,12 +10,22 @@ namespace fairway {
 
 /// What a robot knows.
 enum class Sensing : std::uint8_t {
-  Map,    ///< its exact pose, the map, and all moving obstacles
+  Map,    ///< its pose, the map, and all moving obstacles
   Lidar,  ///< only its lidar scans and odometry
 };
 
 [[nodiscard]] constexpr std::array<const char*, 2> setting_names(Sensing /*type*/) noexcept {
   return {"map", "lidar"};
+}
+
+/// From where a robot that knows the map has its pose.
+enum class PoseSource : std::uint8_t {
+  Exact,  ///< the exact pose
+  Scans,  ///< MapLocalization, from odometry and lidar scans; the start is known exactly
+};
+
+[[nodiscard]] constexpr std::array<const char*, 2> setting_names(PoseSource /*type*/) noexcept {
+  return {"exact", "scans"};
 }
 
 /// Errors of lidar and odometry.
@@ -31,6 +41,7 @@ enum class SensorNoise : std::uint8_t {
 /// How a robot of a scenario senses.
 struct SensingModel {
   Sensing sensing = Sensing::Map;
+  PoseSource pose = PoseSource::Exact;  ///< with Sensing::Map
   LidarModel lidar;
   OdometryModel odometry;
 };

@@ -57,6 +57,7 @@ TEST(ScenarioFile, ReadsSensingAndPhysics) {
   const auto plain = read_scenario(folder.write("plain.yaml", rest));
   ASSERT_TRUE(plain) << plain.error().message;
   EXPECT_EQ(plain->sensing.sensing, Sensing::Map);
+  EXPECT_EQ(plain->sensing.pose, PoseSource::Exact);
   EXPECT_EQ(plain->engine, Engine::Unicycle);
   const auto real = read_scenario(
       folder.write("real.yaml", rest + "sensing: lidar\nnoise: standard\nphysics: mujoco\n"));
@@ -64,6 +65,15 @@ TEST(ScenarioFile, ReadsSensingAndPhysics) {
   EXPECT_EQ(real->sensing.sensing, Sensing::Lidar);
   EXPECT_EQ(real->sensing.lidar.latency, 0.05);
   EXPECT_EQ(real->engine, Engine::Mujoco);
+  const auto located = read_scenario(folder.write("located.yaml", rest + "pose: scans\n"));
+  ASSERT_TRUE(located) << located.error().message;
+  EXPECT_EQ(located->sensing.pose, PoseSource::Scans);
+  const auto both =
+      read_scenario(folder.write("both.yaml", rest + "sensing: lidar\npose: scans\n"));
+  ASSERT_FALSE(both);
+  EXPECT_NE(both.error().message.find(":4: pose: expected exact with sensing: lidar, found scans"),
+            std::string::npos)
+      << both.error().message;
   const auto wrong = read_scenario(folder.write("wrong.yaml", rest + "physics: magic\n"));
   ASSERT_FALSE(wrong);
   EXPECT_NE(wrong.error().message.find(":3: physics: expected unicycle or mujoco"),
