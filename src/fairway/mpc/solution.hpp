@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include "fairway/mpc/control_problem.hpp"
 
@@ -96,7 +97,12 @@ struct InitialGuess {
   std::array<Twist2, kMaxHorizon> commands;
 };
 
+struct SpaceTimeWorkspace;
+
 /// Interface of the solvers of the optimal control problem: the real-time solver and IPOPT.
+///
+/// Navigators that share a solver also share the memory of their plans in space and time. It holds
+/// nothing from one cycle to the next.
 class ControlSolver {
  public:
   ControlSolver() = default;
@@ -108,6 +114,10 @@ class ControlSolver {
   /// stays valid until the next call.
   [[nodiscard]] virtual const MpcSolution& solve(const ControlProblem& problem,
                                                  const InitialGuess& guess) noexcept = 0;
+
+ private:
+  friend class Navigator;
+  std::shared_ptr<SpaceTimeWorkspace> plan_memory_;  // of the navigators; null until the first one
 };
 
 }  // namespace fairway

@@ -34,7 +34,8 @@ class Navigator {
   /// @throws std::invalid_argument unless validate(settings) holds.
   explicit Navigator(const Settings& settings);
 
-  /// Uses a solver of the caller's, which must outlive it. Robots of one thread can share one.
+  /// Uses a solver of the caller's, which must outlive it. Robots of one thread can share one, and
+  /// then share the memory of their plans in space and time.
   /// @throws std::invalid_argument unless validate(settings) holds.
   Navigator(const Settings& settings, ControlSolver& solver);
 
@@ -74,6 +75,7 @@ class Navigator {
  private:
   Navigator(const Settings& settings, std::unique_ptr<ControlSolver> own, ControlSolver* other);
 
+  [[nodiscard]] static std::shared_ptr<SpaceTimeWorkspace> shared_memory(ControlSolver& solver);
   void begin_cycle(double time) noexcept;
   void end_cycle(double time, const Twist2& command) noexcept;
   [[nodiscard]] Twist2 ramps_to(const Twist2& command) const noexcept;

@@ -23,10 +23,18 @@ Navigator::Navigator(const Settings& settings,
       body_(footprint_of(settings.robot)),
       own_solver_(std::move(own)),
       solver_(own_solver_ ? own_solver_.get() : other),
-      encounters_(settings.robot, settings.prediction, settings.tracking.space_time_horizon),
+      encounters_(settings.robot,
+                  settings.prediction,
+                  settings.tracking.space_time_horizon,
+                  shared_memory(*solver_)),
       step_(period_),
       stop_(settings.robot, period_, longest_),
       reckoning_(settings.robot) {}
+
+std::shared_ptr<SpaceTimeWorkspace> Navigator::shared_memory(ControlSolver& solver) {
+  if (!solver.plan_memory_) solver.plan_memory_ = std::make_shared<SpaceTimeWorkspace>();
+  return solver.plan_memory_;
+}
 
 Navigator::Navigator(const Settings& settings)
     : Navigator(settings, std::make_unique<RealTimeSolver>(settings.mpc), nullptr) {}

@@ -16,15 +16,23 @@ float greater_of(float a, float b) noexcept { return a > b ? a : b; }
 }  // namespace
 
 CostToGo::CostToGo(std::size_t stages, double stage, double speed)
-    : stages_(stages),
-      stage_(static_cast<float>(stage)),
-      cell_(0.5 * stage * speed),
-      speed_(speed),
-      last_(stages * kCells),
-      values_((stages + 1) * kCells, kOutsideOfGrid),
-      arrival_(kCells, kOutsideOfGrid),
+    : arrival_(kCells, kOutsideOfGrid),
       entered_(kCells, kOutsideOfGrid),
-      row_(kCells, kOutsideOfGrid) {}
+      row_(kCells, kOutsideOfGrid) {
+  set(stages, stage, speed);
+}
+
+// The border of a last layer must be outside of the grid. It is not if another number of stages was
+// solved before.
+void CostToGo::set(std::size_t stages, double stage, double speed) {
+  stage_ = static_cast<float>(stage);
+  cell_ = 0.5 * stage * speed;
+  speed_ = speed;
+  if (stages == stages_ && !values_.empty()) return;
+  stages_ = stages;
+  last_ = stages * kCells;
+  values_.assign((stages + 1) * kCells, kOutsideOfGrid);
+}
 
 // The grid moves by whole cells. Otherwise its values would change slightly in every cycle.
 void CostToGo::begin(const Eigen::Vector2d& center) noexcept {

@@ -23,6 +23,13 @@ class CostToGo {
  public:
   CostToGo(std::size_t stages, double stage, double speed);
 
+  /// Changes to another robot or horizon. The values are those of a new object.
+  /// @pre `reserve` was called with at least as many stages, or this allocates.
+  void set(std::size_t stages, double stage, double speed);
+
+  /// Allocates what `stages` stages need.
+  void reserve(std::size_t stages) { values_.reserve((stages + 1) * kCells); }
+
   /// Moves the grid to a place. All cells must be set after it.
   void begin(const Eigen::Vector2d& center) noexcept;
 
@@ -59,11 +66,11 @@ class CostToGo {
                     std::size_t obstacle) noexcept;
   void step_back(float* earlier) noexcept;
 
-  std::size_t stages_;
-  float stage_;  // [s]
-  double cell_;  // [m]; a stage at full speed is two cells long
-  double speed_;
-  std::size_t last_;                                  // where the last layer begins
+  std::size_t stages_ = 0;
+  float stage_ = 0.0F;  // [s]
+  double cell_ = 0.0;   // [m]; a stage at full speed is two cells long
+  double speed_ = 0.0;
+  std::size_t last_ = 0;                              // where the last layer begins
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();  // middle of the first cell
   std::vector<float> values_;                         // layer by layer, row by row
   std::vector<float> arrival_;

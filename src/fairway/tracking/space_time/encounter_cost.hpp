@@ -38,6 +38,9 @@ class EncounterCost {
 
   explicit EncounterCost(const Settings& settings) noexcept : settings_(settings) {}
 
+  /// Changes to another robot. Call `prepare` after it.
+  void set(const Settings& settings) noexcept { settings_ = settings; }
+
   /// Comfort distance at a speed of the robot [m].
   [[nodiscard]] double comfort_at(double speed) const noexcept {
     return settings_.comfort + speed * speed / (2.0 * settings_.braking);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "fairway/geometry/angle.hpp"
 
@@ -13,8 +14,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kMostSpeeds = 5;
-constexpr std::size_t kMostTurns = 6;
 constexpr double kNegligible = 0.02;  // cost of encounters on the reference path [s]
 constexpr double kSlack = 0.02;       // beyond a rectangle [m]
 constexpr double kLongest = 2.0;      // for which a plan is kept [s]
@@ -38,7 +37,8 @@ SpaceTimePlanner::Turn SpaceTimePlanner::turn_by(double angle) noexcept {
 
 SpaceTimePlanner::SpaceTimePlanner(const RobotSettings& robot,
                                    const PredictionSettings& prediction,
-                                   double horizon)
+                                   double horizon,
+                                   std::shared_ptr<SpaceTimeWorkspace> shared)
     : robot_(robot),
       per_top_(1.0 / robot.linear_max),
       stages_(std::min(SpaceTimePlan::kMaxStages, static_cast<std::size_t>(horizon / kStage))),
@@ -46,29 +46,31 @@ SpaceTimePlanner::SpaceTimePlanner(const RobotSettings& robot,
       slowness_(per_top_ / (2.0 * acceleration_)),
       turn_max_(std::min(robot.angular_max, 2.0)),
       prediction_(prediction),
-      cost_({.radius = robot.radius,
-             .margin = prediction.obstacle_margin,
-             .comfort = prediction.comfort_distance,
-             .headway = prediction.time_headway,
-             .braking = change_max(linear_actuation(robot)),
-             .speed_max = robot.linear_max}),
-      to_go_(stages_, kStage, robot.linear_max) {
+      encounter_settings_({.radius = robot.radius,
+                           .margin = prediction.obstacle_margin,
+                           .comfort = prediction.comfort_distance,
+                           .headway = prediction.time_headway,
+                           .braking = change_max(linear_actuation(robot)),
+                           .speed_max = robot.linear_max}),
+      workspace_(shared ? std::move(shared) : std::make_shared<SpaceTimeWorkspace>()),
+      forecast_(workspace_->forecast),
+      cost_(workspace_->cost),
+      to_go_(workspace_->to_go),
+      layers_(workspace_->layers),
+      children_(workspace_->children),
+      order_(workspace_->order),
+      table_(workspace_->table),
+      keys_(workspace_->keys) {
   for (const double share : {0.0, 0.35, -0.35, 1.0, -1.0})
     turns_.push_back(turn_by(share * turn_max_ * kStage));
-  const std::size_t most = kWidth * kMostSpeeds * kMostTurns;
-  layers_.resize(stages_ + 1);
-  for (std::vector<Node>& layer : layers_)
-    layer.reserve(kWidth);
-  children_.resize(most);
-  order_.reserve(most);
-  table_.resize(kTable);
-  keys_.resize(most);
+  workspace_->reserve(stages_);
 }
 
 void SpaceTimePlanner::prepare(const SpaceTimeInput& input) noexcept {
   input_ = &input;
   predict(input.obstacles, input.age, input.pose.position, prediction_, 0.5 * kStage,
           2 * stages_ + 1, forecast_);
+  cost_.set(encounter_settings_);
   cost_.prepare(forecast_);
   rectangle_count_ = 0;
   for (std::size_t i = input.corridor.current();
@@ -123,6 +125,7 @@ bool SpaceTimePlanner::update(const SpaceTimeInput& input) noexcept {
       last_cost < plan_.cost - since + kBetter)
     return true;
   tree_time_ = input.time;
+  to_go_.set(stages_, kStage, robot_.linear_max);
   find_costs_to_go();
   layers_[0].assign(1, first);
   for (std::size_t k = 0; k < stages_; ++k) {

@@ -2,15 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "fairway/geometry/robot_settings.hpp"
 #include "fairway/prediction/entrances.hpp"
 #include "fairway/prediction/forecast.hpp"
 #include "fairway/tracking/corridor_follower.hpp"
-#include "fairway/tracking/space_time/cost_to_go.hpp"
 #include "fairway/tracking/space_time/encounter_cost.hpp"
 #include "fairway/tracking/space_time/space_time_plan.hpp"
+#include "fairway/tracking/space_time/space_time_workspace.hpp"
 
 namespace fairway {
 
@@ -42,9 +43,12 @@ struct SpaceTimeInput {
 /// one began.
 class SpaceTimePlanner {
  public:
+  /// @param shared  Memory of other planners of this thread, to be shared; null for memory of its
+  ///                own. It is only used during `update`.
   SpaceTimePlanner(const RobotSettings& robot,
                    const PredictionSettings& prediction,
-                   double horizon);
+                   double horizon,
+                   std::shared_ptr<SpaceTimeWorkspace> shared = nullptr);
 
   /// Plans, or continues the last plan while it is new. @return whether there is a plan; if not,
   /// following the reference path is as good.
@@ -55,29 +59,14 @@ class SpaceTimePlanner {
 
   [[nodiscard]] const SpaceTimePlan& plan() const noexcept { return plan_; }
 
-  static constexpr std::size_t kTable = 4096;  ///< of cells in a stage; a power of two
-
  private:
-  static constexpr std::size_t kWidth = 28;
+  static constexpr std::size_t kWidth = SpaceTimeWorkspace::kWidth;
   static constexpr std::size_t kLateWidth = 20;  // from stage kLate on
   static constexpr std::size_t kLate = 6;
   static constexpr std::size_t kRectangles = 6;  // ahead, in which a motion may be
   static constexpr double kStage = 0.5;          // [s]
 
-  struct Node {
-    double x = 0.0;
-    double y = 0.0;
-    double cosine = 1.0;  // of the heading
-    double sine = 0.0;
-    double heading = 0.0;
-    double speed = 0.0;
-    double risk = 0.0;   // so far [s]
-    double time = 0.0;   // until the goal, or until the end of the stage [s]
-    double total = 0.0;  // with the time that is left [s]
-    std::uint32_t parent = 0;
-    std::uint8_t rectangle = 0;
-    bool arrived = false;
-  };
+  using Node = SpaceTimeWorkspace::Node;
 
   struct Rectangle {
     double cosine = 1.0;
@@ -139,17 +128,20 @@ class SpaceTimePlanner {
   double turn_max_;      // [rad/s]
   std::vector<Turn> turns_;
   PredictionSettings prediction_;
-  Forecast forecast_;
-  EncounterCost cost_;
-  CostToGo to_go_;
+  EncounterCost::Settings encounter_settings_;
+  std::shared_ptr<SpaceTimeWorkspace> workspace_;
+  // Parts of the workspace, which hold values of this planner during update only.
+  Forecast& forecast_;
+  EncounterCost& cost_;
+  CostToGo& to_go_;
+  std::vector<std::vector<Node>>& layers_;
+  std::vector<Node>& children_;
+  std::vector<std::uint32_t>& order_;
+  std::vector<std::uint32_t>& table_;
+  std::vector<std::uint64_t>& keys_;
   const SpaceTimeInput* input_ = nullptr;  // during update
   std::array<Rectangle, kRectangles> rectangles_;
   std::size_t rectangle_count_ = 0;
-  std::vector<std::vector<Node>> layers_;
-  std::vector<Node> children_;
-  std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> table_;  // hash of a cell -> child + 1
-  std::vector<std::uint64_t> keys_;
   std::size_t child_count_ = 0;
   double bound_ = 0.0;      // of the total of children in this stage [s]
   double tree_time_ = 0.0;  // when the last tree was grown [s]

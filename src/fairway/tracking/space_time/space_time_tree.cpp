@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kTableSize = SpaceTimePlanner::kTable;
+constexpr std::size_t kTableSize = SpaceTimeWorkspace::kTable;
 constexpr double kCell = 0.25;                  // [m]
 constexpr std::size_t kWithoutSlightTurns = 8;  // stage
 constexpr double kAtGoal = 0.15;                // [m]

@@ -2,6 +2,7 @@
 #include "fairway/tracking/space_time/space_time_planner.hpp"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -205,6 +206,46 @@ TEST_F(SpaceTime, GivesEqualPlansForEqualInput) {
   static_cast<void>(plan(people, 1.0));
   for (std::size_t k = 0; k <= first.stages; ++k)
     EXPECT_EQ(first.states[k].pose.position, planner().plan().states[k].pose.position);
+}
+
+TEST_F(SpaceTime, SharedMemoryChangesNoPlan) {
+  const auto shared = std::make_shared<SpaceTimeWorkspace>();
+  std::vector<SpaceTimePlanner> sharing;
+  std::vector<SpaceTimePlanner> alone;
+  for (const double horizon : {3.0, 8.0, 5.0}) {
+    robot_.linear_max = 0.4 + 0.1 * horizon;
+    sharing.emplace_back(robot_, prediction_, horizon, shared);
+    alone.emplace_back(robot_, prediction_, horizon);
+  }
+  test::Random random(7);
+  int planned = 0;
+  for (int cycle = 0; cycle < 40; ++cycle) {
+    std::vector<MovingObstacle> people;
+    for (int i = 0; i <= cycle % 6; ++i)
+      people.push_back({.position = {random.uniform(1, 7), random.uniform(-3, 3)},
+                        .velocity = {random.uniform(-1, 1), random.uniform(-1, 1)},
+                        .radius = 0.3});
+    const SpaceTimeInput input{.time = 1.0 * cycle,
+                               .pose = {},
+                               .speed = 0.5,
+                               .path = corridor_.reference_path(),
+                               .corridor = corridor_,
+                               .obstacles = people};
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      const bool has_plan = alone[i].update(input);
+      ASSERT_EQ(sharing[i].update(input), has_plan);
+      if (!has_plan) continue;
+      ++planned;
+      for (std::size_t k = 0; k <= alone[i].plan().stages; ++k) {
+        EXPECT_EQ(sharing[i].plan().states[k].pose.position,
+                  alone[i].plan().states[k].pose.position);
+        EXPECT_EQ(sharing[i].plan().states[k].speed, alone[i].plan().states[k].speed);
+      }
+      sharing[i].reset();
+      alone[i].reset();
+    }
+  }
+  EXPECT_GT(planned, 30);
 }
 
 }  // namespace
