@@ -104,6 +104,15 @@ class AnyNavigator {
       return navigator.plan().reason();
     });
   }
+  /// Why the robot does not drive, or not faster, in one sentence with numbers; empty if nothing is
+  /// wrong or known. As MapNavigator::explain.
+  [[nodiscard]] std::string explain(const NavigationStep& step, double speed) const {
+    return visit([&](const auto& navigator) -> std::string {
+      if constexpr (requires { navigator.explain(step, speed); })
+        return navigator.explain(step, speed).text;
+      return {};
+    });
+  }
   [[nodiscard]] bool follows_new_plan() const {
     return visit([](const auto& navigator) { return navigator.follows_new_plan(); });
   }

@@ -215,6 +215,7 @@ PilotStep Pilot::cycle(double time) {
            .angular = answer.command.angular};
   if (options_.body) steering_ = answer.steering;
   if (state_ == PilotState::Driving) {
+    explain(time, step, answer);
     judge(time, step, answer);
   } else if (is_zero(step) && --zeros_left_ <= 0) {
     state_ = PilotState::Idle;
@@ -234,6 +235,19 @@ void Pilot::guard(double time, PilotStep& answer) {
   if (navigator_)
     navigator_->replace_last({.linear = verdict.command.linear, .angular = verdict.command.angular},
                              steering_);
+}
+
+void Pilot::explain(double time, const NavigationStep& step, PilotStep& answer) {
+  constexpr double kPeriod = 1.0;  // [s]
+  if (!navigator_ || !is_zero(step) || step.status == NavigationStatus::GoalReached) {
+    explanation_.clear();
+    return;
+  }
+  if (explanation_.empty() || std::abs(time - explained_at_) >= kPeriod) {
+    explanation_ = navigator_->explain(step, senses_.twist().linear);
+    explained_at_ = time;
+  }
+  answer.explanation = explanation_;
 }
 
 // A BodyNavigator does not give up itself.

@@ -57,6 +57,9 @@ struct PilotStep {
                                       ///< null
   double pose_time = 0.0;             ///< time of the pose that was used [s]
   MonitorReason monitor = MonitorReason::None;  ///< why the safety monitor reduced the command
+  /// Why a robot that should drive is at standstill, in one sentence with numbers; made once per
+  /// second.
+  std::string explanation{};
 };
 
 /// The part of a node that does not depend on the middleware. It receives measurements with their
@@ -71,8 +74,8 @@ class Pilot : public SensorReceiver {
 
   /// Continues with other settings towards the same goal, or along the same path. A base with a
   /// delay still executes what was sent before, and nothing waits for a plan that is being made.
-  /// Without a map, a robot without a body forgets all cells seen before. @pre validate(settings)
-  /// holds.
+  /// Without a map, all cells seen before are forgotten if `perception.*` changes.
+  /// @pre validate(settings) holds.
   void set_settings(const Settings& settings);
 
   void set_map(const OccupancyGrid& map);
@@ -136,6 +139,7 @@ class Pilot : public SensorReceiver {
   void guard(double time, PilotStep& answer);
   [[nodiscard]] Settings with_options(const Settings& settings) const;
   [[nodiscard]] bool waits_too_long(double time, const NavigationStep& step) noexcept;
+  void explain(double time, const NavigationStep& step, PilotStep& answer);
   void judge(double time, const NavigationStep& step, PilotStep& answer);
   [[nodiscard]] std::string reason_of(const NavigationStep& step) const;
 
@@ -153,6 +157,8 @@ class Pilot : public SensorReceiver {
   bool has_planned_ = false;
   bool fresh_goal_ = false;            // set since the last cycle
   std::optional<double> waits_since_;  // at standstill, with a body [s]
+  std::string explanation_;
+  double explained_at_ = 0.0;  // [s]
   PlanarTwist sent_{};
   double steering_ = 0.0;  // last one sent, or that follows from the odometry [rad]
   std::optional<CommandGuard> guard_;

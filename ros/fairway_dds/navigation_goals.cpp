@@ -164,8 +164,11 @@ void NavigationNode::report_goal(const bridge::PilotStep& step, double now) {
     if (step.limit != LimitingFactor::None) text += std::string(": ") + to_text(step.limit);
     if (step.monitor != MonitorReason::None)
       text += std::string(", safety monitor: ") + bridge::to_text(step.monitor);
-    if (step.status == NavigationStatus::NoPlan && pilot_.has_planned())
+    if (step.status == NavigationStatus::NoPlan && pilot_.has_planned()) {
       text += ": " + pilot_.navigator()->why_no_plan();
+    } else if (!step.explanation.empty()) {
+      text += ": " + step.explanation;
+    }
     if (step.end == bridge::GoalEnd::GivenUp) text = "goal given up: " + step.reason;
     if (step.end == bridge::GoalEnd::Reached || text != told_) tell_status(text);
   }

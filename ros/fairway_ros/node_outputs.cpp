@@ -145,6 +145,7 @@ void NodeOutputs::publish_status(const bridge::Pilot& pilot,
     add("rectangle", std::to_string(step.rectangle + 1) + " of " +
                          std::to_string(plan.corridor.rectangles.size()));
     if (!plan.usable() && pilot.has_planned()) add("plan", pilot.navigator()->why_no_plan());
+    if (!step.explanation.empty()) add("explanation", step.explanation);
   }
   status_.publish(status);
 }

@@ -64,6 +64,33 @@ TEST(Pilot, ReachesAGoalWithoutAMap) {
   EXPECT_FALSE(rig.world.encounters()[0].collided);
 }
 
+TEST(Pilot, SaysForWhomItWaits) {
+  Scenario hall;
+  hall.map = OccupancyGrid({.width = 200, .height = 60, .resolution = 0.05, .origin = {}});
+  for (int x = 0; x < 200; ++x) {
+    for (int y = 0; y < 60; ++y) {
+      if (y < 18 || y >= 42) hall.map.set({x, y}, CellState::Occupied);
+    }
+  }
+  hall.robots = {{.name = "robot", .start = {.position = {1.5, 1.5}, .heading = 0}, .goal = {}}};
+  Rig rig(kMapOnly, hall);
+  rig.pilot.set_map(hall.map);
+  rig.pilot.set_goal({.position = {8.0, 1.5}});
+  PilotStep answer;
+  std::string said;
+  for (int i = 0; i < 150; ++i) {
+    rig.pilot.board().set_detections(
+        "people", {.obstacles = {{.position = {5.0, 1.5}, .velocity = {0, 0}, .radius = 0.3}},
+                   .time = rig.world.time()});
+    answer = rig.step();
+    if (!answer.explanation.empty()) said = answer.explanation;
+    if (rig.speed() > 0.05) {
+      EXPECT_EQ(answer.explanation, "");
+    }
+  }
+  EXPECT_NE(said.find("waits for a moving obstacle at (5.00, 1.50)"), std::string::npos) << said;
+}
+
 // Starts to drive, then removes one input, and checks that the robot stops in time.
 void expect_stop_without(bool Rig::*input,
                          const PilotOptions& options,

@@ -72,7 +72,8 @@ class MaplessNavigator {
   /// Sets the command that was really sent, as MapNavigator::replace_last does.
   void replace_last(const Twist2& sent) noexcept;
 
-  /// Changes the settings and drops the local map.
+  /// Changes the settings. The local map and the tracks of moving obstacles stay, unless those of
+  /// `perception` change.
   /// @throws std::invalid_argument unless validate(settings) holds; then nothing changes.
   void set_settings(const Settings& settings);
 

@@ -93,8 +93,16 @@ void MaplessNavigator::State::continue_from(State& older) {
   navigator.continue_from(older.navigator);
   sent = older.sent;
   hold = older.hold;
-  if (!older.zones.empty()) set_zones(older.zones);
-  perception.keep_correction(older.perception);
+  // What was seen stays, unless it would be seen in another way now.
+  if (settings.perception == older.settings.perception) {
+    perception = std::move(older.perception);
+    scans_ = older.scans_;
+    blind_angle_ = older.blind_angle_;
+    scan_refused_ = older.scan_refused_;
+  } else {
+    perception.keep_correction(older.perception);
+  }
+  set_zones(older.zones);
   ending_ = std::move(older.ending_);
   ending_.push_back(std::move(older.planning));
   if (older.task.task()) set_task(*older.task.task());

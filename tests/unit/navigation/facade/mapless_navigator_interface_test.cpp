@@ -109,6 +109,31 @@ TEST_F(Explorer, OtherSettingsAreUsedAndInvalidOnesRefused) {
   EXPECT_EQ(navigator_.settings().robot.linear_max, 0.2);
 }
 
+// What is behind the robot is not seen again, so it must not be forgotten.
+TEST_F(Explorer, AChangeOfSettingsKeepsWhatWasSeen) {
+  navigator_.set_goal({.position = {4.5, 1.0}});
+  run(20);
+  const auto blocked = [&] {
+    const BitGrid& seen = navigator_.perception().grid().occupied();
+    int count = 0;
+    for (int y = 0; y < seen.frame().height; ++y) {
+      for (int x = 0; x < seen.frame().width; ++x)
+        count += seen.blocked({x, y}) ? 1 : 0;
+    }
+    return count;
+  };
+  const int before = blocked();
+  ASSERT_GT(before, 0);
+  Settings slow;
+  slow.robot.linear_max = 0.3;
+  navigator_.set_settings(slow);
+  EXPECT_EQ(blocked(), before);
+  Settings other = slow;
+  other.perception.hit_evidence = 7;
+  navigator_.set_settings(other);
+  EXPECT_EQ(blocked(), 0) << "it sees in another way now";
+}
+
 TEST_F(Explorer, APlanBelongsToItsGoal) {
   navigator_.set_goal({.position = {4.5, 1.0}});
   EXPECT_FALSE(navigator_.plan_is_current());
