@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SOURCES = ["safety_monitor.cpp", "monitored_axis.cpp", "monitor_settings.cpp"]
+SOURCES = ["safety_monitor.cpp", "monitored_axis.cpp", "guarded_polygon.cpp", "monitor_settings.cpp"]
 # What the tests need beside the monitor.
 LIBRARY = ["base/error.cpp"]
 FLAGS = ["-std=gnu++20", "-O1", f"-I{ROOT}/src", f"-I{ROOT}/tests"]

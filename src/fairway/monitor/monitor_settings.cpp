@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 
+#include "fairway/monitor/guarded_polygon.hpp"
 #include "fairway/monitor/safety_monitor.hpp"
 
 namespace fairway {
-
-namespace {
-
-bool is_polygon(const Polygon& polygon) noexcept {
-  constexpr double kFurthest = 100.0;  // corner from the robot [m]
-  const auto bad = [](const Eigen::Vector2d& corner) {
-    return !(corner.cwiseAbs().maxCoeff() <= kFurthest && corner.allFinite());
-  };
-  return polygon.size() >= 3 && std::none_of(polygon.begin(), polygon.end(), bad) &&
-         std::adjacent_find(polygon.begin(), polygon.end()) == polygon.end() &&
-         polygon.front() != polygon.back();
-}
-
-}  // namespace
 
 Expected<void> validate(const MonitorSettings& s) {
   if (s.footprint.empty() || !std::all_of(s.footprint.begin(), s.footprint.end(), is_polygon) ||

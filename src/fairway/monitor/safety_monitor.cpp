@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include "fairway/monitor/guarded_polygon.hpp"
+
 namespace fairway {
 
 namespace {
@@ -33,22 +35,6 @@ bool is_good(const Vector2d& point) noexcept {
 
 bool is_good(const Twist2& twist) noexcept {
   return std::abs(twist.linear) <= kFastest && std::abs(twist.angular) <= kFastest;
-}
-
-// Negative inside.
-double signed_distance(const Polygon& polygon, const Vector2d& point) noexcept {
-  double least = std::numeric_limits<double>::infinity();
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2d from = polygon[i] - point;
-    const Vector2d to = polygon[(i + 1) % polygon.size()] - point;
-    const Vector2d edge = to - from;
-    const double share = std::clamp(-from.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (from + share * edge).norm());
-    if ((from.y() > 0.0) != (to.y() > 0.0) && from.x() - from.y() * edge.x() / edge.y() > 0.0)
-      inside = !inside;
-  }
-  return inside ? -least : least;
 }
 
 }  // namespace
