@@ -74,8 +74,10 @@ ScanMatch match_scan(const SurfacePoints& map,
                              .normal = move.turned(scan[i].normal)};
       const SurfacePoint* const near = map.nearest(now, kMatchReach[step]);
       if (near == nullptr) continue;
-      const SurfacePoint line{.position = near->position,
-                              .normal = (near->normal + now.normal).normalized()};
+      // Errors of the normals look like information along a corridor.
+      const SurfacePoint line{
+          .position = near->position,
+          .normal = map.exact_normals() ? near->normal : (near->normal + now.normal).normalized()};
       const LineResidual residual = line_residual(now.position, arm, line);
       const double share = residual.value * inverse_scale;
       const double weight = kIndependent / (kSigma * kSigma * (1.0 + share * share));

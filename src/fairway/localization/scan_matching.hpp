@@ -65,7 +65,7 @@ struct ScanMatch {
 ///
 /// The method is Gauss-Newton on the weighted distances from the lines through the nearest points.
 /// The weights are Cauchy weights whose scale becomes smaller, and there is a prior of mean zero.
-/// The normal of a line is the mean of those of both points.
+/// The normal of a line is the mean of those of both points, or that of the map if it is exact.
 /// @param prior  Information about the motion before the match, positive definite.
 /// @param start  A motion close to the result, if one is known; it saves steps.
 [[nodiscard]] ScanMatch match_scan(const SurfacePoints& map,

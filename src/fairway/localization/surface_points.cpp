@@ -156,6 +156,7 @@ void surface_of_scan(std::span<const Vector2d> ends,
 void add_surface_of_map(const BitGrid& map, SurfacePoints& points) {
   constexpr int kAround = 3;  // [cells]; the sides within it give the normal
   const GridFrame& frame = map.frame();
+  points.set_exact_normals(true);
   // Mean direction to the free cells around a side: a straight staircase then has one normal.
   const auto normal_at = [&](const Vector2d& middle) {
     Vector2d sum = Vector2d::Zero();

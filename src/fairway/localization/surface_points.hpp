@@ -40,6 +40,10 @@ class SurfacePoints {
   /// be within 60 degrees of that of `to`. @pre reach <= kCell
   [[nodiscard]] const SurfacePoint* nearest(const SurfacePoint& to, double reach) const noexcept;
 
+  /// Whether normals are exact, as those of a known map are. Otherwise they are those of scans.
+  [[nodiscard]] bool exact_normals() const noexcept { return exact_normals_; }
+  void set_exact_normals(bool exact) noexcept { exact_normals_ = exact; }
+
   /// Number of points added so far, including those that have left the window.
   [[nodiscard]] std::size_t added() const noexcept { return added_; }
 
@@ -59,6 +63,7 @@ class SurfacePoints {
   std::size_t mask_;  // number of cells along a side, a power of two, less one
   std::vector<Cell> cells_;
   std::size_t added_ = 0;
+  bool exact_normals_ = false;
 };
 
 /// Computes the points of a scan and their normals from the neighbours of each point.

@@ -55,8 +55,7 @@ class MapDriver final : public RobotDriver {
     const double begin = now(context_);
     pose_.locate(world.time());
     if (context_.clock && pose_.by_scans()) result_.sense_seconds.push_back(now(context_) - begin);
-    Measurements measured =
-        measure_on_map(world, robot_, pose_.pose(world), context_.radio, seen_);
+    Measurements measured = measure_on_map(world, robot_, pose_.pose(world), context_.radio, seen_);
     measured.entrances = context_.entrances;
     const double before = now(context_);
     const NavigationStep step = navigator_.update(measured);
