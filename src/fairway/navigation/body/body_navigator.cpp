@@ -144,6 +144,8 @@ void BodyNavigator::State::set_settings(const Settings& given) {
   settings = given;
   around.set_settings(given);
   follower.set_settings(given.navigation.control_period, given.safety);
+  control =
+      BodyControl(robot, given.mpc, given.navigation.control_period, given.safety.stop_margin);
   planning.set_background(given.planning.background);
 }
 
