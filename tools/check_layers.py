@@ -20,7 +20,7 @@ TARGETS = [
         "navigation/facade", "navigation/body/proof", "navigation/body/control", "navigation/body/drive", "navigation/body/guide", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
-        "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation", "simulation/people", "simulation/interactive", "simulation/scenarios",
+        "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation/people", "simulation", "simulation/interactive", "simulation/scenarios",
         "simulation/recorded",
         "simulation/physics"]),
     ("fairway_io", ["fairway", "fairway_simulation"], [

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fairway/geometry/pose2.hpp"
-#include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/people/moving_body.hpp"
 #include "numbers.hpp"
 
 namespace fairway::python {

@@ -13,7 +13,7 @@
 #include "fairway/navigation/settings.hpp"
 #include "fairway/planning/planner.hpp"
 #include "fairway/simulation/fleet_radio.hpp"
-#include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/people/moving_body.hpp"
 #include "fairway/simulation/sensors/sensing.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 #include "fairway/zones/zones.hpp"

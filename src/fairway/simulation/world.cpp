@@ -109,6 +109,12 @@ void World::let_people_walk(double dt) {
     });
   }
   walk_on(bodies_, discs, time_ + dt);
+  // On the live page people walk for days.
+  constexpr std::size_t kMostFrames = 1000;
+  for (MovingBody& body : bodies_) {
+    if (body.walk && body.key_frames.size() > kMostFrames)
+      body.key_frames.erase(body.key_frames.begin(), body.key_frames.end() - 2);
+  }
 }
 
 void World::judge_all_zones() {

@@ -11,7 +11,7 @@
 #include "fairway/map/distance_field.hpp"
 #include "fairway/simulation/bodies/body_robot.hpp"
 #include "fairway/simulation/judges/zone_judge.hpp"
-#include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/people/moving_body.hpp"
 #include "fairway/simulation/physics.hpp"
 #include "fairway/simulation/scenario.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"

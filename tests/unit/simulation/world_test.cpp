@@ -73,6 +73,19 @@ TEST(World, PeopleWhoSeeRobotsWalkAroundThem) {
   }
 }
 
+TEST(World, PeopleWhoSeeRobotsWalkForHoursInBoundedMemory) {
+  Scenario scenario = open_floor();
+  const Walker person{.start = {3, 0}, .goal = {-3, 0}, .speed = 1.0, .returns = true};
+  scenario.bodies = walking_bodies({&person, 1}, WalkingModel::Orca);
+  World world(scenario);
+  for (int i = 0; i < 2400; ++i) {
+    world.advance({}, 0.1);
+    const MovingBody& body = world.body(0);
+    ASSERT_LE(body.key_frames.size(), 1000U);
+    ASSERT_NEAR(body.at(world.time() - 0.05).velocity.norm(), body.walk->velocity.norm(), 1e-9);
+  }
+}
+
 // Steps of a run that are no part of a person's step change nothing but rounding.
 TEST(World, PeopleWhoSeeRobotsMoveSteadilyAtAnyPeriod) {
   Scenario scenario = open_floor();

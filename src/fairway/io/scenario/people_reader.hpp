@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fairway/io/yaml/yaml_mapping.hpp"
-#include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/people/moving_body.hpp"
 
 namespace fairway::io {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fairway/simulation/moving_body.hpp"
+#include "fairway/simulation/people/moving_body.hpp"
 #include "fairway/simulation/people/orca.hpp"
 
 namespace fairway {
