@@ -151,7 +151,9 @@ void ReachSearch::start(const BitGrid& obstacles,
   origin_ = track.at(begin.from);
   num_directions_ = 0;
   if (!is_free(obstacles, TurnedBox{.origin = origin_}, settings.radius)) return;
-  points_.look_around(obstacles, origin_, settings.radius, settings.longest_side);
+  // A reach learns what blocks it from the exact tests, so a coarse first guess gives the same one.
+  constexpr std::size_t kRaySpacing = 4;
+  points_.look_around(obstacles, origin_, settings.radius, settings.longest_side, kRaySpacing);
   look_at_zones(obstacles, origin_, settings.radius, settings.longest_side, points_);
 
   const auto add = [&](double angle) {

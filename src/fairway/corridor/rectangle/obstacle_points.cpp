@@ -110,14 +110,16 @@ class Tile {
 void ObstaclePoints::look_around(const BitGrid& obstacles,
                                  const Vector2d& origin,
                                  double radius,
-                                 double reach) noexcept {
+                                 double reach,
+                                 std::size_t spacing) noexcept {
   static const Rays rays;
   clear();
   const GridFrame& frame = obstacles.frame();
   const Vector2d low = Vector2d::Constant(radius) - origin;
   const Vector2d high = Vector2d(frame.width, frame.height) - Vector2d::Constant(radius) - origin;
   CellIndex last{.x = -1, .y = -1};
-  for (const Vector2d& ray : rays.directions) {
+  for (std::size_t i = 0; i < kRays; i += spacing) {
+    const Vector2d& ray = rays.directions[i];
     // The distance at which the disc would leave the map.
     const double end_x = (ray.x() > 0.0 ? high : low).x() / ray.x();
     const double end_y = (ray.y() > 0.0 ? high : low).y() / ray.y();

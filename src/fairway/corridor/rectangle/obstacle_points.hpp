@@ -27,12 +27,14 @@ class ObstaclePoints {
   ///
   /// A ray detects some obstacles up to a tile of 8 cells beside it. It ends at the first obstacle
   /// close to it. Obstacles between two rays may be missed; the set is a first guess. `radius` is
-  /// the radius of the disc and `reach` the length of the rays [cells].
+  /// the radius of the disc and `reach` the length of the rays [cells]. Of the 48 rays only every
+  /// `spacing`-th is followed.
   /// @pre no blocked cell is at most `radius` from the origin.
   void look_around(const BitGrid& obstacles,
                    const Eigen::Vector2d& origin,
                    double radius,
-                   double reach) noexcept;
+                   double reach,
+                   std::size_t spacing = 1) noexcept;
 
   /// Adds a point. @pre it lies in the obstacle of a cell, and is not the origin.
   void add(const Eigen::Vector2d& point) noexcept;

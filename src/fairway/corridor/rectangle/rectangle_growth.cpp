@@ -103,7 +103,9 @@ class Growth {
         radius_(radius),
         steps_(steps) {
     const double reach = std::numbers::sqrt2 * steps.limit;
-    points_.look_around(obstacles, origin, radius, reach);
+    // Obstacles that a coarse look misses are learnt from the tests.
+    constexpr std::size_t kRaySpacing = 2;
+    points_.look_around(obstacles, origin, radius, reach, kRaySpacing);
     look_at_zones(obstacles, origin, radius, reach, points_);
   }
 
