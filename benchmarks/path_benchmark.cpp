@@ -8,7 +8,7 @@
 
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/path/path_planner.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace {
 

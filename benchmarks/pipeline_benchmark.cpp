@@ -15,7 +15,7 @@
 #include "fairway/planning/planner.hpp"
 #include "fairway/prediction/forecast.hpp"
 #include "fairway/simulation/scenarios/generated_maps.hpp"
-#include "ocp_generator.hpp"
+#include "solvers/ocp_generator.hpp"
 
 namespace {
 

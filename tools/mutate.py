@@ -121,7 +121,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as text:
         folder = pathlib.Path(text)
         objects = {}
-        fixed = [*sorted((ROOT / "tests/unit/monitor").glob("*_test.cpp")), ROOT / "tests/support/allocation_guard.cpp",
+        fixed = [*sorted((ROOT / "tests/unit/monitor").glob("*_test.cpp")), ROOT / "tests/support/runs/allocation_guard.cpp",
                  *(ROOT / "src/fairway" / name for name in LIBRARY), *(monitor / name for name in SOURCES)]
         for source in fixed:
             objects[source.name] = folder / f"{source.name}.o"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Drives tasks with the tool and judges the traces: run_bodies.py TOOL [FOLDER].
 
-Without a folder, the tasks are those of benchmarks/make_body_tasks.py. Exits with 77 where the folder is absent: skipped.
+Without a folder, the tasks are those of benchmarks/cases/make_body_tasks.py. Exits with 77 where the folder is absent: skipped.
 """
 
 import json

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/map_crossing.hpp"
+#include "support/worlds/map_crossing.hpp"
 
 namespace fairway {
 namespace {

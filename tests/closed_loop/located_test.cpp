@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
-#include "support/free_poses.hpp"
+#include "support/random/free_poses.hpp"
 
 namespace fairway {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/io/maps/map_file.hpp"
-#include "support/map_crossing.hpp"
+#include "support/worlds/map_crossing.hpp"
 
 namespace fairway {
 namespace {

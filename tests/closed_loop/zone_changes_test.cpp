@@ -7,7 +7,7 @@
 #include "fairway/navigation/facade/map_navigator.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/zones/zone_map.hpp"
-#include "support/zone_oracle.hpp"
+#include "support/oracles/zone_oracle.hpp"
 
 namespace fairway {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
-#include "support/zone_oracle.hpp"
+#include "support/oracles/zone_oracle.hpp"
 
 namespace fairway {
 namespace {

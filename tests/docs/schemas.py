@@ -59,10 +59,10 @@ def check_schemas(root: pathlib.Path, tool: pathlib.Path) -> list:
         (folder / "moving.json").write_text(json.dumps(DYNABARN))
         (folder / "parking").mkdir()
         (folder / "parking/Case1.csv").write_text(PARKING)
-        worlds = root / "benchmarks/make_narrow_worlds.py"
+        worlds = root / "benchmarks/cases/make_narrow_worlds.py"
         subprocess.run([worlds, folder / "worlds", "--count", "1"], check=True, capture_output=True)
-        subprocess.run([root / "benchmarks/make_body_tasks.py", folder / "bodies"], check=True)
-        subprocess.run([root / "benchmarks/make_people_cases.py", folder / "people"], check=True)
+        subprocess.run([root / "benchmarks/cases/make_body_tasks.py", folder / "bodies"], check=True)
+        subprocess.run([root / "benchmarks/cases/make_people_cases.py", folder / "people"], check=True)
         recorded = [tool, "simulate", root / "scenarios/doorways.yaml", "--log", folder / "run.mcap"]
         subprocess.run(recorded, check=True, capture_output=True)
         plan = ["plan", workshop, "--start", "2,4.4", "--goal", "22.2,14.6"]

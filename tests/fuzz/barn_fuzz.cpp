@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "experiments/barn/barn_file.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fuzz/random_grid.hpp"
-#include "support/corridor_promises.hpp"
+#include "support/oracles/corridor_promises.hpp"
 
 namespace {
 

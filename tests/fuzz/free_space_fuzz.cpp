@@ -6,7 +6,7 @@
 
 #include "fairway/map/free_space.hpp"
 #include "fuzz/random_grid.hpp"
-#include "support/geometry_oracle.hpp"
+#include "support/oracles/geometry_oracle.hpp"
 
 namespace {
 

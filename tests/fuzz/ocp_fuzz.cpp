@@ -8,7 +8,7 @@
 
 #include "experiments/solver/ocp_instances.hpp"
 #include "fairway/mpc/interior_point/solver.hpp"
-#include "support/extreme_control_problem.hpp"
+#include "support/random/extreme_control_problem.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto solver = std::make_unique<fairway::InteriorPointSolver>();

@@ -11,7 +11,7 @@
 #include "fairway/simulation/recorded/observer_list.hpp"
 #include "fairway/simulation/recorded/replay_check.hpp"
 #include "fuzz/byte_source.hpp"
-#include "support/changed_recording.hpp"
+#include "support/runs/changed_recording.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "fairway/io/recording/exact/scenario_archive.hpp"
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/simulation/episode.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace {
 

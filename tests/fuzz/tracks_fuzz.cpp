@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "fairway/io/scenario/tracks_file.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fairway::test::TemporaryFolder folder;

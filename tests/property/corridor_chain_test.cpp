@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "fairway/corridor/corridor_builder.hpp"
-#include "support/corridor_promises.hpp"
-#include "support/random_path.hpp"
+#include "support/oracles/corridor_promises.hpp"
+#include "support/random/random_path.hpp"
 
 namespace fairway {
 namespace {

@@ -12,8 +12,8 @@
 #include "fairway/map/free_space.hpp"
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/free_poses.hpp"
-#include "support/idle_solver.hpp"
+#include "support/random/free_poses.hpp"
+#include "support/runs/idle_solver.hpp"
 
 namespace fairway {
 namespace {

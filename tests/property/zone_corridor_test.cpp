@@ -4,7 +4,7 @@
 
 #include "fairway/planning/planner.hpp"
 #include "fairway/zones/zone_map.hpp"
-#include "support/zone_oracle.hpp"
+#include "support/oracles/zone_oracle.hpp"
 
 namespace fairway {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fairway/navigation/navigator.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway::test {
 

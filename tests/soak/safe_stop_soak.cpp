@@ -13,7 +13,7 @@
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 #include "faults.hpp"
-#include "support/free_poses.hpp"
+#include "support/random/free_poses.hpp"
 
 namespace {
 

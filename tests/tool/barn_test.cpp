@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/small_barn.hpp"
+#include "support/worlds/small_barn.hpp"
 #include "tool_run.hpp"
 
 namespace fairway::test {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace fairway::test {
 

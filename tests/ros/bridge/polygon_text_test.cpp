@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pilot_rig.hpp"
+#include "pilot/pilot_rig.hpp"
 
 namespace fairway::bridge {
 namespace {

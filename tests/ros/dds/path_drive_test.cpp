@@ -9,7 +9,7 @@
 
 #include "bridge/pilot.hpp"
 #include "fairway/simulation/world.hpp"
-#include "support/self_approaching_paths.hpp"
+#include "support/worlds/self_approaching_paths.hpp"
 
 namespace fairway::dds {
 namespace {

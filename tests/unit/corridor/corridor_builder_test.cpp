@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/corridor_promises.hpp"
+#include "support/oracles/corridor_promises.hpp"
 
 namespace fairway {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/small_barn.hpp"
+#include "support/worlds/small_barn.hpp"
 
 namespace fairway::io {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point/solver.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace fairway::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/geometry/robot_model.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

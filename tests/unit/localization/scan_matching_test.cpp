@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "fairway/geometry/pose2.hpp"
-#include "support/central_difference.hpp"
-#include "support/random_world.hpp"
+#include "support/oracles/central_difference.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

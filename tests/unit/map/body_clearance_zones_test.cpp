@@ -10,7 +10,7 @@
 #include "fairway/map/body_clearance.hpp"
 #include "fairway/zones/zone_map.hpp"
 #include "random_body.hpp"
-#include "support/zone_oracle.hpp"
+#include "support/oracles/zone_oracle.hpp"
 
 namespace fairway {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/geometry_oracle.hpp"
-#include "support/random_world.hpp"
+#include "support/oracles/geometry_oracle.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

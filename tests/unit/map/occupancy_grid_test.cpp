@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "fairway/geometry/body_shape.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway::test {
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "monitor_body.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "monitor_body.hpp"
-#include "support/allocation_guard.hpp"
+#include "support/runs/allocation_guard.hpp"
 
 namespace fairway {
 namespace {

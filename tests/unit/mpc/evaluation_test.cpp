@@ -9,7 +9,7 @@
 
 #include "experiments/solver/paper_problem.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/mpc/evaluation.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

@@ -9,7 +9,7 @@
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/mpc_settings.hpp"
 #include "fairway/mpc/problem_from_settings.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "fairway/mpc/interior_point/real_time_solver.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

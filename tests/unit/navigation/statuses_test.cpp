@@ -10,7 +10,7 @@
 #include "fairway/navigation/navigator.hpp"
 #include "fairway/navigation/status_label.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/idle_solver.hpp"
+#include "support/runs/idle_solver.hpp"
 
 namespace fairway {
 namespace {

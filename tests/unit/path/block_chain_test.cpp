@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/path/search_grid.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/scenarios/generated_maps.hpp"
-#include "support/path_survey.hpp"
+#include "support/worlds/path_survey.hpp"
 
 namespace fairway {
 namespace {

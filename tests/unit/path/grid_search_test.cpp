@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/path_oracle.hpp"
-#include "support/random_world.hpp"
+#include "support/oracles/path_oracle.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

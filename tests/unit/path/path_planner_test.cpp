@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/path_check.hpp"
-#include "support/path_world.hpp"
+#include "support/worlds/path_check.hpp"
+#include "support/worlds/path_world.hpp"
 
 namespace fairway {
 namespace {

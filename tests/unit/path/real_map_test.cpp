@@ -8,8 +8,8 @@
 
 #include "fairway/io/maps/map_file.hpp"
 #include "fairway/path/path_planner.hpp"
-#include "support/path_check.hpp"
-#include "support/path_survey.hpp"
+#include "support/worlds/path_check.hpp"
+#include "support/worlds/path_survey.hpp"
 
 namespace fairway {
 namespace {

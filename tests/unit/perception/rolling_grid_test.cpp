@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "small_window.hpp"
-#include "support/cell_oracle.hpp"
-#include "support/random_world.hpp"
+#include "support/oracles/cell_oracle.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -6,7 +6,7 @@
 #include "fairway/perception/perception.hpp"
 #include "fairway/simulation/sensors/lidar.hpp"
 #include "fairway/simulation/sensors/odometry.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway::test {
 

@@ -5,7 +5,7 @@
 #include "fairway/corridor/corridor_builder.hpp"
 #include "fairway/planning/path_plan.hpp"
 #include "fairway/planning/planner.hpp"
-#include "support/corridor_promises.hpp"
+#include "support/oracles/corridor_promises.hpp"
 
 namespace fairway {
 namespace {

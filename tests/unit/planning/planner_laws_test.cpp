@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "fairway/planning/planner.hpp"
-#include "support/corridor_promises.hpp"
-#include "support/free_poses.hpp"
-#include "support/path_oracle.hpp"
+#include "support/oracles/corridor_promises.hpp"
+#include "support/random/free_poses.hpp"
+#include "support/oracles/path_oracle.hpp"
 
 namespace fairway {
 namespace {

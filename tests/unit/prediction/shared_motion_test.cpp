@@ -6,7 +6,7 @@
 #include "fairway/prediction/moving_obstacle.hpp"
 #include "fairway/safety/stop_check.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -10,7 +10,7 @@
 #include "fairway/safety/base_response.hpp"
 #include "fairway/safety/braking_profile.hpp"
 #include "fairway/safety/command_history.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

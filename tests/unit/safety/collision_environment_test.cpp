@@ -7,8 +7,8 @@
 
 #include "fairway/map/footprint_clearance.hpp"
 #include "fairway/map/free_space.hpp"
-#include "support/free_poses.hpp"
-#include "support/random_world.hpp"
+#include "support/random/free_poses.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -4,7 +4,7 @@
 #include "fairway/map/footprint_clearance.hpp"
 #include "fairway/safety/stop_check.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "fairway/map/free_space.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

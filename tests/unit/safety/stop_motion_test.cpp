@@ -8,7 +8,7 @@
 
 #include "fairway/mpc/control_problem.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_control_problem.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

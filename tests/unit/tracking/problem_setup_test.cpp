@@ -9,7 +9,7 @@
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/problem_from_settings.hpp"
 #include "fairway/navigation/settings.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

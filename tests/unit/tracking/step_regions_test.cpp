@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_path.hpp"
+#include "support/random/random_path.hpp"
 
 namespace fairway {
 namespace {

@@ -9,7 +9,7 @@
 #include "fairway/navigation/settings.hpp"
 #include "fairway/tracking/timed_targets.hpp"
 #include "fairway/tracking/waypoint_targets.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway::internal {
 namespace {

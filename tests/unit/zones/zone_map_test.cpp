@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/zone_oracle.hpp"
+#include "support/oracles/zone_oracle.hpp"
 
 namespace fairway {
 namespace {

@@ -11,7 +11,7 @@
 #include "fairway/simulation/world.hpp"
 #include "nav2_fairway_controller/costmap_conversion.hpp"
 #include "nav2_fairway_controller/path_follower.hpp"
-#include "support/self_approaching_paths.hpp"
+#include "support/worlds/self_approaching_paths.hpp"
 
 namespace fairway::nav2 {
 

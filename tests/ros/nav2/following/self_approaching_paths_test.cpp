@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paths that come near themselves: no part may be skipped.
-#include "support/self_approaching_paths.hpp"
+#include "support/worlds/self_approaching_paths.hpp"
 
 #include <numbers>
 

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/scenarios/generated_maps.hpp"
-#include "support/geometry_oracle.hpp"
-#include "support/random_world.hpp"
-#include "support/rectangle_oracle.hpp"
+#include "support/oracles/geometry_oracle.hpp"
+#include "support/random/random_world.hpp"
+#include "support/oracles/rectangle_oracle.hpp"
 
 namespace fairway {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "support/geometry_oracle.hpp"
-#include "support/growth_oracle.hpp"
-#include "support/random_world.hpp"
+#include "support/oracles/geometry_oracle.hpp"
+#include "support/oracles/growth_oracle.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -8,7 +8,7 @@
 #include "experiments/people/people_files.hpp"
 #include "experiments/people/people_summary.hpp"
 #include "fairway/geometry/angle.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace fairway {
 namespace {

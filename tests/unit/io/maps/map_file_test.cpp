@@ -8,7 +8,7 @@
 
 #include "fairway/io/maps/map_image.hpp"
 #include "fairway/simulation/scenarios/generated_maps.hpp"
-#include "support/map_files.hpp"
+#include "support/runs/map_files.hpp"
 
 namespace fairway::io {
 namespace {

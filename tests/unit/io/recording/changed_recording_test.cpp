@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Modified recordings are refused with a reason, or played. Found by tests/fuzz.
-#include "support/changed_recording.hpp"
+#include "support/runs/changed_recording.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "fairway/io/web_report/run_stream.hpp"
 #include "fairway/simulation/recorded/observer_list.hpp"
 #include "fairway/simulation/recorded/replay_check.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway::io {
 namespace {

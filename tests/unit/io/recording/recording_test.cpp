@@ -14,7 +14,7 @@
 #include "fairway/io/web_report/run_stream.hpp"
 #include "fairway/simulation/episode.hpp"
 #include "fairway/simulation/recorded/replay_check.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 #include "synthetic_run.hpp"
 
 namespace fairway::io {

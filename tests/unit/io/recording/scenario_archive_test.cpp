@@ -6,8 +6,8 @@
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "fairway/io/whole_file.hpp"
 #include "fairway/io/yaml/settings_file.hpp"
-#include "support/random_world.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/random/random_world.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace fairway::io {
 namespace {

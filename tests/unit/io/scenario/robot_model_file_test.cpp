@@ -7,7 +7,7 @@
 
 #include "fairway/io/scenario/scenario_file.hpp"
 #include "small_map.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace fairway::io {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace fairway::test {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/io/yaml/setting_text.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/runs/temporary_folder.hpp"
 
 namespace fairway::io {
 namespace {

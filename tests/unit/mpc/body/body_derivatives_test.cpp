@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/mpc/body/body_evaluation.hpp"
-#include "support/random_body_problem.hpp"
+#include "support/random/random_body_problem.hpp"
 
 namespace fairway {
 namespace {

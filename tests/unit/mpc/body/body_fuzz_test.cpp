@@ -8,7 +8,7 @@
 
 #include "fairway/mpc/body/input_bounds.hpp"
 #include "fairway/mpc/interior_point/body/body_solver.hpp"
-#include "support/random_body_problem.hpp"
+#include "support/random/random_body_problem.hpp"
 
 namespace fairway {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "fairway/mpc/body/body_evaluation.hpp"
 #include "fairway/mpc/body/input_bounds.hpp"
-#include "support/body_optimality.hpp"
-#include "support/random_body_problem.hpp"
+#include "support/oracles/body_optimality.hpp"
+#include "support/random/random_body_problem.hpp"
 
 namespace fairway {
 namespace {

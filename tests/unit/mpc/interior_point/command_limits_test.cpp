@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway::interior_point {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point/four_start_solver.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point/solver.hpp"
-#include "support/extreme_control_problem.hpp"
-#include "support/random_world.hpp"
+#include "support/random/extreme_control_problem.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -14,8 +14,8 @@
 #include "fairway/mpc/interior_point/line_search.hpp"
 #include "fairway/mpc/interior_point/newton/newton.hpp"
 #include "fairway/mpc/interior_point/setup.hpp"
-#include "support/central_difference.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/oracles/central_difference.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway::interior_point {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/start_guesses.hpp"
-#include "support/optimality_oracle.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/oracles/optimality_oracle.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

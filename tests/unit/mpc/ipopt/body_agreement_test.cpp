@@ -5,7 +5,7 @@
 
 #include "fairway/mpc/interior_point/body/body_solver.hpp"
 #include "fairway/mpc/ipopt/ipopt_body_solver.hpp"
-#include "support/random_body_problem.hpp"
+#include "support/random/random_body_problem.hpp"
 
 namespace fairway {
 namespace {

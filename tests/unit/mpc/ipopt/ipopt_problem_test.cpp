@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "fairway/mpc/evaluation.hpp"
-#include "support/central_difference.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/oracles/central_difference.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

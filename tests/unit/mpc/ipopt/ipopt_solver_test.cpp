@@ -7,8 +7,8 @@
 
 #include "experiments/solver/paper_problem.hpp"
 #include "fairway/mpc/evaluation.hpp"
-#include "support/first_order_oracle.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/oracles/first_order_oracle.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

@@ -10,7 +10,7 @@
 #include "fairway/mpc/evaluation.hpp"
 #include "fairway/mpc/interior_point/solver.hpp"
 #include "fairway/mpc/ipopt/ipopt_solver.hpp"
-#include "support/random_control_problem.hpp"
+#include "support/random/random_control_problem.hpp"
 
 namespace fairway {
 namespace {

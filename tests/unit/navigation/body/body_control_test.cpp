@@ -9,8 +9,8 @@
 #include "fairway/navigation/body/proof/body_stop.hpp"
 #include "fairway/path/se2/motion_path.hpp"
 #include "fairway/trajectory/stopping_trajectory.hpp"
-#include "support/allocation_guard.hpp"
-#include "support/robot_presets.hpp"
+#include "support/runs/allocation_guard.hpp"
+#include "support/worlds/robot_presets.hpp"
 
 namespace fairway {
 namespace {

@@ -12,7 +12,7 @@
 #include "fairway/map/body_clearance.hpp"
 #include "fairway/planning/planner.hpp"
 #include "fairway/simulation/bodies/body_robot.hpp"
-#include "support/allocation_guard.hpp"
+#include "support/runs/allocation_guard.hpp"
 
 namespace fairway {
 namespace {

@@ -10,7 +10,7 @@
 #include "fairway/navigation/body/proof/body_stop.hpp"
 #include "fairway/planning/planner.hpp"
 #include "fairway/trajectory/tracking_law.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

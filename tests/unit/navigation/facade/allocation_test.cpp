@@ -12,7 +12,7 @@
 #include "fairway/navigation/facade/mapless_navigator.hpp"
 #include "fairway/simulation/sensors/lidar.hpp"
 #include "fairway/simulation/sensors/noise.hpp"
-#include "support/allocation_guard.hpp"
+#include "support/runs/allocation_guard.hpp"
 
 namespace fairway {
 namespace {

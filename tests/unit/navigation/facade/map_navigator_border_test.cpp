@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/navigation/facade/map_navigator.hpp"
-#include "support/two_rooms.hpp"
+#include "support/worlds/two_rooms.hpp"
 
 namespace fairway {
 namespace {

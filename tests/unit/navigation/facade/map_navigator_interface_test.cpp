@@ -11,7 +11,7 @@
 #include "fairway/planning/planner.hpp"
 #include "fairway/simulation/sensors/lidar.hpp"
 #include "fairway/simulation/sensors/noise.hpp"
-#include "support/two_rooms.hpp"
+#include "support/worlds/two_rooms.hpp"
 
 namespace fairway {
 namespace {

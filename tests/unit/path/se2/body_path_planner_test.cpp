@@ -9,7 +9,7 @@
 #include "fairway/geometry/angle.hpp"
 #include "fairway/path/se2/connections.hpp"
 #include "fairway/path/se2/goal_distance.hpp"
-#include "support/random_world.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
-#include "support/robot_presets.hpp"
+#include "support/worlds/robot_presets.hpp"
 
 namespace fairway {
 namespace {

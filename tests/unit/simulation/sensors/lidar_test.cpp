@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/cell_oracle.hpp"
-#include "support/random_world.hpp"
+#include "support/oracles/cell_oracle.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {
