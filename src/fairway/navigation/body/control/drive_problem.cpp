@@ -38,7 +38,7 @@ template <typename Motion>
 void add_member(const DriveView& view,
                 const FleetMember& member,
                 BodyProblem<Motion>& problem) noexcept {
-  constexpr double kFleetMargin = 0.1;  // [m]
+  constexpr double kMemberMargin = 0.1;  // [m]
   constexpr int kMostDiscs = 3;
   const SharedMotion& other = *member.motion;
   const double reach =
@@ -66,7 +66,7 @@ void add_member(const DriveView& view,
       const auto at = static_cast<std::size_t>(k);
       const Pose2 pose = expected_pose(member, *view.moving, view.delay + k * problem.dt);
       predicted.position[at] = transform(pose, center);
-      predicted.keep_out[at] = radius + kFleetMargin;
+      predicted.keep_out[at] = radius + kMemberMargin;
     }
   }
 }
