@@ -9,8 +9,8 @@
 #include "fairway/geometry/angle.hpp"
 #include "fairway/trajectory/stopping_trajectory.hpp"
 #include "fairway/trajectory/trajectory_tracker.hpp"
-#include "support/runs/allocation_guard.hpp"
 #include "support/random/random_world.hpp"
+#include "support/runs/allocation_guard.hpp"
 
 namespace fairway {
 namespace {
