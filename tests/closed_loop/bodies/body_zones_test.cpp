@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "fairway/simulation/episode.hpp"
-#include "support/worlds/robot_presets.hpp"
 #include "support/oracles/zone_oracle.hpp"
+#include "support/worlds/robot_presets.hpp"
 
 namespace fairway {
 namespace {

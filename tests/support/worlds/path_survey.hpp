@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "fairway/path/path_planner.hpp"
-#include "support/worlds/path_check.hpp"
 #include "support/oracles/path_oracle.hpp"
 #include "support/random/random_world.hpp"
+#include "support/worlds/path_check.hpp"
 
 namespace fairway::test {
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "fairway/map/free_space.hpp"
-#include "support/runs/publishing_fleet.hpp"
 #include "support/random/random_world.hpp"
+#include "support/runs/publishing_fleet.hpp"
 
 namespace fairway {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "fairway/fleet/fleet_coordinator.hpp"
 #include "fairway/map/free_space.hpp"
-#include "support/runs/publishing_fleet.hpp"
 #include "support/random/random_world.hpp"
+#include "support/runs/publishing_fleet.hpp"
 
 namespace fairway {
 namespace {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "random_body.hpp"
-#include "support/runs/allocation_guard.hpp"
 #include "support/random/random_world.hpp"
+#include "support/runs/allocation_guard.hpp"
 
 namespace fairway {
 namespace {

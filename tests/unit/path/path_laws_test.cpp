@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "support/worlds/path_check.hpp"
 #include "support/oracles/path_oracle.hpp"
-#include "support/worlds/path_world.hpp"
 #include "support/random/random_world.hpp"
+#include "support/worlds/path_check.hpp"
+#include "support/worlds/path_world.hpp"
 
 namespace fairway {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "fairway/planning/planner.hpp"
 #include "support/oracles/corridor_promises.hpp"
-#include "support/random/free_poses.hpp"
 #include "support/oracles/path_oracle.hpp"
+#include "support/random/free_poses.hpp"
 
 namespace fairway {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "fairway/simulation/scenarios/generated_maps.hpp"
 #include "support/oracles/geometry_oracle.hpp"
-#include "support/random/random_world.hpp"
 #include "support/oracles/rectangle_oracle.hpp"
+#include "support/random/random_world.hpp"
 
 namespace fairway {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "fairway/mpc/interior_point/body/body_solver.hpp"
-#include "support/runs/allocation_guard.hpp"
 #include "support/random/random_body_problem.hpp"
+#include "support/runs/allocation_guard.hpp"
 
 namespace fairway {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "fairway/mpc/interior_point/four_start_solver.hpp"
 #include "fairway/mpc/start_guesses.hpp"
-#include "support/runs/allocation_guard.hpp"
 #include "support/random/random_control_problem.hpp"
+#include "support/runs/allocation_guard.hpp"
 
 namespace fairway {
 namespace {
