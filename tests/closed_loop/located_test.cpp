@@ -6,32 +6,24 @@
 
 #include "fairway/simulation/episode.hpp"
 #include "support/random/random_world.hpp"
+#include "support/worlds/boxes.hpp"
 
 namespace fairway {
 namespace {
-
-void put_box(OccupancyGrid& map, double x0, double y0, double x1, double y1) {
-  const CellIndex first = map.frame().cell_at({x0, y0});
-  const CellIndex last = map.frame().cell_at({x1, y1});
-  for (int y = first.y; y <= last.y; ++y) {
-    for (int x = first.x; x <= last.x; ++x)
-      map.set({x, y}, CellState::Occupied);
-  }
-}
 
 // A hall of 14 m x 10 m with posts and walls, and `factor` times the standard noise.
 Scenario hall(std::uint64_t seed, double factor) {
   Scenario scenario;
   scenario.map = OccupancyGrid({.width = 280, .height = 200, .resolution = 0.05, .origin = {}});
-  put_box(scenario.map, 0.01, 0.01, 13.99, 0.05);
-  put_box(scenario.map, 0.01, 9.95, 13.99, 9.99);
-  put_box(scenario.map, 0.01, 0.01, 0.05, 9.99);
-  put_box(scenario.map, 13.95, 0.01, 13.99, 9.99);
+  test::put_box(scenario.map, 0.01, 0.01, 13.99, 0.05);
+  test::put_box(scenario.map, 0.01, 9.95, 13.99, 9.99);
+  test::put_box(scenario.map, 0.01, 0.01, 0.05, 9.99);
+  test::put_box(scenario.map, 13.95, 0.01, 13.99, 9.99);
   test::Random random(seed);
   for (int i = 0; i < 25; ++i) {
     const double x = random.uniform(3.0, 11.0);
     const double y = random.uniform(0.5, 9.5);
-    put_box(scenario.map, x, y, x + 0.15, y + 0.15);
+    test::put_box(scenario.map, x, y, x + 0.15, y + 0.15);
   }
   scenario.robots = {{.name = "robot",
                       .start = {.position = {1.5, 5.0}, .heading = 0.0},

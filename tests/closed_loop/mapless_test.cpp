@@ -4,6 +4,7 @@
 
 #include "fairway/simulation/episode.hpp"
 #include "support/random/random_world.hpp"
+#include "support/worlds/boxes.hpp"
 
 namespace fairway {
 namespace {
@@ -25,15 +26,6 @@ Scenario hall(std::uint64_t seed) {
   return scenario;
 }
 
-void put_box(OccupancyGrid& map, double x0, double y0, double x1, double y1) {
-  const CellIndex first = map.frame().cell_at({x0, y0});
-  const CellIndex last = map.frame().cell_at({x1, y1});
-  for (int y = first.y; y <= last.y; ++y) {
-    for (int x = first.x; x <= last.x; ++x)
-      map.set({x, y}, CellState::Occupied);
-  }
-}
-
 void expect_arrival(const EpisodeResult& result, const Scenario& scenario) {
   EXPECT_FALSE(result.robots[0].collided);
   EXPECT_TRUE(result.robots[0].reached) << to_text(result.trace.rows.back().status);
@@ -50,7 +42,7 @@ TEST(Mapless, CrossesAnUnknownFieldOfPosts) {
     for (int i = 0; i < 25; ++i) {
       const double x = random.uniform(3.0, 11.0);
       const double y = random.uniform(0.5, 9.5);
-      put_box(scenario.map, x, y, x + 0.15, y + 0.15);
+      test::put_box(scenario.map, x, y, x + 0.15, y + 0.15);
     }
     SCOPED_TRACE(seed);
     expect_arrival(run_episode(scenario), scenario);
@@ -60,9 +52,9 @@ TEST(Mapless, CrossesAnUnknownFieldOfPosts) {
 TEST(Mapless, LeavesADeadEnd) {
   Scenario scenario = hall(1);
   // A pocket across the straight path, open towards the robot.
-  put_box(scenario.map, 4.0, 3.0, 8.0, 3.1);
-  put_box(scenario.map, 4.0, 6.9, 8.0, 7.0);
-  put_box(scenario.map, 8.0, 3.0, 8.1, 7.0);
+  test::put_box(scenario.map, 4.0, 3.0, 8.0, 3.1);
+  test::put_box(scenario.map, 4.0, 6.9, 8.0, 7.0);
+  test::put_box(scenario.map, 8.0, 3.0, 8.1, 7.0);
   expect_arrival(run_episode(scenario), scenario);
 }
 
@@ -73,8 +65,8 @@ TEST(Mapless, PassesADoorAsNarrowAsBarns) {
       Scenario scenario = hall(seed);
       scenario.sensing.sensing = sensing;
       const double low = 4.0 + 0.7 * static_cast<double>(seed);
-      put_box(scenario.map, 6.0, 0.0, 6.39, low - 0.01);
-      put_box(scenario.map, 6.0, low + 0.71, 6.39, 9.99);
+      test::put_box(scenario.map, 6.0, 0.0, 6.39, low - 0.01);
+      test::put_box(scenario.map, 6.0, low + 0.71, 6.39, 9.99);
       SCOPED_TRACE(seed);
       expect_arrival(run_episode(scenario), scenario);
     }
@@ -87,8 +79,8 @@ TEST(Mapless, ScansCorrectTheDriftOfTheWheels) {
     Scenario scenario = hall(seed);
     scenario.sensing.odometry.most_scale_error *= 3.0;
     scenario.sensing.odometry.most_drift *= 3.0;
-    put_box(scenario.map, 5.0, 3.0, 5.5, 6.5);
-    put_box(scenario.map, 8.0, 4.0, 8.5, 8.0);
+    test::put_box(scenario.map, 5.0, 3.0, 5.5, 6.5);
+    test::put_box(scenario.map, 8.0, 4.0, 8.5, 8.0);
     SCOPED_TRACE(seed);
     const EpisodeResult result = run_episode(scenario);
     EXPECT_TRUE(result.robots[0].reached);
@@ -109,7 +101,7 @@ TEST(Mapless, DoesNotMoveWithoutScans) {
 
 TEST(Mapless, SameSeedGivesTheSameBits) {
   Scenario scenario = hall(5);
-  put_box(scenario.map, 5.0, 4.0, 5.2, 6.5);
+  test::put_box(scenario.map, 5.0, 4.0, 5.2, 6.5);
   scenario.time_limit = 4.0;
   const EpisodeResult first = run_episode(scenario);
   const EpisodeResult second = run_episode(scenario);

@@ -2,7 +2,7 @@
 // Zone sets of version 3: which zones are in force.
 #include <gtest/gtest.h>
 
-#include "driving/fleet_double.hpp"
+#include "vda5050/driving/fleet_double.hpp"
 
 namespace fairway::vda5050::test {
 namespace {

@@ -64,7 +64,9 @@ TEST(WalkingPeople, NoticesAPersonWhoSetsOffAfterAFewSteps) {
         const bool found = seen.size() == 1 && (seen[0].position - truth.position).norm() < 0.1;
         if (found && noticed < 0.0) noticed = speed * walked;
         if (noticed >= 0.0 && !found) ++missed;
-        if (walked == 0.0) EXPECT_TRUE(seen.empty());
+        if (walked == 0.0) {
+          EXPECT_TRUE(seen.empty());
+        }
       }
       constexpr double kFar = 0.22;   // [m]
       constexpr double kLate = 0.12;  // [s]; two scans and a half

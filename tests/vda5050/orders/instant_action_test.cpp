@@ -2,7 +2,7 @@
 // Instant actions: cancel, pause, initial position, and their states.
 #include <gtest/gtest.h>
 
-#include "driving/fleet_double.hpp"
+#include "vda5050/driving/fleet_double.hpp"
 
 namespace fairway::vda5050::test {
 namespace {

@@ -2,7 +2,7 @@
 // Actions at the nodes and on the edges of an order.
 #include <gtest/gtest.h>
 
-#include "driving/fleet_double.hpp"
+#include "vda5050/driving/fleet_double.hpp"
 
 namespace fairway::vda5050::test {
 namespace {

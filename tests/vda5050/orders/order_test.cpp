@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "driving/fleet_double.hpp"
+#include "vda5050/driving/fleet_double.hpp"
 
 namespace fairway::vda5050::test {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "fairway/mpc/control_problem.hpp"
 #include "fairway/navigation/facade/mapless_navigator.hpp"
+#include "fairway/perception/perception.hpp"
 #include "fairway/simulation/sensors/lidar.hpp"
 #include "fairway/simulation/sensors/noise.hpp"
 
