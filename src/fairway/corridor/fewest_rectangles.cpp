@@ -269,7 +269,7 @@ const CorridorResult& FewestRectangles::build(const BitGrid& obstacles,
   // The orientation of the reach is tried as well, so a coarse search over the others suffices.
   // This saves much time and loses little area.
   rectangle_settings_ = {.longest_side = settings.longest_side,
-                         .num_orientations = 6,
+                         .num_orientations = 8,
                          .refinements = 3,
                          .tolerance = 0.03};
   reach_settings_ = {.radius = search_radius(grid, clearance_),

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/monitor/monitored_axis.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

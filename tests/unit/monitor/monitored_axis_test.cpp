@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/monitor/monitored_axis.hpp"
+#include "fairway/monitor/safety_monitor.hpp"
 
 #include <cmath>
 #include <limits>
