@@ -280,7 +280,7 @@ test('goals as numbers, coordinates under the pointer, follow, measure', () => w
   await page.fill('#goal-y-0', '9.25');
   await page.fill('#goal-heading-0', '90');
   await page.click('.typed-goal button');
-  await until(page, () => window.fairway.run.plans[0].at(-1).goal.x === 6.5);
+  await until(page, () => window.fairway.run.plans[0].at(-1)?.goal.x === 6.5);
   const goal = await page.evaluate(() => window.fairway.run.plans[0].at(-1).goal);
   assert.ok(goal.y === 9.25 && Math.abs(goal.heading - Math.PI / 2) < 1e-3);
   await page.mouse.move(...await spot(page, 3, 4));

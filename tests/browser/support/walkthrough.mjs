@@ -59,6 +59,17 @@ class Visitor {
     return client.detach();
   }
 
+  /** Presses again where a press came while the button was off for a moment, as a person would. */
+  async pressUntil(selector, condition) {
+    for (let left = 5; ; --left) {
+      await this.press(selector);
+      const seen = await this.page.waitForFunction(condition, undefined, { timeout: 15000 })
+        .then(() => true, () => false);
+      if (seen) return;
+      if (left === 0) throw new Error(`${selector}: expected an effect, found none`);
+    }
+  }
+
   /** A message on the screen, not only in the document. */
   message(pattern) {
     return until(this.page, (source) => {
@@ -109,10 +120,8 @@ const steps = [
     await v.drag([12, 11], [14, 11]);
     await v.sees(() => window.fairway.run.grids[0][0].changes.length > 0);
     await v.sees(() => !document.getElementById('undo').disabled);
-    await v.press('#undo');
-    await v.sees(() => !document.getElementById('redo').disabled);
-    await v.press('#redo');
-    await v.sees(() => document.getElementById('redo').disabled);
+    await v.pressUntil('#undo', () => !document.getElementById('redo').disabled);
+    await v.pressUntil('#redo', () => document.getElementById('redo').disabled);
   }],
   ['a person, and another robot', async (v) => {
     await v.press('#tool-person');
