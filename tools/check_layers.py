@@ -16,8 +16,8 @@ TARGETS = [
         "base", "geometry", "monitor", "zones", "map", "prediction", "path", "path/se2", "trajectory", "corridor/rectangle", "corridor", "mpc", "mpc/body",
         "mpc/interior_point/workspace", "mpc/interior_point/constraints", "mpc/interior_point/newton",
         "mpc/interior_point/lockstep",
-        "mpc/interior_point", "mpc/interior_point/body", "planning", "tracking", "tracking/space_time", "safety", "fleet", "localization", "perception", "navigation",
-        "navigation/facade", "navigation/body/proof", "navigation/body/control", "navigation/body/drive", "navigation/body/guide", "navigation/body", ""]),
+        "mpc/interior_point", "mpc/interior_point/body", "planning", "tracking", "tracking/space_time", "safety", "fleet", "localization", "perception/object", "perception",
+        "navigation", "navigation/explanation", "navigation/facade", "navigation/body/proof", "navigation/body/control", "navigation/body/drive", "navigation/body/guide", "navigation/body", ""]),
     ("fairway_ipopt", ["fairway"], ["mpc/ipopt"]),
     ("fairway_simulation", ["fairway"], [
         "simulation/sensors", "simulation/bodies", "simulation/judges", "simulation/people", "simulation", "simulation/interactive", "simulation/scenarios",

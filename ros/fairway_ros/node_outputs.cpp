@@ -8,7 +8,7 @@
 #include "bridge/message_conversions.hpp"
 #include "bridge/plan_markers.hpp"
 #include "fairway/io/number_text.hpp"
-#include "fairway/navigation/status_guide.hpp"
+#include "fairway/navigation/explanation/status_guide.hpp"
 #include "fairway_ros/message_conversions.hpp"
 
 namespace fairway::ros1 {

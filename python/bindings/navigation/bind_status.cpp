@@ -3,8 +3,8 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "fairway/navigation/status_guide.hpp"
-#include "fairway/navigation/status_label.hpp"
+#include "fairway/navigation/explanation/status_guide.hpp"
+#include "fairway/navigation/explanation/status_label.hpp"
 
 namespace fairway::python {
 

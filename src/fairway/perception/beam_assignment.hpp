@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "fairway/perception/moving_track.hpp"
+#include "fairway/perception/object/moving_track.hpp"
 #include "fairway/perception/rolling_grid.hpp"
 
 namespace fairway {

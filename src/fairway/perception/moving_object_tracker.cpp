@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "fairway/perception/beam_assignment.hpp"
-#include "fairway/perception/circle_fit.hpp"
+#include "fairway/perception/object/circle_fit.hpp"
 #include "fairway/perception/object_disc.hpp"
 
 namespace fairway {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fairway/perception/moving_track.hpp"
+#include "fairway/perception/object/moving_track.hpp"
 #include "fairway/perception/resting_objects.hpp"
 #include "fairway/perception/rolling_grid.hpp"
 #include "fairway/prediction/moving_obstacle.hpp"

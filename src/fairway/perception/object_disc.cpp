@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "fairway/perception/beam_assignment.hpp"
-#include "fairway/perception/circle_fit.hpp"
+#include "fairway/perception/object/circle_fit.hpp"
 
 namespace fairway {
 

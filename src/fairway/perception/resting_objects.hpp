@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "fairway/perception/moving_track.hpp"
+#include "fairway/perception/object/moving_track.hpp"
 #include "fairway/perception/perception_settings.hpp"
 
 namespace fairway {

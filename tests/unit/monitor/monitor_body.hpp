@@ -11,6 +11,7 @@
 namespace fairway::test {
 
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline Polygon box(double back, double front, double half_width) {
   return {{back, -half_width}, {front, -half_width}, {front, half_width}, {back, half_width}};
@@ -27,6 +28,11 @@ inline MonitorVerdict verdict_of(const MonitorSettings& settings,
   SafetyMonitor monitor(settings);
   EXPECT_TRUE(monitor.see(0.0, points));
   return monitor.check(0.0, {}, current, command);
+}
+
+// Straight on at 1 m/s towards a point so far in front of the body, which moves with `speed`.
+inline MonitorVerdict ahead(const MonitorSettings& settings, double distance, double speed = 1.0) {
+  return verdict_of(settings, {{0.3 + distance, 0.0}}, {.linear = speed}, {.linear = 1.0});
 }
 
 }  // namespace fairway::test

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/monitor/safety_monitor.hpp"
-
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "fairway/monitor/safety_monitor.hpp"
 #include "monitor_body.hpp"
 
 namespace fairway {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/navigation/explanation/status_label.hpp"
 #include "fairway/navigation/navigator.hpp"
-#include "fairway/navigation/status_label.hpp"
 #include "fairway/simulation/unicycle_robot.hpp"
 #include "support/runs/idle_solver.hpp"
 

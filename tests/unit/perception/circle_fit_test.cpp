@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/perception/circle_fit.hpp"
+#include "fairway/perception/object/circle_fit.hpp"
 
 #include <cmath>
 #include <vector>

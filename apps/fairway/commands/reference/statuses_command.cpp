@@ -8,8 +8,8 @@
 #include "cli/output.hpp"
 #include "cli/provenance.hpp"
 #include "commands/commands.hpp"
-#include "fairway/navigation/status_guide.hpp"
-#include "fairway/navigation/status_label.hpp"
+#include "fairway/navigation/explanation/status_guide.hpp"
+#include "fairway/navigation/explanation/status_label.hpp"
 
 namespace fairway::app {
 

@@ -8,9 +8,9 @@
 #include "fairway/io/recording/message_text.hpp"
 #include "fairway/io/yaml/setting_text.hpp"
 #include "fairway/mpc/solution.hpp"
+#include "fairway/navigation/explanation/status_guide.hpp"
+#include "fairway/navigation/explanation/status_label.hpp"
 #include "fairway/navigation/navigation_status.hpp"
-#include "fairway/navigation/status_guide.hpp"
-#include "fairway/navigation/status_label.hpp"
 
 namespace fairway::io {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fairway/navigation/explanation/step_explanation.hpp"
 #include "fairway/navigation/facade/map_navigator_state.hpp"
-#include "fairway/navigation/step_explanation.hpp"
 
 namespace fairway {
 

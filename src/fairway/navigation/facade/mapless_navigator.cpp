@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "fairway/navigation/explanation/step_explanation.hpp"
 #include "fairway/navigation/facade/mapless_navigator_state.hpp"
-#include "fairway/navigation/step_explanation.hpp"
 
 namespace fairway {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/navigation/status_guide.hpp"
+#include "fairway/navigation/explanation/status_guide.hpp"
 
 namespace fairway {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/perception/moving_track.hpp"
+#include "fairway/perception/object/moving_track.hpp"
 
 #include <algorithm>
 #include <cmath>

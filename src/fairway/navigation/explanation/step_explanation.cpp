@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/navigation/step_explanation.hpp"
+#include "fairway/navigation/explanation/step_explanation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "fairway/map/free_space.hpp"
-#include "fairway/navigation/status_guide.hpp"
+#include "fairway/navigation/explanation/status_guide.hpp"
 #include "fairway/planning/obstruction_text.hpp"
 
 namespace fairway {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/navigation/status_label.hpp"
+#include "fairway/navigation/explanation/status_label.hpp"
 
 namespace fairway {
 
